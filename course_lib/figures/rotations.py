@@ -111,20 +111,6 @@ def rotated_point(w, p, exp):
     )
 
 
-def series_errors(errors):
-    """Return how far sums of the exponential series are from a rotation: {label: errors after 1, 2, ... terms}."""
-    said = [
-        f"for {label} it is {e[0]:.4g} after one term, at most {max(e):.4g}, and {e[-1]:.1g} after {len(e)}"
-        for label, e in errors.items()
-    ]
-    terms = np.arange(1, 1 + len(next(iter(errors.values()))))
-    return Picture(
-        lines(terms, errors, log="y", xlabel="terms of the series after I", ylabel="largest entry of $R^T R - I$"),
-        f"On a logarithmic axis, the error against the number of terms: {'; '.join(said)}.",
-        "The larger the angle, the larger the error at first, and the more terms are needed.",
-    )
-
-
 def log_errors(short_of_pi, errors):
     """Return errors of logarithms {label: (n,)} over pi minus the angle, (n,), all in radians."""
     drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
