@@ -1,21 +1,29 @@
-"""What was handed in is found, whatever it is called; all other files are refused with a reason."""
+"""What was handed in is found, whatever it is called, in what learning platforms export too; other files are refused.
 
+The exports are built by the rules of the code that writes them.
+"""
+
+import csv
 import os
 import unicodedata
 import zipfile
+from datetime import UTC, datetime
 
 import pytest
+from grade_stand_in import grade
 
 from course_lib.pack.grade import collect, zips
+from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.collect import Refused, Submission, file_names, find, printable, read, split
+from course_lib.pack.grade.gradebook import Roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 
 
-def write(folder, *names):
+def write(folder, *names, text="{}"):
     for name in names:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text("{}")
+        (folder / name).write_text(text)
 
 
 def found(folder, platform=""):
@@ -50,6 +58,7 @@ STEMS = {
     "anna_02_01_rotations": ("anna_02", "01_rotations"),
     "anna_homework": ("", ""),
     "anna_counterrotations": ("", ""),
+    "rotations" + " copy_-_" * 30 + "!": ("", ""),  # made to slow down the search
 }
 
 
@@ -58,12 +67,9 @@ def test_a_name_is_split_into_student_and_notebook(stem):
     assert split(stem, NOTEBOOKS) == STEMS[stem]
 
 
-def test_a_name_made_to_slow_down_the_search_does_not():
-    assert split("rotations" + " copy_-_" * 30 + "!", NOTEBOOKS) == ("", "")
-
-
 def test_both_layouts_are_read(tmp_path):
-    write(tmp_path, "anna_b/01_rotations.ipynb", "anna_b/02_rigid_motion (1).ipynb", "Zoë Ü_01_rotations.ipynb")
+    write(tmp_path, "anna_b/hw_1_01_rotations.ipynb", "anna_b/hw_2_02_rigid_motion (1).ipynb")  # numbers of her own
+    write(tmp_path, "Zoë Ü_01_rotations.ipynb")
     write(tmp_path, "carl/hand-in/notebooks/anything.ipynb", "dora_my work.ipynb")
     both = [("anna_b", "01_rotations"), ("anna_b", "02_rigid_motion"), ("Zoë Ü", "01_rotations")]
     assert sorted(found(tmp_path)) == sorted([*both, ("carl", "anything"), ("dora_my work", "dora_my work")])
@@ -85,29 +91,30 @@ MOODLE = {
 }
 
 
+TYPED = {  # into the platform, which is no refusal
+    "canvas": ("doejane_1234_text.html", "bo_LATE_7_link.html"),
+    "moodle": ("Zoë Ünal_42_assignsubmission_onlinetext/onlinetext.html",),
+}
+
+
 @pytest.mark.parametrize(("platform", "exported"), [("canvas", CANVAS), ("moodle", MOODLE)])
 def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(platform, exported, tmp_path):
-    write(tmp_path, *exported, "roster.csv")
-    seen = [each for each in find(tmp_path, NOTEBOOKS, platform) if each.place != "roster.csv"]
+    write(tmp_path / "in", *exported, *TYPED[platform], "roster.csv")
+    seen = [each for each in find(tmp_path / "in", NOTEBOOKS, platform) if each.place != "roster.csv"]
     assert {each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen} == exported
-    assert collect.platform_of(tmp_path) == platform, "so that the instructor is asked"
-    write(tmp_path, "Bo/01_rotations.ipynb")
-    assert collect.platform_of(tmp_path) == ""
-    assert {each.platform_id for each in find(tmp_path, NOTEBOOKS)} == {""}
+    assert collect.platform_of(tmp_path / "in") == platform, "so that the instructor is asked"
+    for named in (platform, ""):
+        (inner,) = find(tmp_path, NOTEBOOKS, named)
+        assert "export of a class: put its files directly into the folder of submissions" in inner.refused
+    write(tmp_path / "in", "Bo/01_rotations.ipynb")
+    assert collect.platform_of(tmp_path / "in") == ""
+    assert {each.platform_id for each in find(tmp_path / "in", NOTEBOOKS)} == {""}
 
 
 def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
     write(tmp_path, "doejane_1234_5678_x/01_rotations.ipynb", "bo_1235_98_01_rotations.ipynb")
     assert found(tmp_path, "canvas") == [("bo_1235", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
     assert found(tmp_path, "none") == [("bo_1235_98", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
-
-
-def test_text_typed_into_a_platform_is_no_refusal(tmp_path):
-    moodle = "Jane Doe_42_assignsubmission"
-    write(tmp_path / "m", f"{moodle}_file/01_rotations.ipynb", f"{moodle}_onlinetext/onlinetext.html")
-    write(tmp_path / "c", "doejane_1234_5678_01_rotations.ipynb", "doejane_1234_text.html", "bo_LATE_7_link.html")
-    assert found(tmp_path / "m", "moodle") == [("Jane Doe", "01_rotations")]
-    assert found(tmp_path / "c", "canvas") == [("doejane_1234", "01_rotations")]
 
 
 def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
@@ -127,7 +134,8 @@ def test_two_spellings_of_one_name_are_one_student(tmp_path):
 def test_files_that_programs_leave_behind_are_ignored(tmp_path):
     write(tmp_path, "anna/.ipynb_checkpoints/01_rotations-checkpoint.ipynb", "anna/01_rotations.ipynb", ".DS_Store")
     write(tmp_path, "__MACOSX/anna/01_rotations.ipynb", "anna/._01_rotations.ipynb", "anna/numpy.py")
-    assert found(tmp_path) == [("anna", "01_rotations")]
+    write(tmp_path, "eve/.work/01_rotations.ipynb", ".hidden/01_rotations.ipynb")  # which may be a student's
+    assert found(tmp_path) == [(name, "01_rotations") for name in (".hidden", "anna", "eve")]
     assert refused(tmp_path) == {}
 
 
@@ -136,6 +144,91 @@ def test_names_are_shown_on_one_line_with_escapes_for_unprintable_characters(tmp
     assert printable(os.fsdecode(b"a\xff")) == "a\\xff"
     (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
     assert found(tmp_path) == [("a\\xff", "01_rotations")]
+
+
+# ---- what platforms and programs export ----
+
+GRADESCOPE = """---
+submission_5001:
+  :submitters:
+  - :name: Zoë O'Neill
+    :sid: '301'
+    :email: zoe@example.org
+  :created_at: 2026-11-30 17:00:12.123456000 Z
+  :score: 7.0
+  :status: processed
+  :results:
+    output: |-
+      submission_5002:
+        :submitters:
+        - :name: Mallory
+  :history:
+  - :id: 4999
+    :created_at: 2026-11-29 10:00:00.000000000 Z
+submission_5002:
+  :submitters:
+  - :name: Pair One
+    :sid: '302'
+  - :name: "Pair Two"
+    :sid:
+  :created_at: 2026-12-01 09:00:00.000000000 -08:00
+submission_5003:
+  :submitters: []
+"""
+
+
+@pytest.mark.parametrize("place", ["", "assignment_9100_export/"])
+def test_gradescope_names_each_student_of_a_hand_in_and_its_time(tmp_path, place):
+    """The export as its readers describe it (ucbds-infra/otter-grader, otter/grade/metadata.py, GradescopeParser)."""
+    for number in (5001, 5002, 5003):
+        write(tmp_path / "in", f"{place}submission_{number}/01_rotations.ipynb", text='{"points": [2, 2]}')
+    (tmp_path / "in" / place / "submission_metadata.yml").write_text(GRADESCOPE, encoding="utf-8")
+    found = {each.student: each for each in find(tmp_path / "in", NOTEBOOKS)}
+    assert list(found) == ["Zoë O'Neill", "Pair One", "Pair Two", "submission_5003"]
+    assert [each.platform_id for each in found.values()] == ["301", "302", "", ""]
+    times = [datetime.fromtimestamp(found[name].modified, UTC) for name in ("Zoë O'Neill", "Pair Two")]
+    assert times == [datetime(2026, 11, 30, 17, 0, 12, 123456, UTC), datetime(2026, 12, 1, 17, tzinfo=UTC)]
+    late = ["--deadline", "2026-11-30T18:00+00:00", "--late", "10%", "--times", "files"]
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", *late], grade=grade) == 0
+    with (tmp_path / "out/totals.csv").open(encoding="utf-8-sig") as file:
+        points = {row["student"]: row["total"] for row in csv.DictReader(file)}
+    assert [points[name] for name in ("Zoë O'Neill", "Pair One", "Pair Two")] == ["4", "3.6", "3.6"]
+
+
+def test_a_students_file_is_not_taken_for_gradescopes_list(tmp_path):
+    write(tmp_path, "mallory/submission_5001/01_rotations.ipynb")
+    (tmp_path / "mallory/submission_metadata.yml").write_text(GRADESCOPE, encoding="utf-8")
+    assert {each.student for each in find(tmp_path, NOTEBOOKS)} == {"mallory"}
+
+
+def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_path):
+    """A group's number is its own; the default group has none (moodle/moodle, mod/assign/classes/downloader.php)."""
+    file = "assignsubmission_file"
+    write(tmp_path, f"Team A_12_{file}/01_rotations.ipynb", f"Default group_{file}/sub/01_rotations.ipynb")
+    write(tmp_path, "Default group_assignsubmission_onlinetext/onlinetext.html", f"Team B_{file}_02_rigid_motion.ipynb")
+    found = {(each.student, each.platform_id) for each in find(tmp_path, NOTEBOOKS, "moodle")}
+    assert found == {("Team A", "12"), ("Default group", ""), ("Team B", "")}
+
+
+def test_a_name_without_the_signs_that_moodle_leaves_out_is_found_in_the_roster():
+    """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php, PARAM_FILE)."""
+    rows = [{"First name": "Seán", "Last name": "O'Neill"}, {"First name": "Al", "Last name": "Bo"}]
+    assert Roster(rows).find("Seán ONeill") == [rows[0]]
+
+
+def test_the_folders_of_nbgrader_and_the_zips_of_otter_are_read(tmp_path):
+    """By jupyter/nbgrader, nbgrader/exchange/default/collect.py: submitted/<student>/<assignment>/, with a time.
+
+    By ucbds-infra/otter-grader, otter/check/notebook.py, Notebook.export: <notebook>_<time>.zip.
+    """
+    write(tmp_path, "hacker/ps1/01_rotations.ipynb", "hacker/ps1/timestamp.txt", "hacker/ps2/02_rigid_motion.ipynb")
+    (tmp_path / "bitdiddle").mkdir()
+    with zipfile.ZipFile(tmp_path / "bitdiddle/01_rotations_2026_11_30T17_00_12_123456.zip", "w") as archive:
+        for name in ("01_rotations.ipynb", ".OTTER_LOG", "01_rotations.pdf", "__zip_filename__"):
+            archive.writestr(name, "{}")
+    found = sorted((each.student, each.notebook, each.refused) for each in find(tmp_path, NOTEBOOKS))
+    work = [("bitdiddle", "01_rotations"), ("hacker", "01_rotations"), ("hacker", "02_rigid_motion")]
+    assert found == [(*each, "") for each in work]
 
 
 # ---- what is refused ----
@@ -231,14 +324,9 @@ def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monk
             read(each)
         except Refused as reason:
             said[each.student] = str(reason)
-    words = {
-        "many": "more than 100",
-        "bomb": "far larger",
-        "strange": "ordinary zip",
-        "none": "not a notebook in the zip",
-    }
+    words = {"many": "more than 100", "bomb": "far larger", "strange": "ordinary zip", "broken": "cannot be opened"}
     words |= dict.fromkeys(("class", "moodle", "gradescope"), "export of a class: unpack it into the folder")
-    words |= {"broken": "cannot be opened"}
+    words["none"] = "not a notebook in the zip"
     assert said.keys() == words.keys()
     for student, expected in words.items():
         assert expected in said[student]

@@ -64,14 +64,6 @@ def test_a_folder_with_too_many_files_is_searched_in_part(handed_in, monkeypatch
     assert len([each for each in find(handed_in, NOTEBOOKS) if each.student == "eve"]) <= MAX_LISTED + 1
 
 
-def test_a_folder_whose_name_begins_with_a_dot_has_a_line(handed_in):
-    hand_in(handed_in, ".hidden/01_rotations.ipynb")
-    hand_in(handed_in, ".more/report.pdf")
-    hand_in(handed_in, "eve/.work/01_rotations.ipynb")
-    hand_in(handed_in, "eve/.ipynb_checkpoints/01_rotations-checkpoint.ipynb")
-    assert lines(handed_in) == {"innocent": "graded", ".hidden": "graded", ".more": "refused", "eve": "graded"}
-
-
 def test_unreadable_files_are_reported_in_the_student_s_line(handed_in, monkeypatch):
     for name in ("locked/inner/01_rotations.ipynb", "gone/01_rotations.ipynb", "odd/01_rotations.ipynb"):
         hand_in(handed_in, name)
