@@ -1,5 +1,9 @@
-"""Tests that students write, graded from outside: what they judge are stand-ins, whose answers come from the grader."""
+"""Tests that students write, graded from outside: what they judge are stand-ins, whose answers come from the grader.
 
+A submission holds several of them, each for an exercise of its own, which no other may affect.
+"""
+
+import re
 from dataclasses import replace
 
 import pytest
@@ -22,48 +26,44 @@ def test_log(log):
 RIGHT_DOUBLE = "def double(x):\n    return [2 * entry for entry in x]"
 
 
-@pytest.fixture(autouse=True)
-def course(monkeypatch, request):
-    """A course of two exercises. Where candidates are compared, few serve, for each has a sandbox of its own."""
-    three_right_and_two_wrong = replace(TEST_LOG, versions=TEST_LOG.versions[:5])
-    test = three_right_and_two_wrong if {"way", "often"} & {*request.fixturenames} else TEST_LOG
-    known = {"09_toys": Course("09_toys", "toys", (DOUBLE, test), ())}
-    monkeypatch.setattr(notebook_file, "courses", lambda: known)
-    monkeypatch.setattr(submission, "courses", lambda: known)
+@pytest.fixture
+def graded(monkeypatch):
+    """Return a function that takes {name: the source of a test} and returns {name: its row}, of one submission."""
+
+    def graded(tests, versions=TEST_LOG.versions):
+        named = {f"test_log_{number}": name for number, name in enumerate(tests)}
+        exercises = tuple(replace(TEST_LOG, name=exercise, versions=versions) for exercise in named)
+        known = {"09_toys": Course("09_toys", "toys", (DOUBLE, *exercises), ())}
+        for module in (notebook_file, submission):
+            monkeypatch.setattr(module, "courses", lambda: known)
+        cells = [re.sub(r"\btest_log\b", each, tests[name]) for each, name in named.items()]
+        before = processes(), traces()
+        result = submission.grade(book(IMPORTS, RIGHT_DOUBLE, *cells), "09_toys", SEED, SHORT)
+        assert (left_over(before[0]), traces()) == (set(), before[1])
+        double, *rows = result["exercises"]
+        assert double["points"] == 2, "another exercise suffers for it"
+        return {named[row["exercise"]]: row for row in rows}
+
+    return graded
 
 
-def graded(*cells):
-    """{exercise: its row} of a submission with a right `double` and these cells."""
-    before = processes(), traces()
-    result = submission.grade(book(IMPORTS, RIGHT_DOUBLE, *cells), "09_toys", SEED, SHORT)
-    assert (left_over(before[0]), traces()) == (set(), before[1])
-    rows = {row["exercise"]: row for row in result["exercises"]}
-    assert rows["double"]["points"] == 2, "another exercise suffers for it"
-    return rows["test_log"]
-
-
-def test_a_thorough_test_earns_all_points():
-    row = graded(THOROUGH)
-    assert (row["state"], row["points"]) == ("right", 4), row["message"]
-
-
-@pytest.mark.parametrize("often", [3_000])
-def test_a_test_may_call_each_of_its_versions_thousands_of_times(often):
-    calls = f"    for _ in range({often}):\n        log(np.eye(3))\n    return True"
-    row = graded(THOROUGH.replace("    return True", calls))
-    assert (row["state"], row["points"]) == ("right", 4), row["message"]
-
-
-def test_a_test_that_calls_without_an_end_is_refused_before_its_time_is_up():
-    row = graded("def test_log(log):\n    while True:\n        log(np.eye(3))")
-    assert (row["state"], row["points"]) == ("error in your code", 0)
-    assert "more than 5,000 calls of the function that it tests. Does a loop never end?" in row["message"]
-
-
-def test_a_superficial_test_earns_a_part_and_the_message_names_what_slips_through():
-    row = graded("def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])")
-    assert (row["state"], row["points"]) == ("wrong", 1)
-    assert "one that is wrong only near half a turn" in row["message"]
+def test_a_test_earns_points_by_the_versions_that_it_judges_rightly(graded):
+    often = "    for _ in range(1_000):\n        log(np.eye(3))\n    return True"
+    rows = graded({
+        "thorough": THOROUGH,
+        "often": THOROUGH.replace("    return True", often),
+        "without an end": "def test_log(log):\n    while True:\n        log(np.eye(3))",
+        "superficial": "def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])",
+    }, TEST_LOG.versions[:8])  # fmt: skip
+    assert {name: (row["state"], row["points"]) for name, row in rows.items()} == {
+        "thorough": ("right", 4),
+        "often": ("right", 4),
+        "without an end": ("error in your code", 0),
+        "superficial": ("wrong", 1),
+    }, rows
+    calls = "more than 5,000 calls of the function that it tests. Does a loop never end?"
+    assert calls in rows["without an end"]["message"], "it is refused before its time is up"
+    assert "one that is wrong only near half a turn" in rows["superficial"]["message"]
 
 
 PLURALITY = """
@@ -92,11 +92,11 @@ REMEMBERS = {
     "in memory that all children share": "end = shared.find(b'\\0')\n    text = json.dumps(log).encode() + b';'\n"
     "    shared[end : end + len(text)] = text\n"
     "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
-    "by asking for another's number": "return [log, *others]\nothers = []\nimport course_lib.checks.call_student as c\n"
+    "by asking for another's number": "return others\nothers = []\nimport course_lib.checks.call_student as c\n"
     "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = self._number\n"
     "    for self._number in range(9):\n"
     "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n"
-    "        except ValueError:\n            others.append('raises')\n    self._number = mine\n"
+    "        except ValueError:\n            pass\n    self._number = mine\n"
     "    return real(self, *arguments)\nc._StandIn.__call__ = call",
     "in a process that stays": "import socket\n    name = chr(0) + 'seen'\n    try:\n"
     "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n"
@@ -143,10 +143,17 @@ REMEMBERS = {
 }
 
 
-@pytest.mark.parametrize("way", REMEMBERS)
-def test_candidates_cannot_be_compared_with_each_other(way):
-    row = graded(PLURALITY.replace("{remember}", REMEMBERS[way]))
-    assert (row["state"], row["points"]) == ("wrong", 0), row["message"]
+ALL = "by asking for another's number"  # this one spoils the calls of all tests beside it
+
+
+@pytest.mark.parametrize("ways", [[ALL], [way for way in REMEMBERS if way != ALL]], ids=["by number", "by the others"])
+def test_candidates_cannot_be_compared_with_each_other(graded, ways):
+    tests = {way: PLURALITY.replace("{remember}", REMEMBERS[way]) for way in ways}
+    for number, way in enumerate(ways):  # each has its own names
+        tests[way] = re.sub(r"\b(remember|shared|R|seen|others|real|call)\b", rf"\1_{number}", tests[way])
+    right, another, _, wrong, *_ = TEST_LOG.versions  # few, for each has a sandbox of its own
+    rows = graded(tests, (right, another, wrong))
+    assert {way: (row["state"], row["points"]) for way, row in rows.items()} == dict.fromkeys(ways, ("wrong", 0)), rows
 
 
 ATTACKS = {
@@ -221,9 +228,8 @@ def test_log(log):
 }
 
 
-@pytest.mark.parametrize("attack", ATTACKS)
-def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(attack, monkeypatch):
+def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(graded, monkeypatch):
     monkeypatch.setattr(submission, "MOST_CALLS", 1000)  # so that calls without an end do not take long
-    row = graded(ATTACKS[attack])
-    assert row["state"] != "right", row
-    assert row["points"] <= 1, row  # a guess may be lucky: on average it earns nothing
+    rows = graded(ATTACKS)
+    assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}
+    assert {name: row for name, row in rows.items() if row["points"] > 1} == {}, "a guess may be lucky, and earn 1"
