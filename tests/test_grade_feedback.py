@@ -70,21 +70,33 @@ def assert_inert(text):
     assert ("content", "default-src 'none'; style-src 'unsafe-inline'") in read.attributes
 
 
+def test_both_pages_escape_all_text_from_a_submission():
+    assert_inert(feedback_page(one(*evil_one())))
+    page = class_page([one(*evil_one())])
+    assert_inert(page)
+    assert page.count("<h2>") == 3
+    assert class_page([one(*of("zoe", [2, 2]))]).count("<h2>") == 1, "without mistakes"
+    assert class_page([one(*of("zoe"))]).count("<h2>") == 0, "without grades"
+
+
 # ---- feedback ----
 
 
-def test_feedback_shows_points_messages_and_comments():
+def test_feedback_shows_points_messages_marks_and_comments():
     submission, its = of("zoe", [2, 0, 0], ["because"])
     its["exercises"][2] |= {"state": NOT_ATTEMPTED, "message": ""}
-    read = Read(feedback_page(one(submission, its)))
+    its["questions"].append({"question": "explain_frame", "of": 2, "text": "so", "task": "**B.** Which frame's?"})
+    rows = {key("zoe", "01_rotations", "explain_frame", "so"): {"mark": "1.5", "comment": "Nearly: which axis?"}}
+    read = Read(feedback_page(one(submission, its, rows=rows)))
     for words in (
-        *("2 of 8 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because", "✓ right"),
+        *("3.5 of 10 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because", "✓ right"),
         *("✗ wrong", "○ not attempted", "to be read", "release 0.1.0-abc", "zoe/01_rotations.ipynb"),
+        *("explain_frame (B): read, 1.5 of 2", "Which frame's?", "Nearly: which axis?"),
     ):
         assert words in read.text
     assert "yet" not in read.text
     anchors = [value[1:] for name, value in read.attributes if name == "href"]
-    assert anchors == ["exercise_1", "explain_0"]
+    assert anchors == ["exercise_1", "explain_0", "explain_frame"]
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
@@ -104,10 +116,6 @@ def test_feedback_has_a_group_for_the_core_and_one_for_more_with_subtotals_and_t
         assert "exercise_0" not in more
         assert ("points of More count" in class_page([each])) == (weight < 1)
         assert "01_rotations: exercise_2 (More)" in class_page([each])
-
-
-def test_feedback_escapes_all_text_from_a_submission():
-    assert_inert(feedback_page(one(*evil_one())))
 
 
 def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_path):
@@ -213,18 +221,6 @@ def test_an_exercise_separates_as_its_points_follow_the_students_other_points():
     assert {row[-2] for row in rows(few, "Hardest exercises")} == {""}
 
 
-def test_the_class_page_escapes_all_text_from_a_submission():
-    page = class_page([one(*evil_one())])
-    assert_inert(page)
-    assert page.count("<h2>") == 3
-
-
-@pytest.mark.parametrize("points", [[], [2, 2]])
-def test_a_class_without_mistakes_or_grades_has_a_page(points):
-    page = class_page([one(*of("zoe", points))])
-    assert page.count("<h2>") == (1 if points else 0)
-
-
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_both_pages_are_readable_in_the_light_and_in_the_dark_theme(browser, tmp_path, theme):
     everything = a_class()
@@ -262,12 +258,3 @@ def test_the_class_page_counts_ungraded_files_separately():
     said = "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (not in the means below)"
     assert said in read.text
     assert "01_rotations6 4 4.0 4 4".replace(" ", "") in "".join(read.text.split())
-
-
-def test_feedback_shows_a_question_with_its_letter_its_mark_and_the_comment():
-    question = {"question": "explain_frame", "of": 2, "text": "because", "task": "**B.** Which frame's velocities?"}
-    rows = {key("zoe", "01_rotations", "explain_frame", "because"): {"mark": "1.5", "comment": "Nearly: which axis?"}}
-    read = Read(feedback_page(one(*of("zoe", [2], questions=[question]), rows=rows)))
-    for words in ("explain_frame (B): read, 1.5 of 2", "Which frame's velocities?", "because", "Nearly: which axis?"):
-        assert words in read.text
-    assert ("href", "#explain_frame") in read.attributes

@@ -14,16 +14,7 @@ from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, cell_text
 from course_lib.pack.grade.deadline import Deadline
 from course_lib.pack.grade.jobs import ungraded_result
-from course_lib.pack.grade.marks import (
-    COLUMNS,
-    OLDER,
-    READ,
-    TO_BE_READ,
-    key,
-    mark_answer,
-    marks_text,
-    read_marks,
-)
+from course_lib.pack.grade.marks import COLUMNS, OLDER, READ, TO_BE_READ, key, mark_answer, marks_text, read_marks
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import GRADES, graded_files, grades_text, totals, totals_text
 from course_lib.pack.release import PROMPT
@@ -80,13 +71,17 @@ def type_in(path, encoding="utf-8", separator=",", newline="\r\n", **columns):
 
 
 def test_grades_have_a_line_for_each_exercise_and_question(path):
-    rows = Class(path, outcome("zoe", [2, 0], ["because"]), outcome("anna", [0])).grades()
+    blamed = outcome("anna", [0])
+    first = "Your log_so3, which it calls, is not right yet."
+    blamed[1]["exercises"][0]["message"] = f"{first}\nCorrect log_so3 first, then run this check again."
+    rows = Class(path, outcome("zoe", [2, 0], ["because"]), blamed).grades()
     assert list(rows[0]) == list(GRADES)
     lines = [(row["student"], row["exercise"], row["points"], row["of"], row["state"]) for row in rows]
     zoes = [("zoe", "exercise_0", "2", "2", "right"), ("zoe", "exercise_1", "0", "2", "wrong")]
     question = ("zoe", "explain_0", "", "2", TO_BE_READ)
     assert lines == [("anna", "exercise_0", "0", "2", "wrong"), *zoes, question]
-    assert rows[0]["message"] == "What should hold: it is a rotation."
+    assert rows[0]["message"] == "Your log_so3, which it calls, is not right.", "no check can be run after the hand-in"
+    assert rows[2]["message"] == "What should hold: it is a rotation."
     assert {row["release"] for row in rows} == {"0.1.0-abc"}
 
 
@@ -147,13 +142,6 @@ def test_a_notebook_handed_in_as_another_is_said_to_be_that(path):
     said = "It was handed in as 01_rotations, but it is 02_rigid_motion, and is graded as that."
     assert said in [row["message"] for row in both.grades()]
     assert both.totals()[0]["02_rigid_motion"] == "2"
-
-
-def test_no_message_after_the_hand_in_asks_to_run_the_check_again(path):
-    blamed = outcome("zoe", [0])
-    first = "Your log_so3, which it calls, is not right yet."
-    blamed[1]["exercises"][0]["message"] = f"{first}\nCorrect log_so3 first, then run this check again."
-    assert Class(path, blamed).grades()[0]["message"] == "Your log_so3, which it calls, is not right."
 
 
 def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
@@ -315,16 +303,13 @@ def test_an_invalid_mark_is_reported_and_not_counted(path, typed):
     assert again.totals()[0]["total"] == "2"
 
 
-def test_a_file_that_could_not_be_read_has_no_question_to_be_read():
-    each = mark_answer({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
-    assert (each.state, each.points) == (UNREADABLE, 0)
-    assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
-
-
-def test_an_unanswered_question_waits_for_no_mark(path):
+def test_an_unanswered_question_or_one_that_could_not_be_read_waits_for_no_mark(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
     assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
+    each = mark_answer({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
+    assert (each.state, each.points) == (UNREADABLE, 0)
+    assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
 
 
 def test_no_key_is_a_number_that_a_spreadsheet_rounds_and_keys_of_old_tables_hold(path):
