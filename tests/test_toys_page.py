@@ -20,7 +20,7 @@ from course_lib.figures.poe_kuka_iiwa import arm_movie
 from course_lib.trajectory import Trajectory
 
 MINUS = "\N{MINUS SIGN}"
-ALL = 26000  # pixels: a window in which all toys are near, so that none is removed and made anew for every test
+ALL = 26000  # pixels: a window in which all toys are, so that none waits to be drawn and no test scrolls
 
 
 @pytest.fixture(scope="module")
@@ -56,23 +56,33 @@ KEPT = """{
     return (window.gl = getContext.call(this, kind, ...more));
   };
 }"""
-LOOKS = {"desktop": (1280, "light"), "phone": (390, "dark")}  # width in pixels, theme
-# How a toy is moved, and what it says of what it computes, is the same at any width: one visit proves it.
-once = pytest.mark.parametrize("visit", [LOOKS["desktop"]], ids=["desktop"], indirect=True)
 
 
-@pytest.fixture(scope="module", params=LOOKS.values(), ids=LOOKS)
-def visit(page, browser, request):
-    width, theme = request.param
-    with Visit(browser, None, width=width, theme=theme, java_script_enabled=True) as visit:
+@pytest.fixture(scope="module")
+def visit(page, browser):
+    """The page on a desktop, in the light, with pictures of a quarter of the dots, for all are drawn in software."""
+    with Visit(browser, None, width=1280, device_scale_factor=0.5) as visit:
         visit.page.add_init_script(KEPT)
-        visit.page.set_viewport_size({"width": width, "height": ALL})
+        visit.page.set_viewport_size({"width": 1280, "height": ALL})
         visit.page.goto(page.as_uri())
-        visit.page.wait_for_function("() => !document.querySelector('.toy-figure:not(:has(.course-toy))')")
-        yield visit
-        assert visit.complaints == []
-        assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
-        assert not visit.page.evaluate("document.documentElement.scrollWidth > innerWidth")
+        yield from until_it_ends(visit)
+
+
+@pytest.fixture(scope="module")
+def phone(page, browser):
+    """The page on a phone, in the dark."""
+    looks = {"theme": "dark", "width": 390, "has_touch": True, "is_mobile": True, "device_scale_factor": 0.5}
+    with Visit(browser, page, **looks) as visit:
+        yield from until_it_ends(visit)
+
+
+def until_it_ends(visit):
+    # Until each toy has its height, what stands above the window grows and moves what is in it.
+    visit.page.wait_for_function("() => !document.querySelector('.toy-figure:not(.drawn)')")
+    yield visit
+    assert visit.complaints == []
+    assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
+    assert not visit.page.evaluate("document.documentElement.scrollWidth > innerWidth")
 
 
 # A number that stands for all that a toy shows, its drawings and its words (FNV-1a).
@@ -106,7 +116,6 @@ def wait_for_another_picture(visit, box, before):
     wait_until(visit, f"(box, before) => ({PICTURE})(box) !== before", box, before)
 
 
-@once
 @pytest.mark.parametrize("name", TOYS)
 def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_keyboard(visit, name):
     box = figure_of(visit, name)
@@ -144,7 +153,6 @@ def centre(handle):
     return place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
 
 
-@once
 @pytest.mark.parametrize("name", HANDLES)
 def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
     box = figure_of(visit, name)
@@ -159,15 +167,6 @@ def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
         expect(handle).not_to_have_attribute("aria-label", label)
         if "direction" not in label and name not in FREE:
             assert centre(handle) == pytest.approx((x - 25, y + 30), abs=3)
-
-
-@pytest.fixture(scope="module")
-def phone(page, browser):
-    with Visit(browser, page, width=390, has_touch=True, is_mobile=True) as visit:
-        # Until each toy has its height, what stands above the window grows and moves what is in it.
-        visit.page.wait_for_function("() => !document.querySelector('.toy-figure:not(.drawn)')")
-        yield visit
-        assert visit.complaints == []
 
 
 @pytest.mark.parametrize("name", HANDLES)
@@ -195,7 +194,6 @@ def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name)
     phone.page.wait_for_function("before => scrollY > before + 60", arg=before)
 
 
-@once
 @pytest.mark.parametrize("name", ["axis", "circles_toy", "panda_toy"])
 def test_arrow_keys_and_pointer_change_the_view(visit, name):
     box = figure_of(visit, name)
@@ -213,7 +211,6 @@ def test_arrow_keys_and_pointer_change_the_view(visit, name):
 # ---- the one WebGL context ----
 
 
-@once
 def test_all_toys_share_one_context_and_survive_its_loss(visit):
     box = figure_of(visit, "panda_toy")
     assert visit.page.evaluate("window.contexts") == 1
@@ -245,62 +242,42 @@ def test_without_webgl_the_words_or_the_still_stay_and_toys_in_the_plane_live(pa
 
 # ---- colours ----
 
-# From now on every canvas notes the colours of its words, and of its lines that are no grid and part no cells.
+# From now on every toy notes the colours of its words, and of its lines that are no grid and part no cells.
 NOTE = """() => {
-  const begun = window.noted;
-  window.noted = { words: new Set(), lines: new Set() };
-  if (begun) return;
   const context = CanvasRenderingContext2D.prototype, { fillText, stroke } = context, { scene } = window.course;
   const { draw } = scene;
-  context.fillText = function (...a) { window.noted.words.add(this.fillStyle); fillText.apply(this, a); };
+  const noted = ({ canvas }) =>
+    (canvas.closest(".toy-figure").noted ??= { words: new Set(), lines: new Set() });
+  context.fillText = function (...a) { noted(this).words.add(this.fillStyle); fillText.apply(this, a); };
   context.stroke = function (...a) {
-    if (this.lineWidth >= 1.5 && this.globalAlpha === 1) window.noted.lines.add(this.strokeStyle);
+    if (this.lineWidth >= 1.5 && this.globalAlpha === 1) noted(this).lines.add(this.strokeStyle);
     stroke.apply(this, a);
   };
   scene.draw = (context, what, redraw) => {
-    what.lines.filter(({ layer }) => layer !== "floor").forEach(({ colour }) => window.noted.lines.add(colour));
+    what.lines.filter(({ layer }) => layer !== "floor").forEach(({ colour }) => noted(context).lines.add(colour));
     draw(context, what, redraw);
   };
 }"""
 STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
-# Of what was noted, and of the words that are HTML, {colour: its contrast with the ground}; and the least contrast of
-# the text below the drawing.
-CONTRASTS = f"""(box) => {{
+# Of each toy: its ground, {colour: its contrast with the ground} of the words and of the lines that were noted, and the
+# least contrast of the text below the drawing.
+CONTRASTS = f"""() => [...document.querySelectorAll(".toy-figure")].map((box) => {{
   const style = (e) => getComputedStyle(e), all = (part) => [...box.querySelectorAll(part)];
-  const there = document.body.appendChild(document.createElement("p"));
-  there.style.backgroundColor = style(box.querySelector("canvas")).backgroundColor;
+  const there = document.body.appendChild(document.createElement("p")), noted = box.noted ?? {{ words: [], lines: [] }};
+  const ground = there.style.backgroundColor = style(box.querySelector("canvas")).backgroundColor;
   const measured = (colours) => Object.fromEntries([...colours].map((colour) => {{
     there.style.color = colour;
     return [colour, ({CONTRAST})(there)];
   }}));
-  const words = measured([...all(".word").map((e) => style(e).color), ...window.noted.words]);
-  const lines = measured(window.noted.lines), text = [".course-toy", ".numbers", "button", "label", "p"].flatMap(all);
+  const words = measured([...all(".word").map((e) => style(e).color), ...noted.words]);
+  const lines = measured(noted.lines), text = [".course-toy", ".numbers", "button", "label", "p"].flatMap(all);
   there.remove();
-  return [words, lines, Math.min(...text.map({CONTRAST}))];
-}}"""
+  box.noted = null;
+  return [ground, words, lines, Math.min(...text.map({CONTRAST}))];
+}})"""
 
 
-@pytest.mark.parametrize("name", TOYS)
-def test_text_and_lines_have_enough_contrast_in_both_themes(visit, name):
-    box = figure_of(visit, name)
-    visit.page.evaluate(NOTE)
-    before = picture(box)
-    one = box.locator("canvas[tabindex], .handle, input").first
-    one.focus()
-    visit.page.keyboard.press("ArrowLeft")
-    wait_for_another_picture(visit, box, before)
-    ground = STAGES[visit.page.evaluate("document.documentElement.dataset.theme")]
-    expect(box.locator("canvas").first).to_have_css("background-color", ground)
-    words, lines, text = box.evaluate(CONTRASTS)
-    assert words or name in ("belt", "reach", "eight", "fly")
-    assert lines or name in ("belt", "panda_toy", "reach", "eight")
-    assert [colour for colour, contrast in words.items() if contrast < 4.5] == []
-    assert [colour for colour, contrast in lines.items() if contrast < 3] == []
-    assert text > 4.5
-
-
-@once
-def test_toys_follow_a_change_of_theme_and_keep_their_configuration(visit):
+def test_toys_follow_a_change_of_theme_with_enough_contrast_and_keep_their_configuration(visit):
     before = {}
     for box in (figure_of(visit, "circles_toy"), figure_of(visit, "planar_arm_toy")):
         slider, at_first = box.get_by_role("slider").first, picture(box)
@@ -309,14 +286,20 @@ def test_toys_follow_a_change_of_theme_and_keep_their_configuration(visit):
         wait_for_another_picture(visit, box, at_first)
         visit.page.evaluate(SETTLED, 500)  # the last picture of a movement is finer
         before[box] = slider, slider.input_value(), picture(box)
-    theme = visit.page.evaluate("document.documentElement.dataset.theme")
-    for shown in ({"light": "dark", "dark": "light"}[theme], theme):
-        visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", shown)
-        sign = "===" if shown == theme else "!=="
+    visit.page.evaluate(NOTE)
+    for theme in ("dark", "light"):
+        visit.page.evaluate("(theme) => (document.documentElement.dataset.theme = theme)", theme)
+        sign = "!==" if theme == "dark" else "==="
         for box, (slider, value, seen) in before.items():
-            expect(box.locator("canvas").first).to_have_css("background-color", STAGES[shown])
             wait_until(visit, f"(box, seen) => ({PICTURE})(box) {sign} seen", box, seen)
             expect(slider).to_have_value(value)
+        for name, (ground, words, lines, text) in zip(TOYS, visit.page.evaluate(CONTRASTS), strict=True):
+            assert ground == STAGES[theme], name
+            assert words or name in ("belt", "reach", "eight", "fly"), name
+            assert lines or name in ("belt", "panda_toy", "reach", "eight"), name
+            assert {colour: contrast for colour, contrast in words.items() if contrast < 4.5} == {}, name
+            assert {colour: contrast for colour, contrast in lines.items() if contrast < 3} == {}, name
+            assert text > 4.5, name
 
 
 # ---- what they are for ----
@@ -347,7 +330,6 @@ SAYS = [  # what is put into a toy's ranges, and what it then says
 ]
 
 
-@once
 @pytest.mark.parametrize(("name", "values", "says"), SAYS)
 def test_a_toy_says_what_it_computes(visit, name, values, says):
     box = figure_of(visit, name)
@@ -356,7 +338,6 @@ def test_a_toy_says_what_it_computes(visit, name, values, says):
     expect(box.locator(".controls")).to_contain_text(re.compile(says))
 
 
-@once
 def test_pitch_drives_the_gimbals_into_lock(visit):
     box = figure_of(visit, "gimbals")
     assert "Gimbal lock" not in box.locator("p[role=status]").inner_text()
@@ -371,7 +352,6 @@ def test_pitch_drives_the_gimbals_into_lock(visit):
         expect(box.locator(".word", has_text="lost")).to_be_visible()
 
 
-@once
 def test_a_belt_can_be_moved_only_after_full_rotations(visit):
     box = figure_of(visit, "belt")
     move = box.get_by_label("Move the box, without rotating it", exact=True)
@@ -386,7 +366,6 @@ JOINTS = """(box) => [...box.querySelectorAll("input[type=range]")]
   .filter((e) => /^Joint \\d/.test(e.labels[0].textContent.trim())).map((e) => Number(e.value))"""
 
 
-@once
 def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
     box = figure_of(visit, "panda_toy")
     pose = box.locator(".matrix").get_attribute("aria-label")
@@ -403,7 +382,6 @@ def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
         before = box.evaluate(JOINTS)
 
 
-@once
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
@@ -434,7 +412,6 @@ def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows
     box.get_by_label("Hide the robot").uncheck()
 
 
-@once
 def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(visit):
     box = figure_of(visit, "click")
     words = box.locator("p[role=status]")
@@ -463,18 +440,23 @@ def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(
     expect(box.get_by_label("Point to click, 0 to 6")).to_have_value("0")  # both are clicked: the next that is not
 
 
-@pytest.mark.parametrize("name", TOYS)
-def test_picture_controls_and_numbers_are_in_view_together(visit, name):
-    box = figure_of(visit, name)
-    box.evaluate("box => box.querySelectorAll('details').forEach((part) => (part.open = false))")
-    wait_until(visit, "box => box.querySelector('.course-toy').offsetHeight <= 640", box)
+def test_picture_controls_and_numbers_are_in_view_together(visit, phone):
+    for page in (visit.page, phone.page):
+        page.evaluate("document.querySelectorAll('.course-toy details').forEach((part) => (part.open = false))")
+        page.evaluate(SETTLED, 200)
+        heights = page.evaluate("[...document.querySelectorAll('.course-toy')].map((toy) => toy.offsetHeight)")
+        assert {name: high for name, high in zip(TOYS, heights, strict=True) if high > 640} == {}
+
+
+def test_every_toy_is_accessible(visit, phone):
+    assert violations(visit, within=".course-toy") == []
+    assert violations(phone, within=".course-toy") == []
 
 
 SETTINGS = """(box) => Object.fromEntries([...box.querySelectorAll(".setting")]
   .map((row) => [row.querySelector("label").textContent, row.querySelector("output").textContent]))"""
 
 
-@once
 @pytest.mark.parametrize(("name", "moved"), [("jog", "Joint"), ("gimbals", "Yaw"), ("belt", "Rotate")])
 def test_a_dragged_body_rotates_about_its_joint_and_no_other_does(visit, name, moved):
     box = figure_of(visit, name)
@@ -501,11 +483,6 @@ def test_a_dragged_body_rotates_about_its_joint_and_no_other_does(visit, name, m
     assert all(label.startswith(moved) or name == "gimbals" for label in changed)
 
 
-def test_every_toy_is_accessible(visit):
-    assert violations(visit, within=".course-toy") == []
-
-
-@once
 def test_the_library_follows_each_of_several_solutions_while_the_target_moves(visit):
     box = figure_of(visit, "eight")
     before = box.locator(".numbers").inner_text()
