@@ -11,6 +11,8 @@ from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
 COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
+SOLVERS = tuple(f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root"))
+SOLVERS += ("course_lib.ik.solve", "course_lib.ik.damped_path")  # none of them in an exercise that asks for one
 
 
 def unit(rng):

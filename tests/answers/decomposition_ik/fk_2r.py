@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from course_lib.grid_ik import planar_forward
+
 
 def right_both_angles(q):
     q = np.asarray(q, float)
@@ -41,3 +43,8 @@ def wrong_sine_of_q2_alone(q):
     """the second link is not 1 m long"""
     q = np.asarray(q, float)
     return right_both_angles(q) + np.stack([0 * q[..., 0], np.sin(q[..., 1]) - np.sin(q.sum(axis=-1))], axis=-1)
+
+
+def wrong_the_librarys(q):
+    """course_lib.grid_ik.planar_forward is called"""
+    return planar_forward(np.asarray(q, float))[0]

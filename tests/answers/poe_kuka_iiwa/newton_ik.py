@@ -1,6 +1,7 @@
 """What students write for newton_ik(screws, M, T_target, q0)."""
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from course_lib import ik
 from course_lib.arms import ur5e
@@ -76,6 +77,11 @@ def wrong_stopped_early(screws, M, T_target, q0):
 def wrong_last_angles(screws, M, T_target, q0):
     """the last angles are returned"""
     return search(screws, M, T_target, q0, last=True)
+
+
+def wrong_scipys(screws, M, T_target, q0):
+    """scipy.optimize.least_squares is called"""
+    return least_squares(lambda q: (_arm(screws, M, q)[0] - T_target)[:3].ravel(), q0, xtol=1e-12).x
 
 
 def wrong_library(screws, M, T_target, q0):

@@ -90,7 +90,7 @@ EXERCISE = Exercise(
         "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
         "puts x and y back at the end.",
     ),
-    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
+    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm", "course_lib.grid_ik.planar_forward"),
     errors=(("IndexError", "too many indices", _COLUMNS_ONLY), ("ValueError", "values to unpack", _FIRST_ROWS)),
 )
 

@@ -8,7 +8,7 @@ from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY, T_W0, flange, frames
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import remembered
+from course_lib.checks.vocabulary import SOLVERS, remembered
 from course_lib.ik import solve
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, length, log_so3
@@ -211,7 +211,7 @@ EXERCISE = Exercise(
     ),
     library=solved,
     tries_arguments=False,
-    forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),
+    forbidden=SOLVERS,
 )
 
 

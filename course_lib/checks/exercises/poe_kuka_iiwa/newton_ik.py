@@ -6,7 +6,7 @@ from course_lib.arms import ur5e
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.poe_kuka_iiwa.shared import KUKA, KUKA_HOME, jacobian, tool_pose
-from course_lib.checks.vocabulary import any_pose, away_from_zero, pose
+from course_lib.checks.vocabulary import SOLVERS, any_pose, away_from_zero, pose
 from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
 
 STEPS, _CLOSE = 50, 1e-6  # radians and metres
@@ -147,7 +147,7 @@ EXERCISE = Exercise(
         "np.full(len(q0), np.nan).",
     ),
     errors=(("LinAlgError", "must be square", _INVERTED),),
-    forbidden=("course_lib.ik.solve", "course_lib.ik.damped_path"),
+    forbidden=SOLVERS,
 )
 
 
