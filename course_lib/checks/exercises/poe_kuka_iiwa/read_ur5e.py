@@ -105,10 +105,10 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Go joint by joint. An axis along z needs x and y from the top view; an axis along y needs x and z from the "
-        "side view. The third coordinate of the point is up to you. The cell on the iiwa makes v of such points.",
-        "Dimensions are distances between neighbours: add them up from the base. Mind the signs: the arm points "
-        "along -x. Axis 5 hangs down beside axes 2 to 4, axis 6 is parallel to them, lower.",
+        "Axes 5 and 6 are left. An axis along z needs x and y from the top view; an axis along y needs x and z from "
+        "the side view. The third coordinate of the point is up to you. The cell on the iiwa makes v of such points.",
+        "Dimensions are distances between neighbours: go on from axis 4, whose point is there. Mind the signs: the arm "
+        "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower.",
         "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the base's. The columns "
         "of R are x, y and z; p adds up the lengths along -x, -y and z.",
     ),
