@@ -56,6 +56,11 @@ def wrong_sign_of_the_products_determinant(src, dst, weights):
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ Ut)
 
 
+def wrong_of_the_transpose(src, dst, weights):
+    """R is the rotation nearest to the transpose of B"""
+    return kabsch(src, dst, weights, lambda V, Ut, H: (V @ np.diag([1, 1, np.linalg.det(V @ Ut)]) @ Ut).T)
+
+
 def wrong_Vt_taken_for_V(src, dst, weights):
     """T is wrong even without noise"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V.T @ np.diag([1, 1, np.linalg.det(V.T @ Ut)]) @ Ut)

@@ -129,7 +129,7 @@ EXERCISE = Exercise(
 
 @EXERCISE.seen
 def floats(index, *case):
-    """the numbers of the cells are floats. Can 3.0, or 3.7, be the index of an array?"""
+    """the numbers of the cells are floats. np.floor(3.7) is 3.0, a float: can it be the index of an array?"""
     return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
 
 

@@ -84,11 +84,10 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(of=(lambda T, p: p, lambda T, p: moved(inverse(T), p)))
-def other_pose(pixels, depths, K, T_wc, of):
-    """the points are right in the camera's frame, but not in the world's. T_wc is the camera's pose in the world: which
-    coordinates does it take to which?"""
-    return of(T_wc, right(pixels, depths, K, np.eye(4)))
+@EXERCISE.mistake
+def inverted(pixels, depths, K, T_wc):
+    """T_wc is inverted. It is the camera's pose in the world: which coordinates does it take to which?"""
+    return right(pixels, depths, K, inverse(T_wc))
 
 
 @EXERCISE.mistake

@@ -156,6 +156,12 @@ def _has_block(T, block, src, dst, weights):
 
 
 @EXERCISE.seen
+def of_the_transpose(T, *case):
+    """R is the rotation nearest to the transpose of B. Are the points of dst on the left in B?"""
+    return _has_block(T, registered(*case)[:3, :3].T, *case)
+
+
+@EXERCISE.seen
 def sign_missing(T, *case):
     """U V^T has the same sign for all points: it is returned as it is, or always changed. How do you see whether it is
     a reflection, and at which singular value does a change of sign cost least?"""
