@@ -15,6 +15,7 @@ from course_lib.checks.naming import attempt, predict, same
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
+_NO_CHOICE = "○ No choice yet. Nothing waits for one, but choose before you read on:"
 _NOTHING = object()
 _LONG = 40  # numbers: of a longer array one item is shown
 _WIDTH, _IN_VIEW = 100, 8  # columns and lines that JupyterLab shows beside its file browser on a small laptop
@@ -171,13 +172,12 @@ class Predict:
 
     def predict(self, choice=...):
         """Show the reply to a choice. Without one, show the choices, each with its folded reply."""
-        letters = list(self.prediction.replies)
         if choice is ...:
             _show_choices(self.prediction)
             return
         letter = str(choice).strip().lower()
-        if letter not in letters:
-            _show(f"○ Choose one of {', '.join(letters)}.", _MARKS[NOT_ATTEMPTED][1])
+        if letter not in self.prediction.replies:
+            _show(f"○ Choose one of {', '.join(self.prediction.replies)}.", _MARKS[NOT_ATTEMPTED][1])
             return
         self.choice = letter
         state = RIGHT if letter == self.prediction.right else WRONG
@@ -370,14 +370,12 @@ def _six_digits(array):
 
 def _show_choices(prediction):
     """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a kernel."""
-    letters = list(prediction.replies)
-    calls = " or ".join(f'check.{prediction.name}.predict("{letter}")' for letter in letters)
-    text = f"○ Choose before you go on: {calls}"
+    calls = " or ".join(f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies)
     replies = [
         f"<details><summary>{letter}</summary>{html.escape(f'{_mark(prediction, letter)} {reply}')}</details>"
         for letter, reply in prediction.replies.items()
     ]
-    _show(text, _MARKS[NOT_ATTEMPTED][1], "course-predict", "○ Choose before you go on:" + "".join(replies))
+    _show(f"{_NO_CHOICE} {calls}", _MARKS[NOT_ATTEMPTED][1], "course-predict", _NO_CHOICE + "".join(replies))
 
 
 def _mark(prediction, letter):
