@@ -18,3 +18,8 @@ def right_one_by_one(q):
 def wrong_sign_itself(q):
     """a sample has another label than its own q2 says"""
     return np.sign(q[:, 1])
+
+
+def wrong_cut_at_the_mean(q):
+    """a sample has another label than its own q2 says"""
+    return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)

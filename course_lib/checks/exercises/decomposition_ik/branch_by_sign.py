@@ -13,6 +13,12 @@ def right(q):
     return np.where(q[:, 1] < 0, 1, 0)
 
 
+def _at_the_widest_gap(q):
+    order = np.argsort(-q[:, 1])
+    gaps = -np.diff(q[order, 1])
+    return (np.argsort(order) > (gaps.argmax() if len(gaps) else 0)).astype(int)
+
+
 def _one_elbow(q):
     return len(set(right(q))) < 2
 
@@ -24,11 +30,9 @@ def _cases(rng):
     stretched = np.array([[0.8, 0.05], [0.9, -0.05], [0.85, 0.0], [1.4, 0.3], [0.3, -0.4], [0.2, -1e-6]])
     drawn = rng.permutation(np.concatenate(two_link_angles(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2)))))
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
-    single = np.array([[0.4, -0.2]])
-    return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, single, np.zeros((0, 2)))]
+    few = np.array([[0.4, -0.2]]), np.zeros((0, 2))
+    return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, *few)]
 
-
-_OTHER_LABEL = Mistake("a sample has another label than its own q2 says", "Which labels are there, where does 1 begin?")
 
 EXERCISE = Exercise(
     name="branch_by_sign",
@@ -37,18 +41,12 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda q: (len(q),)),
     library=right,
-    broken=split_branches,
+    broken=_at_the_widest_gap,
     properties=(
         Property(
-            "samples of one elbow all have the same label: 0 if q2 >= 0, 1 if q2 < 0",
+            "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0, whatever the other samples are",
             lambda labels, q: np.array_equal(labels, right(q)),
-            mistake=_OTHER_LABEL,
-            where=_one_elbow,
-        ),
-        Property(
-            "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0",
-            lambda labels, q: np.array_equal(labels, right(q)),
-            mistake=_OTHER_LABEL,
+            mistake=Mistake("a sample has another label than its own q2 says", "Where does label 1 begin?"),
         ),
     ),
     hints=(
@@ -65,10 +63,10 @@ def zero_is_negative(q):
     return q[:, 1] <= 0
 
 
-@EXERCISE.mistake(one_elbow=(right, lambda q: 0 * right(q)))
-def still_split(q, one_elbow):
-    """a cell whose samples have both signs is still split by k-means. What if the two clouds touch?"""
-    return one_elbow(q) if _one_elbow(q) else split_branches(q)
+@EXERCISE.mistake(one_elbow=(right, lambda q: 0 * right(q)), cut=(split_branches, _at_the_widest_gap))
+def still_split(q, one_elbow, cut):
+    """samples of both signs are still cut at a gap, or by k-means. What if the two clouds touch?"""
+    return one_elbow(q) if _one_elbow(q) else cut(q)
 
 
 @EXERCISE.mistake
