@@ -94,16 +94,18 @@ def velocities_of_the_tip(contents):
     said = []
     for ax, (title, points) in zip(axes, contents.items(), strict=True):
         tip = points[-1]
+        velocities = (tip - points[:-1]) @ np.array([[0, 1], [-1, 0]])
         ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
-        for i, (joint, colour) in enumerate(zip(points[:-1], (BLUE, PURPLE), strict=False), 1):
-            velocity = np.array([[0, -1], [1, 0]]) @ (tip - joint)
+        for i, (joint, velocity, colour) in enumerate(zip(points, velocities, (BLUE, PURPLE), strict=False), 1):
             ax.plot(*np.transpose([joint, tip]), "--o", color=colour, linewidth=1.5, markersize=10, markevery=[0])
             ax.annotate("", tip + velocity, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
             words = f"joint {i}: ({velocity[0]:g}, {velocity[1]:g})"
             ax.plot(*np.transpose([tip, tip + velocity]), color=colour, linewidth=2)
-            beside = velocity[::-1] * [12, -12] / np.linalg.norm(velocity)
-            look = {"color": colour, "va": "center", "ha": "left" if beside[0] > 3 else "center"}
-            ax.annotate(words, tip + velocity, beside, textcoords="offset points", **look)
+            ahead = velocity * 12 / np.linalg.norm(velocity)
+            beside = ahead[::-1] * [1, -1]
+            at = ahead if (velocities @ beside > 1e-9).any() else beside  # not where another arrow ends
+            look = {"color": colour, "va": "center", "ha": {-1: "right", 1: "left"}.get(round(at[0] / 9), "center")}
+            ax.annotate(words, tip + velocity, at, textcoords="offset points", **look)
             said.append(f"{title}, {words} m/s")
         for end, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
             ax.plot(*np.transpose([(0, 0), end]), color=colour, linewidth=3)
