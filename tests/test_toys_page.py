@@ -372,7 +372,7 @@ def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
     before = box.evaluate(JOINTS)
     assert len(before) == 7
     for share in (0.0, 0.3, 1.0):
-        put(box, "Elbow (gripper stays)", share)
+        put(box, "Elbow (flange stays)", share)
         expect(box.locator(".numbers")).to_contain_text("the gripper moved by")
         moved = f"(box, before) => ({JOINTS})(box).some((angle, i) => Math.abs(angle - before[i]) > 3)"
         wait_until(visit, moved, box, before)

@@ -42,7 +42,7 @@
     }, P.inDegrees, (x) => { state.q[i] = x * rad; moved(); }))));
     const showJoints = () => joints.forEach((joint, i) => joint.set(Math.round(state.q[i] / rad)));
     if (has("elbow")) {
-      elbow = card.range("Elbow (gripper stays)", { min: 0, max: 1, step: 0.005, value: 0.5 }, () =>
+      elbow = card.range("Elbow (flange stays)", { min: 0, max: 1, step: 0.005, value: 0.5 }, () =>
         P.degrees(elbowAngle()), (x) => {
         path = path || selfMotion(arm, limits, [...state.q]);
         state.q = [...path.q[Math.round(x * (path.q.length - 1))]];

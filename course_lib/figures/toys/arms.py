@@ -36,7 +36,7 @@ def iiwa_toy():
 def panda_toy(q):
     """Return a toy: the Franka Panda with its joints, its DH frames one by one, and its elbow by one slider.
 
-    The elbow's slider moves along the null space: the gripper keeps its pose, all joints stay within their limits.
+    The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within their limits.
 
     Parameters
     ----------
@@ -45,10 +45,10 @@ def panda_toy(q):
     """
     alt = (
         "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows the frames of its "
-        "Denavit-Hartenberg table one by one; another swings the elbow while the gripper keeps its pose."
+        "Denavit-Hartenberg table one by one; another swings the elbow while the flange keeps its pose."
     )
     names = [f"{{{i}}}" for i in range(1, 8)] + ["flange"]
-    caption = "The gripper can stay where it is while the elbow swings: seven joints, and six numbers for a pose."
+    caption = "The flange can stay where it is while the elbow swings: seven joints, and six numbers for a pose."
     model = arm_view(panda(), q, "The Franka Panda and its joints")
     more = {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
     return Toy("arm", model | more, alt, caption=caption)
