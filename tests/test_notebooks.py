@@ -11,8 +11,8 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
-from exercise_cells import graded
 from PIL import Image
+from test_exercise_cells import graded
 
 from course_lib.figures.display import TOY
 from course_lib.pack.more import TAG, cells_of_more, heading_level
