@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, TEST_LOG, right
+from toy_exercises import DOUBLE, NEAREST_SO, TEST_LOG
 
 from course_lib import rotations
 from course_lib.checks import wire
@@ -22,7 +22,6 @@ from course_lib.checks.exercise import (
     Property,
     judge,
     review,
-    with_blame,
 )
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.notebook import describe
@@ -136,8 +135,10 @@ def test_a_test_that_fails_on_a_right_version_says_where():
     assert "Candidate" not in describe(verdict)
 
 
-@pytest.mark.parametrize(("times", "state"), [(3_000, RIGHT), (5_001, ERROR)])
-def test_a_test_may_try_thousands_of_inputs_but_not_call_without_an_end(times, state):
+@pytest.mark.parametrize(("times", "state"), [(90, RIGHT), (101, ERROR)])
+def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, times, state):
+    monkeypatch.setattr("course_lib.checks.call_student._MOST_CALLS", 100)
+
     def tries(log):
         for _ in range(times):
             with contextlib.suppress(Exception):
@@ -146,7 +147,7 @@ def test_a_test_may_try_thousands_of_inputs_but_not_call_without_an_end(times, s
 
     verdict = judge(TEST_LOG, Here(tries))
     assert verdict.state == state
-    assert (state == RIGHT) != ("took more than 5,000 calls of the function that it tests" in describe(verdict))
+    assert (state == RIGHT) != ("took more than 100 calls of the function that it tests" in describe(verdict))
 
 
 def test_candidates_look_alike_from_inside():
@@ -263,14 +264,6 @@ def test_a_change_returned_without_what_it_changes_is_called_so():
 
 
 # What else a verdict says
-
-
-def test_a_helper_that_is_wrong_is_named():
-    ours, other = judge(NEAREST_SO, Here(lambda M: 2 * right(M))), judge(IS_SMALL, Here(lambda x, tol: True))
-    verdict = with_blame(ours, [judge(DOUBLE, Here(lambda x: 2 * x)), other])
-    assert verdict.blames == "is_small"
-    assert "Your is_small, which it calls, is not right yet." in describe(verdict)
-    assert with_blame(ours, []).blames == ""
 
 
 def test_a_verdict_knows_which_functions_of_the_notebook_were_called():

@@ -20,7 +20,7 @@ def right_own_symbols_replaced_in_lists(a, alpha, d, theta):
     A, B, D, T = sp.symbols("a alpha d theta")
     formula = right_entry_by_entry(A, B, D, T).tolist()
     values = {A: a, B: alpha, D: d, T: theta}
-    return [[sp.simplify(entry).subs(values, simultaneous=True) for entry in row] for row in formula]
+    return [[sp.expand(entry).subs(values, simultaneous=True) for entry in row] for row in formula]
 
 
 def wrong_math(a, alpha, d, theta):

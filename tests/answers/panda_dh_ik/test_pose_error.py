@@ -25,7 +25,7 @@ def right_by_applying_it(pose_error):
 
 
 def right_against_known_errors(pose_error):
-    for (T, T_target), _ in zip(PAIRS * 100, range(1200)):
+    for (T, T_target), _ in zip(PAIRS * 9, range(100)):
         phi = rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)
         wanted = np.concatenate([(T_target - T)[:3, 3], phi])
         np.testing.assert_allclose(pose_error(T, T_target), wanted, atol=1e-8)
