@@ -25,6 +25,7 @@ OTHER_COMPARISON = {
 PAIRS = [("sin", "cos"), ("arcsin", "arccos"), ("min", "max"), ("argmin", "argmax"), ("floor", "ceil")]
 PAIRS += [("ones", "zeros"), ("any", "all"), ("hstack", "vstack")]
 OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
+EVEN = ("abs", "cos", "len", "norm", "zeros")  # which take no notice of the sign
 SIGNED = (ast.Name, ast.BinOp, ast.Call, ast.Subscript, ast.Attribute)
 MOST_ENTRIES = 10**6  # of an answer
 
@@ -109,9 +110,10 @@ def _changes(node, parent, key, in_index):
         yield from (("condition", side) for side in node.values)
     if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.Add | ast.Sub):
         yield from (("factor", side) for side in (node.left, node.right))
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float) and _called(parent) != "default_rng":
         others = [node.value + 1] if in_index or node.value in (0, 1) else []
-        others += [node.value * 1.1, -node.value] if node.value and not in_index else []
+        others += [node.value * 1.1] if abs(node.value) > 1e-3 and not in_index else []  # no tolerance
+        others += [-node.value] if node.value and not in_index else []
         yield from (("constant", ast.parse(repr(other), mode="eval").body) for other in others)
     if isinstance(node, ast.UnaryOp):
         yield "sign", node.operand
@@ -143,7 +145,14 @@ def _has_sign(parent, key):
         return key == "value"
     if isinstance(parent, ast.BinOp):
         return key == "left" and isinstance(parent.op, ast.Add)
-    return isinstance(parent, ast.List | ast.Tuple) or (isinstance(parent, ast.Call) and key == 0)
+    if isinstance(parent, ast.Call):
+        return key == 0 and _called(parent) not in EVEN
+    return isinstance(parent, ast.List | ast.Tuple)
+
+
+def _called(node):
+    """The last name of the function that a node calls."""
+    return ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
 
 
 @cache

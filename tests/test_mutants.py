@@ -1,38 +1,28 @@
 """Each check against the notebook's own solution with one small mistake made in it by machine.
 
-A mutant that the check accepts answers as the solution does on wider inputs (see equal_mutants.py), or stands in
-AS_RIGHT because the task accepts its answer too. One that is right in the notebook is so for all SEEDS of test_bank.py.
-The summary of the test run shows the counts.
+A mutant that the check accepts answers as the solution does on wider inputs, or as rightly if the exercise has several
+right answers (see equal_mutants.py). The summary of the test run shows the counts.
 """
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
-from test_bank import FILES, SEEDS, exercise_of
+from test_bank import FILES, exercise_of
 
-from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge, review
+from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
 from course_lib.checks.write_test import WriteTest
 
 MOST = 35  # of the mutants of an exercise
-SLOW = dict.fromkeys(("random_rotations", "panda_ik", "newton_ik", "test_wrap_angle", "test_log_so3"), 16)
+SLOW = "random_rotations random_quaternions newton_ik panda_ik plan_pick good_matches reached_targets test_wrap_angle"
+SLOW += " test_log_so3 test_subproblem2"  # of which sixteen are tried
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
+# The last one of several answers that fit equally well, where the solution gives the first one.
+AS_RIGHT = {"find_signs": ["if worst <= least:"], "good_matches": ["if good.sum() >= best.sum():"]}
 ENOUGH = 1000  # passes through loops that a call may make, besides five times those of the solution
-
-# {exercise: mutants whose answers differ from the solution's, and are right}
-AS_RIGHT = {
-    # Another start of k-means leads to another cut at times; any cut that is as good is right.
-    "split_branches": ["k_means = KMeans(n_clusters=2, random_state=1).fit(q)"],
-    # Of several answers that fit equally well, the last one.
-    "find_signs": ["if worst <= least:"],
-    "good_matches": ["if good.sum() >= best.sum():"],
-    # Rounding decides whether circles that touch have a common point.
-    "subproblem4": ["if r == 0 or abs(d - constant) >= r:"],
-}
 
 
 class Judge:
@@ -48,12 +38,6 @@ class Judge:
         said = self.lives(solution)
         self.passes.allowed = ENOUGH + 5 * self.passes.most
         return said
-
-    def depends_on_the_seed(self, mutant):
-        """Return whether a mutant that is right in the notebook is wrong for another seed."""
-        student = Here(made(mutant, self.name, self.space))
-        wrong = any(judge(self.exercise, student, seed).state != RIGHT for seed in SEEDS)
-        return wrong and review(self.exercise, student).state == RIGHT  # which takes longer
 
     def lives(self, mutant):
         """Return whether the check accepts a mutant. The part that refuses it comes first for the next mutant."""
@@ -89,13 +73,12 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     judge_of, solution = Judge(exercise, space), Solution(exercise, space, sources)
     assert judge_of.accepts(sources[name])
     every = mutants(sources[name])
-    tried = [mutant for mutant in spread(every, SLOW.get(name, MOST)) if TOO_LARGE not in mutant.source]
+    tried = [mutant for mutant in spread(every, 16 if name in SLOW.split() else MOST) if TOO_LARGE not in mutant.source]
     alive = [mutant for mutant in tried if judge_of.lives(mutant.source)]
-    unlucky = [mutant.line for mutant in alive if judge_of.depends_on_the_seed(mutant.source)]
-    assert not unlucky, f"right in the notebook, and wrong for another seed: {unlucky}"
-    different = {mutant.line for mutant in alive if not solution.is_equalled_by(mutant.source)}
+    assert 2 * len(alive) < len(tried), f"the check of {name} accepts most mutants"
+    different = [mutant.line for mutant in alive if not solution.is_equalled_by(mutant.source)]
     record_property("mutants", (notebook, name, *map(str, (len(every), len(tried), len(alive), len(different)))))
-    assert different == set(AS_RIGHT.get(name, ())), (
-        f"the check of {name} accepts these mutants, which answer differently from the solution: let its cases or "
-        f"properties distinguish them, or, if they are right too, list them in AS_RIGHT in {Path(__file__).name}"
+    assert different == AS_RIGHT.get(name, []), (
+        f"the check of {name} accepts these mutants, which answer differently from the solution: {different}. Let its "
+        "cases or properties distinguish them, or, if they are right too, list them in AS_RIGHT"
     )
