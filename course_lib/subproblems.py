@@ -223,11 +223,11 @@ def _arguments(**arguments):
 
 
 def _meeting(heights, radii, cosine, sine):
-    """Return where circles on the unit sphere meet, seen from the first one's axis: x in the plane of the axes, y >= 0
-    across it; y = 0 where they touch or miss.
+    """Return where circles on the unit sphere meet, seen from the first one's axis.
 
-    x = (height2 - cosine height1) / sine. A cosine near 1 is taken as 1 less a small number, so that its digits are
-    kept; the signs flip axes and points so that the cosines are positive. The smaller circle gives y most precisely.
+    x = (height2 - cosine height1) / sine lies in the plane of the axes, y >= 0 across it; y = 0 where they touch or
+    miss. A cosine near 1 is taken as 1 less a small number, so that its digits are kept; the signs flip axes and points
+    so that the cosines are positive. The smaller circle gives y most precisely.
     """
     sign1, sign2 = np.copysign(1.0, heights[0]), np.copysign(1.0, heights[0] * cosine)
     less, less1 = _less(np.abs(cosine), sine), _less(sign1 * heights[0], radii[0])
@@ -246,9 +246,9 @@ def _less(cosine, sine):
 
 
 def _either_side(k, p, q, over, under, rounding):
-    """Return the two angles about k at equal distances from the one that aligns p with q: theta (..., 2), how many
-    differ, and whether all angles are as good.
+    """Return the two angles about k at equal distances from the one that aligns p with q.
 
+    They are theta (..., 2), how many differ, and whether all angles are as good.
     From the aligning angle, a, to a + pi, the quantity asked for changes in proportion to sin^2((theta - a) / 2).
     over: how far the asked value lies beyond the one at a. under: how far it falls short of the one at a + pi. Both
     count as zero up to `rounding`.

@@ -51,6 +51,10 @@ def test_every_public_function_is_in_the_table():
     signatures = {name: list(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()}
     assert signatures == {name: list(sets[0]) for name, sets in ARGUMENTS.items()}
     assert all(list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets)
+    for name, names in signatures.items():
+        listed = inspect.getdoc(FUNCTIONS[name]).partition("Parameters\n----------\n")[2].partition("\n\n")[0]
+        described = re.findall(r"^(\w[\w, ]*?)(?: :|$)", listed, re.MULTILINE)
+        assert not listed or sorted(", ".join(described).split(", ")) == sorted(names), f"parameters of {name}"
 
 
 @pytest.mark.parametrize(("call", "argument"), ARRAYS, ids=case_name)

@@ -198,7 +198,7 @@ class Progress:
     def __init__(self, checks, predictions=(), stop=None):
         self.checks, self.predictions, self.stop = checks, predictions, stop
 
-    def __call__(self):
+    def __call__(self):  # noqa: D102
         core = [check.verdict for check in self.checks if not check.more]
         more = [check.verdict for check in self.checks if check.more]
         names, last, section = [v.exercise.name for v in core], *(self.stop or (None, None))

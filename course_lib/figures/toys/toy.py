@@ -138,7 +138,7 @@ class Answers:
         whose = str(getattr(f, "whose", "your function"))
         self.whose = {"yours": "your function", "the library's": "the library's function"}.get(whose, whose)
 
-    def __call__(self, question):
+    def __call__(self, question):  # noqa: D102
         answer = {"whose": self.whose, "problem": None, "value": None, "gap": None}
         try:
             return answer | self.ask(self.f, question)

@@ -130,7 +130,7 @@ class Grader:
         for course in courses().values():
             _files(frozenset(name for exercise in course.exercises for name in exercise.forbidden))
 
-    def __call__(self, content, notebook, seed):
+    def __call__(self, content, notebook, seed):  # noqa: D102
         return grade(content, notebook, seed, hidden=self.hidden, wanted=self.wanted)
 
 
