@@ -13,7 +13,7 @@ from course_lib.subproblems import euler_yxy, subproblem1, subproblem2, subprobl
 
 PI = np.pi
 EX, EY, EZ = np.eye(3)
-N = 100_000
+N = 30_000
 
 
 def norm(v):
@@ -202,7 +202,7 @@ def rebuilt(b):
 
 
 def test_euler_yxy():
-    R = rotation_samples(3)(np.random.default_rng(18), (200_000,))
+    R = rotation_samples(3)(np.random.default_rng(18), (50_000,))
     got = euler_yxy(R)
     flags(got, True, 2, False)
     assert np.abs(rebuilt(got.theta) - R[:, None]).max() < 1e-12

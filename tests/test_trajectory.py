@@ -301,7 +301,10 @@ def test_times_that_disagree_with_the_velocities_are_said():
     assert "not those of the positions" in disagreement(Trajectory(mixed.t, mixed.q, mixed.qd[:, ::-1]))
 
 
-def test_few_samples_and_a_still_arm_disagree_with_nothing():
+def test_backward_differences_few_samples_and_a_still_arm_disagree_with_nothing():
+    exact = swinging(0.05)
+    backward = np.vstack([np.zeros(7), np.diff(exact.q, axis=0) / STEP])
+    assert disagreement(Trajectory(STEP * np.arange(200), exact.q, backward)) == ""
     for n in (1, 2, 3, 6):
         assert disagreement(swinging(STEP, n=n)) == ""
     assert disagreement(Trajectory(np.arange(9.0), np.full((9, 7), 0.3), np.zeros((9, 7)))) == ""
