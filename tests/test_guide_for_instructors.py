@@ -5,7 +5,7 @@ import re
 import subprocess
 
 import pytest
-from course_copy import ROOT, copied
+from course_copy import ROOT, copied, made
 from grade_stand_in import TABLES
 from hostile.build import FULL, answers, book, cell
 
@@ -59,10 +59,7 @@ def followed(copy, solutions, isolated):
 
 
 def mark(path):
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        rows = list(csv.DictReader(file))
-    for row in rows:
-        row |= {"mark": "2", "comment": "Well said."}
+    rows = [row | {"mark": "2", "comment": "Well said."} for row in table(path)]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0])
         writer.writeheader()
@@ -79,8 +76,9 @@ def test_the_guide_names_the_commands_of_a_course(followed):
     assert len(commands()) > len(followed) >= 5
 
 
-def test_the_release_is_there(copy, followed):
+def test_the_release_and_the_pages_are_there(copy, followed):
     assert (copy / "build/student.zip").stat().st_size > 10_000
+    assert (copy / "build/html-students/index.html").is_file()
 
 
 def test_every_file_has_its_lines(copy, followed):
@@ -106,10 +104,6 @@ def test_the_gradebook_has_the_rosters_students(copy, followed):
     assert [(row["Student"].strip(), row["ID"]) for row in rows] == [
         ("Points Possible", ""), ("Bo, Al", "1235"), ("Doe, Jane", "1234")
     ]  # fmt: skip
-
-
-def test_the_pages_are_there(copy, followed):
-    assert (copy / "build/html-students/index.html").is_file()
 
 
 def test_the_guide_is_short_and_plain():
@@ -143,3 +137,11 @@ def test_the_tables_of_the_guide_are_read(tmp_path):
     }  # fmt: skip
     assert [row["mark"] for row in read_marks(questions).values()] == ["1.5"]
     assert [len(Roster(read_roster(path)).find("jdoe")) for path in rosters] == [1, 1]
+
+
+def test_more_is_weighed(copy, followed):  # the last one: it writes the tables again
+    whole = {row["student"]: row for row in table(copy / "build/grades/totals.csv")}["doe jane"]
+    made(copy, "grade", "SUBMISSIONS=handed_in", "MORE=0.5")
+    half = {row["student"]: row for row in table(copy / "build/grades/totals.csv")}["doe jane"]
+    assert whole["core"] == half["core"] > "0"
+    assert float(whole["more"]) == 2 * float(half["more"]) > 0

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from course_copy import fold_a_section
+from course_copy import ROOT, copied, made
 from flit_core import buildapi
 from packaging.requirements import Requirement
 
@@ -21,13 +21,15 @@ from course_lib.pack.release.__main__ import main
 from course_lib.pack.release.bundle import release_date
 from course_lib.pack.release.stubs import students_copy
 
-ROOT = Path(__file__).parents[1]
-PARTS = ["course_lib", "notebooks", "environment.txt", "pyproject.toml"]
-
 
 def released(root, output, *options):
-    """Write the zip and return {path below the one folder at its top: content}, and that folder's name."""
+    """Write the zip and return what it holds."""
     assert main(["--root", str(root), "--output", str(output), *options]) == 0
+    return held(output)
+
+
+def held(output):
+    """Return {path below the one folder at the top of a zip: content}, and that folder's name."""
     with zipfile.ZipFile(output) as archive:
         files = {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
         (top,) = {name.split("/")[0] for name in archive.namelist()}
@@ -43,13 +45,13 @@ def dated():
 
 
 @pytest.fixture(scope="module")
-def zipped(tmp_path_factory):
-    return tmp_path_factory.mktemp("release") / "student.zip"
+def zipped(unpacked):
+    return unpacked.parent / "student.zip"
 
 
 @pytest.fixture(scope="module")
 def release(zipped):
-    return released(ROOT, zipped)
+    return held(zipped)
 
 
 @pytest.fixture(scope="module")
@@ -60,17 +62,11 @@ def files(release):
 @pytest.fixture
 def tree(tmp_path):
     """A copy of the project, with what an author's folder holds besides."""
-    for part in PARTS:
-        if (ROOT / part).is_dir():
-            shutil.copytree(ROOT / part, tmp_path / "copy" / part, ignore=shutil.ignore_patterns("__pycache__", ".*"))
-        else:
-            shutil.copy(ROOT / part, tmp_path / "copy" / part)
-    (tmp_path / "copy/notebooks/Untitled.ipynb").write_text("{}")
-    (tmp_path / "copy/notebooks/answers.md").write_text("# Notes for graders")
-    (tmp_path / "copy/notebooks/data/class.csv").write_text("student,points\n")
-    (tmp_path / "copy/course_lib/__pycache__").mkdir()
-    (tmp_path / "copy/course_lib/__pycache__/rotations.cpython-311.pyc").write_bytes(b"\0")
-    return tmp_path / "copy"
+    copy = copied(tmp_path / "copy")
+    (copy / "notebooks/Untitled.ipynb").write_text("{}")
+    (copy / "notebooks/answers.md").write_text("# Notes for graders")
+    (copy / "notebooks/data/class.csv").write_text("student,points\n")
+    return copy
 
 
 # ---- what is in it ----
@@ -164,9 +160,8 @@ def test_the_files_carry_the_date_of_the_last_commit(tmp_path, monkeypatch):
 
 @pytest.fixture
 def folded(tree):
-    """The path of a notebook in the copy, with a section in More."""
+    """The path of a notebook in the copy, with one section more in More."""
     path = tree / "notebooks/01_rotations.ipynb"
-    assert fold_a_section(path)
     book = nbformat.read(path, 4)
     text = "# 1 · T\n\nIt takes about three hours, and [*More*](#More:-rest) another. See [this](#More:-rest)."
     book.cells[0].source = text
@@ -187,8 +182,6 @@ def test_without_more_its_cells_and_what_names_them_are_left_out(folded, tmp_pat
     gone = set(with_more) - set(files)
     assert "notebooks/reports.md" in gone
     assert all(name == "notebooks/reports.md" or name.startswith("notebooks/data/") for name in gone)
-    assert released(folded.parents[1], tmp_path / "again.zip", "--more", "no")[1] == top
-    assert (tmp_path / "again.zip").read_bytes() == (tmp_path / "without.zip").read_bytes()
     with zipfile.ZipFile(tmp_path / "without.zip") as archive:
         archive.extractall(tmp_path)
     code = "from course_lib.checks import rotations as check; check.progress()"
@@ -211,14 +204,8 @@ def test_no_cell_of_the_core_asks_for_what_is_left_out_with_more(name):
 # ---- what it takes to install ----
 
 
-def unpack(zipped, release, folder):
-    with zipfile.ZipFile(zipped) as archive:
-        archive.extractall(folder)
-    return folder / release[1]
-
-
-def test_its_package_can_be_built(zipped, release, tmp_path, monkeypatch):
-    monkeypatch.chdir(unpack(zipped, release, tmp_path))
+def test_its_package_can_be_built(unpacked, tmp_path, monkeypatch):
+    monkeypatch.chdir(unpacked)
     wheel = buildapi.build_wheel(str(tmp_path))
     with zipfile.ZipFile(tmp_path / wheel) as archive:
         assert "course_lib/checks/notebook.py" in archive.namelist()
@@ -231,28 +218,18 @@ def test_it_installs_what_students_need_in_the_versions_of_our_lock(files):
     assert files["lock.txt"] == (ROOT / "environment.txt").read_bytes()
     _, constraints, *wanted = files["environment.txt"].decode().splitlines()
     assert constraints == "-c lock.txt"
-    needs = {Requirement(line).name for line in wanted}
+    needs, ours = {Requirement(line).name for line in wanted}, {"pytest", "hypothesis", "nbgrader", "sphinx", "ruff"}
     assert {"numpy", "jupyterlab", "matplotlib", "anywidget", "flit-core"} <= needs
-    assert (
-        needs & {"pytest", "hypothesis", "nbgrader", "sphinx", "ruff", "playwright", "choreographer", "tqdm"} == set()
-    )
+    assert needs & (ours | {"playwright", "choreographer", "tqdm"}) == set()
     pins = {Requirement(line).name for line in files["lock.txt"].decode().splitlines()[1:]}
     assert needs <= pins
 
 
-def test_its_make_knows_what_students_need(zipped, release, tmp_path):
-    folder = unpack(zipped, release, tmp_path)
-    assert [line.split()[1] for line in make(folder).splitlines()] == ["lab", "update"]
-    assert 'carry_over.py "../with a space"' in make(folder, "-n", "update", "FROM=../with a space")
-    readme = (folder / "README.md").read_text()
+def test_its_make_knows_what_students_need(unpacked):
+    assert [line.split()[1] for line in made(unpacked).splitlines()] == ["lab", "update"]
+    assert 'carry_over.py "../with a space"' in made(unpacked, "-n", "update", "FROM=../with a space")
+    readme = (unpacked / "README.md").read_text()
     assert set(re.findall(r"^    make (\w+)", readme, re.MULTILINE)) == {"lab", "update"}
-
-
-def make(folder, *arguments):
-    """Run make as a student does; the make that runs these tests leaves its own settings in the environment."""
-    outside = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS"))}
-    done = subprocess.run(["make", *arguments], cwd=folder, env=outside, capture_output=True, text=True, check=True)
-    return done.stdout
 
 
 # ---- what can be wrong ----
@@ -268,14 +245,8 @@ WRONG = [
     (answer("    return 1", END), "an END SOLUTION without BEGIN SOLUTION"),
     (answer(BEGIN, BEGIN, "    return 1", END), "a second BEGIN SOLUTION before END SOLUTION"),
     (answer("    return 1"), "an answer cell without ### BEGIN SOLUTION"),
-    (
-        "\n".join([BEGIN[4:], answer("    return 1"), END[4:]]),
-        "no function `wrap_angle` that raises. Put the two markers inside",
-    ),
-    (
-        answer(BEGIN, "    return 1", END, "  return 2"),
-        "no function `wrap_angle` that returns. Put the two markers inside",
-    ),
+    ("\n".join([BEGIN[4:], answer("    return 1"), END[4:]]), "no function `wrap_angle` that raises. Put the two"),
+    (answer(BEGIN, "    return 1", END, "  return 2"), "no function `wrap_angle` that returns. Put the two markers"),
 ]
 
 

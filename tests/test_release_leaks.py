@@ -63,22 +63,11 @@ def test_no_hint_but_the_last_holds_a_line_of_the_solution(wanted, path):
 
 
 def test_no_output_goes_out_but_the_first_picture(files):
-    books = sorted(name for name in files if name.endswith(".ipynb"))
-    assert outputs(files) == [(name, first_with_an_output(files, name)) for name in books]
-
-
-def first_with_an_output(files, name):
-    """The id of the notebook's first cell with an output, which is a picture before all exercises."""
-    cells = nbformat.reads(files[name].decode(), 4).cells
-    first = next(cell for cell in cells if cell.get("outputs") or "nbgrader" in cell.metadata)
-    assert any("image/png" in output.get("data", {}) for output in first.outputs)
-    return first.id
-
-
-def outputs(files):
-    notebooks = {name: nbformat.reads(text.decode(), 4) for name, text in files.items() if name.endswith(".ipynb")}
-    cells = [(name, cell) for name, notebook in notebooks.items() for cell in notebook.cells]
-    return [(name, cell.id) for name, cell in cells if cell.get("outputs") or cell.get("execution_count")]
+    for name in (name for name in files if name.endswith(".ipynb")):
+        cells = nbformat.reads(files[name].decode(), 4).cells
+        (first,) = (cell for cell in cells if cell.get("outputs") or cell.get("execution_count"))
+        assert any("image/png" in output.get("data", {}) for output in first.outputs)
+        assert not any("nbgrader" in cell.metadata for cell in cells[: cells.index(first)]), "before all exercises"
 
 
 def test_markers_and_words_for_graders_are_gone(files):
