@@ -5,7 +5,6 @@ import json
 import os
 import sys
 from io import BytesIO
-from pathlib import Path
 
 import matplotlib.image
 import nbformat
@@ -102,6 +101,7 @@ def test_only_what_every_author_shares_is_kept(write):
     cell.id = "kept-id"
     path = write(
         cell,
+        new_code_cell("", outputs=[new_output("stream", text="from before")], execution_count=7),
         course={"number": 1},
         kernelspec={"name": "my-env", "display_name": "My env", "language": "python"},
         language_info={"name": "python", "version": "3.11.2"},
@@ -112,13 +112,7 @@ def test_only_what_every_author_shares_is_kept(write):
     assert after["metadata"] == {"course": {"number": 1}} | notebooks.PYTHON
     assert after["cells"][0]["metadata"] == {"tags": ["setup"], "nbgrader": nbgrader}
     assert after["cells"][0]["id"] == "kept-id"
-
-
-def test_outputs_of_a_cell_that_is_empty_now_go(write):
-    cell = new_code_cell("", outputs=[new_output("stream", text="from before")], execution_count=7)
-    path = write(cell)
-    notebooks.refresh(path)
-    assert outputs(path) == []
+    assert after["cells"][1]["outputs"] == [], "of a cell that is empty now"
 
 
 def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, monkeypatch):
@@ -138,7 +132,7 @@ def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, 
 # ---- stills ----
 
 
-def test_a_still_is_drawn_anew_only_for_a_figure_that_changed(write):
+def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_is_no_browser(write):
     path = write(show(1), show(2))
     notebooks.refresh(path, Pencil())
     assert stills(path) == [b"still 0 of call 1", b"still 1 of call 1"]
@@ -150,11 +144,7 @@ def test_a_still_is_drawn_anew_only_for_a_figure_that_changed(write):
     notebooks.refresh(path, again)
     assert stills(path) == [b"still 0 of call 1", b"still 0 of call 2"]
 
-
-def test_without_a_browser_stills_of_unchanged_figures_stay(write):
-    path = write(show(1), show(2))
-    notebooks.refresh(path, Pencil())
-    edit(path, "[2]", "[3]")
+    edit(path, "[3]", "[4]")
     remark = notebooks.refresh(path, no_browser)
     assert "figures without a still: 1 (none here)" in remark
     assert stills(path) == [b"still 0 of call 1", b""], "an old picture of a new figure would lie"
@@ -201,42 +191,32 @@ def test_a_cell_that_takes_too_long_is_named(write, capsys, monkeypatch):
     assert "code cell 1 (import time) was not done after 1 s" in fails(path, capsys)
 
 
-def test_a_file_that_is_no_notebook_is_named(write, capsys):
+def test_a_file_that_is_no_notebook_or_not_there_is_named(write, capsys):
     path = write()
     path.write_text("<<<<<<< HEAD\n{}\n", encoding="utf-8")
     assert "is not a notebook" in fails(path, capsys)
+    path.unlink()
+    assert notebooks.main([str(path)]) == 1
+    assert f"{path}: cannot be read: No such file or directory. Name a file that is there." in capsys.readouterr().err
+    assert notebooks.main([]) == 0
+    assert "No notebooks" in capsys.readouterr().out
 
 
-def test_a_file_that_is_not_there_is_named(tmp_path, capsys):
-    assert notebooks.main([str(tmp_path / "04_hat.ipynb")]) == 1
-    said = capsys.readouterr().err
-    assert f"{tmp_path}/04_hat.ipynb: cannot be read: No such file or directory. Name a file that is there." in said
-
-
-def test_an_interrupted_writing_leaves_the_old_file(write, monkeypatch):
-    path = write(new_code_cell("1"))
-    before = path.read_bytes()
+def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves_the_old_one(tmp_path, monkeypatch):
+    path = tmp_path / "file"
+    path.touch()
+    path.chmod(0o640)
+    write_atomically(path, "old")
+    assert path.stat().st_mode & 0o777 == 0o640
 
     def interrupted(*names):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        write_atomically(path, "{}")
-    assert path.read_bytes() == before
-    assert list(Path(path.parent).iterdir()) == [path]
-
-
-def test_the_file_keeps_its_permissions(write):
-    path = write(new_code_cell("1"))
-    path.chmod(0o640)
-    write_atomically(path, "{}")
-    assert path.stat().st_mode & 0o777 == 0o640
-
-
-def test_no_notebooks_is_no_error(capsys):
-    assert notebooks.main([]) == 0
-    assert "No notebooks" in capsys.readouterr().out
+        write_atomically(path, "new")
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
 
 
 @pytest.mark.tools("browser")
