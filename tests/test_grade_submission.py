@@ -12,7 +12,6 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 from course_lib.pack.grade import notebook_file, submission
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
 from course_lib.pack.grade.submission import _files, grade
-from course_lib.pack.release import PROMPT
 from course_lib.pack.release.stubs import students_copy
 
 pytestmark = pytest.mark.usefixtures("isolated")
@@ -66,16 +65,16 @@ def split(first, rest):
     return [line for source in [first, *rest] for line in source.partition("\n\n")[::2]]
 
 
+STUB, ATTEMPT = "def nearest_so(M):\n    raise NotImplementedError\n", "def nearest_so(M):\n    return M\n"
+RENAMED = "mine = nearest_so\nnearest_so = lambda M: mine(M)"
 CHANGES = {
     "merged into one": lambda first, rest: ["\n\n".join([first, *rest])],
     "split": split,
-    "moved": lambda first, rest: random.Random(1).sample([first, *rest], len(rest) + 1),
-    "duplicated": lambda first, rest: [first, *rest, *rest],
-    "stubs left below": lambda first, rest: [first, *rest, "def nearest_so(M):\n    raise NotImplementedError\n"],
-    "an earlier attempt": lambda first, rest: [first, "def nearest_so(M):\n    return M\n", *rest],
-    "a cell that raises": lambda first, rest: [first, "1 / 0\n" + rest[0], *rest[1:]],
-    "defined by exec": lambda first, rest: [first, f"exec({rest[0]!r})", *rest[1:]],
-    "another name": lambda first, rest: [first, *rest, "mine = nearest_so\nnearest_so = lambda M: mine(M)"],
+    "moved and duplicated": lambda first, rest: random.Random(1).sample([first, *rest], len(rest) + 1) + rest,
+    "an earlier attempt, a cell that raises, an exec, stubs left below": lambda first, rest: [
+        *(first, ATTEMPT, "1 / 0\n" + rest[0], f"exec({rest[1]!r})", *rest[2:], STUB)
+    ],
+    "another name": lambda first, rest: [first, *rest, RENAMED],
 }
 
 
@@ -271,7 +270,7 @@ def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
 
 
 @pytest.mark.parametrize("without", [[], ["metadata", "id"]])
-def test_an_answer_in_a_new_cell_below_the_prompt_is_found(without):
+def test_an_answer_in_a_new_cell_below_the_prompt_is_found_and_the_prompt_is_none(without):
     given = nbformat.reads(students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, ""), 4).cells
     cells = [{key: {} if key in without else value for key, value in each.items()} for each in given]
     (place,) = (k for k, each in enumerate(given) if each.get("id") == courses()[NAME].questions[0].id)
@@ -279,9 +278,3 @@ def test_an_answer_in_a_new_cell_below_the_prompt_is_found(without):
     assert {notebook_file.answer(each, unanswered) for each in courses()[NAME].questions} == {""}
     found, _ = notebook_file.read(book(cells=[*cells[: place + 1], cell("because", "markdown"), *cells[place + 1 :]]))
     assert [notebook_file.answer(each, found) for each in courses()[NAME].questions] == ["because", "", ""]
-
-
-def test_the_prompt_of_a_written_answer_is_not_an_answer():
-    cells = [cell(PROMPT, "markdown", metadata={"nbgrader": {"grade_id": "explain_tolerance"}})]
-    found, _ = notebook_file.read(book(cells=cells))
-    assert notebook_file.answer(courses()[NAME].questions[-1], found) == ""
