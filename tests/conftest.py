@@ -121,18 +121,6 @@ def solutions():
     return read
 
 
-def built_once(tmp_path_factory, solutions):
-    """The folder of the whole course as a site, which the first process that asks for it builds for all of them."""
-    from course_lib.pack.site.build import build  # here, for most tests need none
-
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"course-{solutions}"
-    with locked(folder.with_suffix(".lock")):
-        if not folder.exists():
-            build(NOTEBOOKS, folder, solutions=solutions)
-    return folder
-
-
 @contextmanager
 def locked(path):
     """Wait until no other process is at work here."""
@@ -148,14 +136,15 @@ def locked(path):
 
 @pytest.fixture(scope="session")
 def course(tmp_path_factory):
-    """The folder of the whole course as a site, to be looked at and left as it is."""
-    return built_once(tmp_path_factory, solutions=True)
+    """The folder of the whole course as a site, to be looked at and left as it is; one process builds it for all."""
+    from course_lib.pack.site.build import build  # here, for most tests need none
 
-
-@pytest.fixture(scope="session")
-def course_without_answers(tmp_path_factory):
-    """The folder of the whole course as a site without solutions, to be looked at and left as it is."""
-    return built_once(tmp_path_factory, solutions=False)
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "course"
+    with locked(folder.with_suffix(".lock")):
+        if not folder.exists():
+            build(NOTEBOOKS, folder)
+    return folder
 
 
 @pytest.fixture(scope="session")

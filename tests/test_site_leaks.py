@@ -1,52 +1,69 @@
-"""A site without solutions contains none: all its files are searched, and the search is tried on the other site."""
+"""A site without solutions contains none: all that Sphinx reads is searched, and the search is tried on the other site.
 
-import html
+What Sphinx makes of it is looked at on a small notebook (test_site_answers.py).
+"""
+
 import re
+import shutil
 import zipfile
+from itertools import chain
+from pathlib import Path
 
 import nbformat
 import pytest
-from leaks import ROOT, answer_cells, code, lines, secrets, texts
+from leaks import ROOT, answer_cells, code, lines, secrets
 
-from course_lib.pack.site import formulas
+from course_lib.pack.site import build as builder
+from course_lib.pack.site import prepare
 
-TAG = re.compile(r"<[^>]+>")
 VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
 
 
-FORMULA = re.compile(r'<(span|div) class="math[^>]*><svg.*?</math></span></\1>', re.DOTALL)
+@pytest.fixture(scope="module")
+def sites(tmp_path_factory):
+    """What Sphinx reads, and the zip: for the site with solutions and for the one without."""
+    folder = tmp_path_factory.mktemp("sites")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(prepare, "picture", lambda output, kind, name, alt, folder: f'<img class="{name}" alt="{alt}">')
+        patch.setattr(builder, "_run_sphinx", lambda pages, site, doctrees: shutil.copytree(pages, site))
+        builder.build(ROOT / "notebooks", folder / "yes")
+        builder.build(ROOT / "notebooks", folder / "no", solutions=False)
+    return {"yes": folder / "yes", "no": folder / "no"}
 
 
 def words(text):
-    """Only the words and numbers of a text: a page shows quotes and emphasis with other signs, formulas as pictures."""
+    """Only the words and numbers of a text, without its formulas: however it is emphasized, and its lines broken."""
     return " ".join(re.findall(r"[^\W_]+", re.sub(r"\$\$?[^$]+\$\$?", " ", text)))
 
 
-def shown(page):
-    """What a page shows: each block of code, its lines and its lines as ast.unparse has them; and all its words."""
-    for block in re.findall(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL):
-        source = html.unescape(TAG.sub("", block))
-        yield "\n".join(lines(source))
-        yield "\n".join(code(source))
-    yield words(html.unescape(TAG.sub("", FORMULA.sub(" ", page))).replace("$", " "))
-
-
-def said(file):
-    """What one file of a site says: a page, the notebooks in the zip, or bytes taken for text.
-
-    What else is in the zip is searched by the tests of the release.
-    """
-    if file.suffix == ".zip":
-        parts = [part for name, content in notebooks(file) for part in texts(name, content)]
-        return "\n\n".join([*parts, *map(words, parts)])
-    if file.suffix != ".html":
-        return file.read_bytes().decode(errors="replace")
-    return "\n\n".join(shown(file.read_text(encoding="utf-8")))
+def outputs(notebook):
+    """The printed outputs of a notebook, and the texts of the others."""
+    found = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    printed = [output.text for output in found if output.output_type == "stream"]
+    return printed, [str(text) for output in found for text in output.get("data", {}).values()]
 
 
 def notebooks(file):
+    """{name: content} of the notebooks in a zip."""
     with zipfile.ZipFile(file) as archive:
-        return [(name, archive.read(name)) for name in archive.namelist() if name.endswith(".ipynb")]
+        return {name: archive.read(name) for name in archive.namelist() if name.endswith(".ipynb")}
+
+
+def said(file):
+    """What one file says, code and words as `secrets` has them: a notebook, those in the zip, or bytes taken for text.
+
+    What else is in the zip is searched by the tests of the release.
+    """
+    if file.suffix not in (".ipynb", ".zip"):
+        return file.read_bytes().decode(errors="replace")
+    parts = []
+    for content in notebooks(file).values() if file.suffix == ".zip" else [file.read_bytes()]:
+        book = nbformat.reads(content.decode(), 4)
+        shown = [re.sub("<script.*?</script>", "", text, flags=re.DOTALL) for text in chain(*outputs(book))]
+        sources = [cell.source for cell in book.cells]
+        parts += [content.decode(), *map(words, shown + sources)]
+        parts += [text for source in sources for text in ("\n".join(lines(source)), "\n".join(code(source)))]
+    return "\n\n".join(parts)
 
 
 def leaks(site, wanted):
@@ -61,85 +78,61 @@ def wanted():
     return {text: exercise for text, exercise in secrets(words).items() if len(text) >= 10}
 
 
-def mathml(texts):
-    """The formulas of Markdown texts, as pages contain them for screen readers: as MathML."""
-    found = [
-        formulas.typeset(" ".join(tex.split()), display=bool(sign == "$$"))
-        for text in texts
-        for sign, tex in re.findall(r"(\$\$?)([^$]+)\$", re.sub(r"`[^`]*`|^```.*?^```", " ", text))
-    ]
-    return {re.search(r"<math\b[^>]*>(.*)</math>", made, re.DOTALL)[1] for made in found}
-
-
-@pytest.fixture(scope="module")
-def secret_formulas():
-    """The formulas that occur in model answers only and are longer than a single letter."""
-    answers = {cell.id for _, cell in answer_cells()}
-    cells = [
-        cell
-        for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-        for cell in nbformat.read(path, 4).cells
-        if cell.cell_type == "markdown"
-    ]
-    secret = mathml(cell.source for cell in cells if cell.id in answers)
-    open_to_all = "".join(mathml(cell.source for cell in cells if cell.id not in answers))
-    return {each for each in secret if len(each) > 150 and each not in open_to_all}
-
-
-@pytest.fixture
-def sites(course, course_without_answers):
-    """The course as a site with solutions and as one without."""
-    return {"yes": course, "no": course_without_answers}
-
-
 def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
     assert {text for _, text in leaks(sites["yes"], wanted)} == set(wanted)
-
-
-def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
-    (file,) = sites["no"].glob("*.zip")
-    assert len(notebooks(file)) == len(list((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")))
-    for page in sites["no"].glob("0*.html"):
-        assert f'href="{file.name}"' in page.read_text(encoding="utf-8")
-    with zipfile.ZipFile(tmp_path / "planted.zip", "w") as archive:
-        archive.write(ROOT / "notebooks/02_rigid_motion.ipynb", "notebooks/02_rigid_motion.ipynb")
-    assert {"wrap_angle", "explain_wrap"} <= {exercise for exercise, _ in leaks(tmp_path, wanted)}
-
-
-def test_a_site_without_solutions_contains_none_of_their_formulas(sites, secret_formulas):
-    full, bare = (
-        "".join(page.read_text(encoding="utf-8") for page in sites[name].glob("*.html")) for name in ("yes", "no")
-    )
-    assert len(secret_formulas) > 10
-    assert [each for each in secret_formulas if each not in full] == [], "looked for as pages write them"
-    assert [each for each in secret_formulas if each in bare] == []
 
 
 def test_a_site_without_solutions_contains_no_line_and_no_sentence_of_them(sites, wanted):
     assert leaks(sites["no"], wanted) == set()
 
 
-def own_lines(notebook):
-    """The number of printed outputs of a notebook that only address the author of the answers."""
-    cells = nbformat.read(notebook, 4).cells
-    printed = [output.text for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]
-    return sum(all(re.search(r"\b(you|yours?)\b", line, re.I) for line in lines(text)) for text in printed)
+def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
+    (file,) = sites["no"].glob("*.zip")
+    pages = {page.name: page.read_text(encoding="utf-8") for page in sites["no"].glob("0*.ipynb")}
+    assert {Path(name).name for name in notebooks(file)} == set(pages)
+    assert [name for name, text in pages.items() if file.name not in text] == []
+    with zipfile.ZipFile(tmp_path / "planted.zip", "w") as archive:
+        archive.write(ROOT / "notebooks/02_rigid_motion.ipynb", "notebooks/02_rigid_motion.ipynb")
+    assert {"wrap_angle", "explain_wrap"} <= {exercise for exercise, _ in leaks(tmp_path, wanted)}
+
+
+def formulas(cells):
+    """The formulas of Markdown cells, each in one line."""
+    texts = [re.sub(r"`[^`]*`|^```.*?^```", " ", cell.source) for cell in cells if cell.cell_type == "markdown"]
+    return {" ".join(tex.split()) for text in texts for tex in re.findall(r"\$\$?([^$]+)\$", text)}
+
+
+def test_a_site_without_solutions_contains_none_of_their_formulas(sites):
+    answers = {cell.id: cell for _, cell in answer_cells()}
+    cells = [cell for path in (ROOT / "notebooks").glob("0*.ipynb") for cell in nbformat.read(path, 4).cells]
+    open_to_all = "\n".join(formulas(cell for cell in cells if cell.id not in answers))
+    secret = {tex for tex in formulas(answers.values()) if len(tex) > 10 and tex not in open_to_all}
+    pages = {name: [nbformat.read(page, 4).cells for page in sites[name].glob("*.ipynb")] for name in sites}
+    full, bare = ("\n".join(formulas(chain(*pages[name]))) for name in ("yes", "no"))
+    assert len(secret) > 10
+    assert [tex for tex in secret if tex not in full] == [], "looked for as the pages are given them"
+    assert [tex for tex in secret if tex in bare] == []
+
+
+def addresses_its_author(text):
+    """Whether each line of a printed output only addresses the author of the answers."""
+    return all(re.search(r"\b(you|yours?)\b", line, re.I) for line in lines(text))
 
 
 def test_no_check_reports_right_and_every_other_output_stays(sites):
-    for page in sites["no"].glob("*.html"):
-        bare, full = page.read_text("utf-8"), (sites["yes"] / page.name).read_text("utf-8")
-        assert not VERDICT.search(bare), page.name
+    books = {name: [nbformat.read(page, 4) for page in sorted(sites[name].glob("*.ipynb"))] for name in sites}
+    for bare, full in zip(*(map(outputs, books[name]) for name in ("no", "yes")), strict=True):
+        assert not VERDICT.search("".join(bare[1]))
         for output in ('class="toy-figure"', 'class="picture'):
-            assert bare.count(output) == full.count(output), page.name
-        notebook = ROOT / "notebooks" / f"{page.stem}.ipynb"
-        left_out = own_lines(notebook) if notebook.exists() else 0
-        assert bare.count('class="output stream') == full.count('class="output stream') - left_out, page.name
-        assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", bare)
-    assert any(VERDICT.search(page.read_text("utf-8")) for page in sites["yes"].glob("*.html"))
-    pages = "".join(page.read_text("utf-8") for page in sites["no"].glob("*.html"))
-    code = [cell.source for _, cell in answer_cells() if cell.cell_type == "code"]
-    unwritten = [source for source in code if not source.rpartition("END SOLUTION")[2].strip()]  # the rest hold a bug
-    assert pages.count("NotImplementedError") >= len(unwritten)
-    assert pages.count("Type your answer here.") == sum(cell.cell_type == "markdown" for _, cell in answer_cells())
+            assert "".join(bare[1]).count(output) == "".join(full[1]).count(output)
+        assert len(bare[0]) == sum(not addresses_its_author(text) for text in full[0])
+    assert any(VERDICT.search("".join(outputs(book)[1])) for book in books["yes"])
+    pages = "".join(said(page) for page in sites["no"].glob("*.ipynb"))
+    assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", pages)
+    sources = [cell.source for book in books["no"] for cell in book.cells]
+    solved = [cell.source for _, cell in answer_cells() if cell.cell_type == "code"]
+    unwritten = [source for source in solved if not source.rpartition("END SOLUTION")[2].strip()]  # the rest hold a bug
+    assert sum("NotImplementedError" in source for source in sources) >= len(unwritten)
+    written = sum(cell.cell_type == "markdown" for _, cell in answer_cells())
+    assert sum("Type your answer here." in source for source in sources) == written
