@@ -1,4 +1,7 @@
-"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write grades and feedback."""
+"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write grades and feedback.
+
+Its options are the settings of ``make grade``, which course_lib/pack/README.md explains.
+"""
 
 import argparse
 import contextlib
@@ -27,6 +30,7 @@ from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
 
+SETTINGS = ("cluster", "lms", "roster", "deadline", "late", "times", "extensions", "notebooks", "earlier", "isolation")
 MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
 
 
@@ -48,29 +52,13 @@ def main(arguments=None, grade=None):
 
 def _parser():
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
-    parser.add_argument("submissions", help="folder that holds what was handed in")
-    parser.add_argument("--output", type=Path, default=Path("build/grades"), help="folder to write")
-    parser.add_argument(
-        "--jobs", type=_whole_number("JOBS"), default=0, help="how many at once; one for each processor if not given"
-    )
-    parser.add_argument("--cluster", default="", help="address of a Dask scheduler, whose workers grade")
-    parser.add_argument(
-        "--lms",
-        default="",
-        help="the platform that exported the files and gets the totals: canvas or moodle; or none",
-    )
-    parser.add_argument("--roster", default="", help="CSV with a line a student, as the platform exports it")
-    parser.add_argument("--deadline", default="", help="when hand-ins are due: 2026-11-30 or '2026-11-30 18:00'")
-    parser.add_argument("--late", default="", help="what late ones lose: none, or percent a day: 10%%")
-    parser.add_argument("--times", default="", help="times of submission: files, or a table or folder of tables")
-    parser.add_argument("--extensions", default="", help="CSV of other deadlines: student, notebook, deadline")
-    parser.add_argument("--notebooks", default="", help="numbers of those that were assigned: 01,02; all if not given")
-    parser.add_argument("--earlier", default="", help="folder of submissions of earlier years, to compare with")
-    parser.add_argument("--more", type=_weight, default=1, help="what the points of More count: from 0 (or no) to 1")
-    parser.add_argument("--isolation", default="", help="none: run submissions as yourself, with limits only")
-    parser.add_argument(
-        "--seed", type=_whole_number("SEED"), help="of the cases that are asked; drawn once and kept if not given"
-    )
+    parser.add_argument("submissions")
+    parser.add_argument("--output", type=Path, default=Path("build/grades"))
+    parser.add_argument("--jobs", type=_whole_number("JOBS"), default=0)
+    parser.add_argument("--seed", type=_whole_number("SEED"))
+    parser.add_argument("--more", type=_weight, default=1)
+    for name in SETTINGS:
+        parser.add_argument(f"--{name}", default="")
     return parser
 
 
