@@ -31,14 +31,7 @@ def end_effector_velocity(t):
 def iiwa_trajectory():
     """Return the joint trajectory of the iiwa that follows the curve twice.
 
-    Returns
-    -------
-    Trajectory
-
-    Raises
-    ------
-    RuntimeError
-        If the end-effector leaves the curve, or a joint its limits.
+    Raises RuntimeError if the end-effector leaves the curve, or a joint its limits.
     """
     arm = iiwa14()
 

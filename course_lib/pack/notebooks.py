@@ -75,20 +75,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     """Run one notebook in place, and return remarks on it, to follow its time.
 
-    Parameters
-    ----------
-    path : Path
-    make_stills : callable, optional
-        Takes figures and returns PNG files; `draw_stills` if None.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    NotebookFailed
-        If the file is not a notebook or a cell fails; the file then stays as it was.
+    `make_stills` takes figures and returns PNG files; `draw_stills` if None. Raises NotebookFailed if the file is not a
+    notebook or a cell fails; the file then stays as it was.
     """
     try:
         before = path.read_text(encoding="utf-8")

@@ -58,10 +58,7 @@ def inline(scripts) -> str:
 def screenshot(body: str, width: int, height: int) -> Image.Image:
     """Return what a page shows in a window of so many pixels, on a transparent ground.
 
-    Raises
-    ------
-    TimeoutError
-        If there is no browser, or it takes no picture.
+    Raises TimeoutError if there is no browser, or it takes no picture.
     """
     with tempfile.TemporaryDirectory() as folder:
         page, shot = Path(folder, "page.html"), Path(folder, "page.png")
@@ -76,10 +73,7 @@ def screenshot(body: str, width: int, height: int) -> Image.Image:
 def headless(page: Path, *options: str) -> None:
     """Open a page in a browser without a window, which then does what the options say.
 
-    Raises
-    ------
-    TimeoutError
-        If there is no browser, or it fails.
+    Raises TimeoutError if there is no browser, or it fails.
     """
     browser = find_browser()
     with tempfile.TemporaryDirectory() as profile:

@@ -30,19 +30,10 @@ def main(arguments=None):
 
 
 def prepare(root, update=False):
-    """Write what is missing in the folder of exercises, and yield sentences on what was done.
+    """Write what is missing in the folder of exercises of the project at `root`; yield sentences on what was done.
 
-    Parameters
-    ----------
-    root : Path
-        The folder of the project.
-    update : bool
-        Whether a folder of an older version is put aside, and its answers are carried over into a new one.
-
-    Raises
-    ------
-    ReleaseError
-        If a notebook cannot be released, or the name under which the older folder is kept is taken.
+    update: whether a folder of an older version is put aside, and its answers are carried over into a new one. Raises
+    ReleaseError if a notebook cannot be released, or the name under which the older folder is kept is taken.
     """
     folder = root / FOLDER
     digest, release, files = _released(root)
