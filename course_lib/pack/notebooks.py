@@ -8,7 +8,6 @@ stored, for places that run no script (a repository's web view, print).
 
 from __future__ import annotations
 
-import argparse
 import base64
 import os
 import re
@@ -48,18 +47,11 @@ class NotebookFailed(Exception):
     """A file that is not a notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
 
 
-class NoBrowser(Exception):
-    """No browser could be started to draw stills; the text says why."""
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
+def main(arguments: Sequence[str]) -> int:
     """Run the notebooks named on the command line; return an exit code."""
-    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.notebooks")
-    parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
-    paths = parser.parse_args(arguments).notebooks
-    if not paths:
+    if not arguments:
         print("No notebooks to run.")
-    for path in paths:
+    for path in map(Path, arguments):
         begin = time.monotonic()
         print(f"{path} ... ", end="", flush=True)
         try:
@@ -188,7 +180,7 @@ def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stil
     if missing:
         try:
             pictures = make_stills(list(missing.values()))
-        except NoBrowser as error:
+        except TimeoutError as error:  # there is no browser, or it fails
             remark = f", figures without a still: {len(missing)} ({error})"
         else:
             encoded = [base64.b64encode(picture).decode("ascii") for picture in pictures]
@@ -203,10 +195,7 @@ def draw_stills(figures: list[Figure]) -> list[bytes]:
     """Return what each toy shows at its start, from a headless browser."""
     from course_lib.pack.photograph import photograph
 
-    try:
-        return [smaller_png(photograph(figure["layout"]["meta"]["course"])) for figure in figures]
-    except TimeoutError as error:
-        raise NoBrowser(str(error)) from None
+    return [smaller_png(photograph(figure["layout"]["meta"]["course"])) for figure in figures]
 
 
 # ---- write ----
@@ -229,4 +218,4 @@ def keep(metadata: dict, keys: Sequence[str]) -> dict:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))
