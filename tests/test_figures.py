@@ -82,8 +82,6 @@ PICTURES = [
     (nb3.six_axis_arm, (PANDA, np.zeros(7)), "A solid arm with 7 dashed, numbered joint axes"),
     (nb3.joint_motion, ({"undamped": lambda bend: 1.2 / bend},), "undamped from 1.2 to 400 rad."),
     (nb3.largest_rates, (lambda b: np.eye(3) / np.sin(b[1]),), "largest single rate from 1 to 50 rad/s."),
-    (nb3.columns_and_ellipse, (ARM[0], np.array([[0, 0], [2, 1]])),
-     "2 arrows of length 2.0, 1.0 m show the Jacobian's"),
     (nb3.descents, ({"run": ARM}, [0, 2.0], "Words."), "run: jumps about and is less than a micrometre from it."),
     (nb3.moving_arm, (ARM, np.array([0, 2.0])), "of 1 steps. An arm's tip moves from [2. 0.] to [0. 2.] m"),
     (nb3.race, ({"one": T[:, None] / 2}, points_of, [1.0, 1.0]),

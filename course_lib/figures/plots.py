@@ -6,9 +6,10 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MultipleLocator
 
 from course_lib.figures.display import Picture
-from course_lib.figures.style import BLUE, CRIMSON, FRAME_COLOURS, GREY, PURPLE, plane_figure
+from course_lib.figures.style import BLUE, CRIMSON, FRAME_COLOURS, GREEN, GREY, PURPLE, RED, plane_figure
 
 STYLES = ("-", "--", ":", "-.")
+_JOINTS = (BLUE, PURPLE, GREEN, RED)
 
 
 def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
@@ -96,10 +97,10 @@ def velocities_of_the_tip(contents):
         tip = points[-1]
         velocities = (tip - points[:-1]) @ np.array([[0, 1], [-1, 0]])
         ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
-        for i, (joint, velocity, colour) in enumerate(zip(points, velocities, (BLUE, PURPLE), strict=False), 1):
+        for i, (joint, velocity, colour) in enumerate(zip(points, velocities, _JOINTS, strict=False), 1):
             ax.plot(*np.transpose([joint, tip]), "--o", color=colour, linewidth=1.5, markersize=10, markevery=[0])
             ax.annotate("", tip + velocity, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
-            words = f"joint {i}: ({velocity[0]:g}, {velocity[1]:g})"
+            words = f"joint {i}: ({velocity[0]:.3g}, {velocity[1]:.3g})"
             ax.plot(*np.transpose([tip, tip + velocity]), color=colour, linewidth=2)
             ahead = velocity * 12 / np.linalg.norm(velocity)
             beside = ahead[::-1] * [1, -1]

@@ -254,31 +254,6 @@ def largest_rates(inverse_rate_matrix):
     )
 
 
-def columns_and_ellipse(points, J):
-    """Return a planar arm (n + 1, 2), the columns of its Jacobian (2, n) as arrows, and the manipulability ellipse."""
-    fig, (ax,) = plane_figure(5.4, 4.4)
-    scale = 0.3  # metres drawn for one metre of J
-    ax.plot(*points.T, "-o", color=GREY, linewidth=3, markersize=7)
-    tip = points[-1]
-    for j, (colour, column) in enumerate(zip(COLOURS, J.T, strict=False)):
-        ax.annotate("", tip + scale * column, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2})
-        ax.plot([], [], color=colour, linewidth=3, label=f"$J_{j + 1}$")
-    U, s, _ = np.linalg.svd(J)
-    t = np.linspace(0, 2 * np.pi, 121)
-    ax.plot(*(tip[:, None] + scale * U @ (s[:, None] * [np.cos(t), np.sin(t)])), color=BLACK, linewidth=1.5)
-    in_metres(ax)
-    ax.margins(0.12)
-    legend_above(fig, J.shape[1])
-    lengths = ", ".join(f"{length:.1f}" for length in np.linalg.norm(J, axis=0))
-    return Picture(
-        fig,
-        f"A planar arm with its tip at ({tip[0]:.1f}, {tip[1]:.1f}) m. From the tip, {J.shape[1]} arrows of length "
-        f"{lengths} m show the Jacobian's columns; an ellipse with semi-axes of {s[0]:.1f} and {s[1]:.1f} m surrounds "
-        "the tip.",
-        "Each column is perpendicular to the line from its joint to the tip; the tip is fast along the ellipse.",
-    )
-
-
 def descents(runs, target, caption):
     """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
 
