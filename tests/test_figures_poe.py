@@ -24,10 +24,6 @@ def test_the_arm_is_where_forward_kinematics_puts_it_and_its_path_is_drawn_throu
     np.testing.assert_allclose(film.paths[0], ARM.fk(Q)[:, :3, 3], atol=6e-5)
 
 
-def test_axes_on_one_line_share_their_numbers():
-    assert [word for word, *_ in Film(figures.arm_with_axes(ARM)).course["words"]] == ["1, 3, 5, 7", "2", "4", "6"]
-
-
 def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
     poses = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
     film = Film(figures.screw_motion(poses, np.array([0.5, 0, 0]), np.array([0.0, 0, 1])))

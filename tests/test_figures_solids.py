@@ -39,7 +39,7 @@ ARMS = NAMED | {
 def test_every_arm_is_drawn_completely_with_few_vertices_where_its_kinematics_puts_it(name):
     arm = ARMS[name]
     q = np.random.default_rng(1).uniform(-2, 2, arm.n)
-    toy = draw(arm, q, "An arm.", axes=True)
+    toy = draw(arm, q, "An arm.")
     film, bare = Film(toy), solids.Model.of(solids.shell(arm))
     assert len(film.local) <= 2000
     assert len(bare.vertices) <= 1650, "the arm without frames and arrowheads"
@@ -81,24 +81,6 @@ def test_meshes_are_closed_and_their_faces_point_outwards():
 def _volume(mesh):
     a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
     return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
-
-
-# ---- what stands around ----
-
-
-def test_joint_axes_are_dashed_outside_the_bodies_and_point_as_their_screws():
-    arm, q = panda(), np.array([0.1, -0.8, 0.2, -2.4, 0, 1.6, 0.8])
-    model, poses = solids.Model.of(solids.shell(arm)), solids.link_poses(arm, q)
-    dashes, heads, words = scene.joint_axes(arm, poses, model.placed(poses), model.bodies)
-    assert list(words) == list("1234567")
-    ends = dashes.reshape(-1, 3, 3)[:, :2]
-    lines = rigid.adjoint(poses[1:]) @ arm.screw_axes[..., None]  # the screw axes at q
-    for (a, b), screw in zip(ends, np.repeat(lines[..., 0], len(ends) // 7, 0), strict=True):
-        assert_allclose(np.cross(a, screw[:3]), screw[3:], atol=1e-9)
-        assert_allclose(np.cross(b, screw[:3]), screw[3:], atol=1e-9)
-    for head, screw in zip(heads, lines[..., 0], strict=True):
-        foot, tip = head.vertices[-2:]
-        assert (tip - foot) @ screw[:3] > 0.02
 
 
 # ---- films ----

@@ -12,8 +12,7 @@ from course_lib.figures.solids import Part, link_poses, scene, shell
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
-from course_lib.figures.three_views import direction
-from course_lib.figures.toys.film import draw, film
+from course_lib.figures.toys.film import film
 
 
 def wrong_frame(paths, table):
@@ -102,19 +101,6 @@ def screw_motion(poses, through, axis):
         paths=[(path, BLUE, ())],
         words=[(word, point, BLACK) for word, point in words.items()],
         view=(1.4, 0.9, 0.6),
-    )
-
-
-def arm_with_axes(arm):
-    """Return an arm at joint angles zero with its joint axes, dashed and numbered, each with an arrowhead."""
-    arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
-    return draw(
-        arm,
-        np.zeros(arm.n),
-        f"The arm with all joint angles zero and the axes of its {arm.n} joints, which point along {arrows}.",
-        "Axes 1, 3, 5 and 7 lie on one line; axes 2, 4 and 6 cross it.",
-        axes=True,
-        view=(1.2, 1.4, 0.6),
     )
 
 

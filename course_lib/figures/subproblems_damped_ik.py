@@ -15,7 +15,7 @@ from course_lib.figures.solids.model import AMBER, AXIS, PALE, PALETTE, STEEL, V
 from course_lib.figures.solids.model import BLACK as INK
 from course_lib.figures.solids.model import MUG_RED as RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
-from course_lib.figures.toys.film import draw, flat_film, still
+from course_lib.figures.toys.film import flat_film, still
 from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
@@ -206,18 +206,6 @@ def motion_from_home():
     alt = "A flange with its wrist center one metre behind it, three times: at home, (2, 0) and (1, 0); "
     alt += "after M^-1, (0, 0) and (-1, 0); at the goal T, (3, 3) and (3, 2). Dashed arrows: M^-1 first, then T."
     return Picture(fig, alt, "Whatever is fixed to the flange moves with it, so the wrist center stays behind it.")
-
-
-def six_axis_arm(arm, q):
-    """Return a six-axis arm as a solid body with its joint axes, at joint angles q (6,)."""
-    return draw(
-        arm,
-        q,
-        f"A solid arm with {arm.n} dashed, numbered joint axes; its flange is {arm.fk(q)[2, 3]:.2f} m above the floor.",
-        "Axes 2 and 3 are parallel; axes 4, 5 and 6 meet in the wrist center.",
-        axes=True,
-        view=(0.6, 1.4, 0.5),
-    )
 
 
 def joint_motion(motions):

@@ -106,8 +106,9 @@
       if (state.axes && has("axes")) arm.screws.forEach((screw, i) => {
         const at = M.move(right[i], M.positionOf(arm.home[i])), l = 0.19 * size;
         const axis = M.apply(M.rotationOf(right[i]), screw.slice(0, 3));
-        view.line([M.add(at, axis, -l), M.add(at, axis, l)], COLOURS.purple, 2, { dash: [6, 4] });
-        view.text(M.add(at, axis, (i % 2 ? 1.12 : -1.12) * l), String(i + 1), COLOURS.purple);
+        view.line([M.add(at, axis, -l), M.add(at, axis, l)], COLOURS.purple, 2, { dash: [6, 4], above: true });
+        view.arrow(M.add(at, axis, l), M.add(at, axis, 1.15 * l), COLOURS.purple, { thick: 0.004 * size, above: true });
+        view.text(M.add(at, axis, 1.27 * l), String(i + 1), COLOURS.purple);
       });
       const J = M.geometricJacobian(arm, state.q), Jv = J.slice(3), A = M.times(Jv, M.transpose(Jv));
       if (has("ellipsoids") && state.velocity) ellipsoid(p, A, (x) => 0.17 * x, COLOURS.green);

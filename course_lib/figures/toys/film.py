@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib import rigid
 from course_lib.figures.solids import link_poses, scene, shell
-from course_lib.figures.solids.model import AXIS, VIOLET, Model, Part
+from course_lib.figures.solids.model import Model, Part
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.toys.toy import Toy, solid
 from course_lib.rotations import log_so3
@@ -65,24 +65,20 @@ def film(
     return Toy("film", meta | ({"movie": name} if name else {}), alt, caption=caption)
 
 
-def draw(arm, q, alt, caption="", *, axes=False, extra=(), view=VIEW, ground=None, frame=True, near=None):
+def draw(arm, q, alt, caption="", *, extra=(), view=VIEW, ground=None, frame=True, near=None):
     """Return a picture of an arm as solid bodies on a floor, at joint angles q (n,), with its end-effector frame.
 
     The iiwa, the Panda and the UR5e look like themselves; any other arm gets capsules and drums from its screw axes.
-    axes: draw the joint axes, dashed and numbered. extra: Parts to draw on the bodies 0 to n, in the base frame at q =
-    0. view: (3,), the direction from the arm to the eye. ground: the height of the floor; 0 or that of the lowest point
-    if None. frame: draw the frame of the end-effector. near: (n, 3), what the picture shows; all if None.
+    extra: Parts to draw on the bodies 0 to n, in the base frame at q = 0. view: (3,), the direction
+    from the arm to the eye. ground: the height of the floor; 0 or that of the lowest point if None. frame: draw the
+    frame of the end-effector. near: (n, 3), what the picture shows; all if None.
     """
     model, poses = Model.of([*shell(arm), *extra]), link_poses(arm, np.asarray(q, float))
     vertices = model.placed(poses)
     size = max(np.ptp(vertices, axis=0).max(), np.linalg.norm(arm.home[-1, :3, 3]) * 0.5)
-    parts, paths, words = [*extra, *(scene.triad(arm.n, arm.home[-1], 0.17 * size) if frame else ())], [], []
-    if axes:
-        dashes, heads, at = scene.joint_axes(arm, poses, vertices, model.bodies, beyond=0.15 * size)
-        paths, words = [(dashes, AXIS, ())], [(word, point, AXIS) for word, point in at.items()]
-        parts += [Part(0, VIOLET, head) for head in heads]  # body 0 does not move
+    parts = [*extra, *(scene.triad(arm.n, arm.home[-1], 0.17 * size) if frame else ())]
     ground = min(0.0, vertices[:, 2].min()) if ground is None else ground
-    look = {"paths": paths, "words": words, "view": view, "near": near, "ground": ground}
+    look = {"view": view, "near": near, "ground": ground}
     return film([*shell(arm), *parts], poses[None], [0.0], alt, caption, **look)
 
 
