@@ -82,7 +82,6 @@ PICTURES = [
     (nb3.joint_motion, ({"undamped": lambda bend: 1.2 / bend},), "undamped from 1.2 to 400 rad."),
     (nb3.largest_rates, (lambda b: np.eye(3) / np.sin(b[1]),), "largest single rate from 1 to 50 rad/s."),
     (nb3.descents, ({"run": ARM}, [0, 2.0], "Words."), "run: jumps about and is less than a micrometre from it."),
-    (nb3.moving_arm, (ARM, np.array([0, 2.0])), "of 1 steps. An arm's tip moves from [2. 0.] to [0. 2.] m"),
     (nb3.race, ({"one": T[:, None] / 2}, points_of, [1.0, 1.0]),
      "one: 2 steps to 1 cm, at most 0.5 rad: ends less than"),
     (nb3.gains, ([1.0], {"s1": 2.0}), "a largest value, 0.50 rad/m for 1 m², and falls again."),

@@ -15,7 +15,7 @@ from course_lib.figures.solids.model import AMBER, AXIS, PALE, PALETTE, STEEL, V
 from course_lib.figures.solids.model import BLACK as INK
 from course_lib.figures.solids.model import MUG_RED as RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
-from course_lib.figures.toys.film import flat_film, still
+from course_lib.figures.toys.film import still
 from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
@@ -282,23 +282,6 @@ def _window(corners, margin):
     """The lowest and the highest x and y of arrays of points (..., 2), with a margin around them."""
     corners = np.concatenate([np.reshape(part, (-1, 2)) for part in corners])
     return corners.min(0) - margin, corners.max(0) + margin
-
-
-def moving_arm(points, target, rate=10):
-    """Return a film of a planar arm (n, links + 1, 2), base first, at so many steps a second, towards a target (2,)."""
-    (left, low), (right, high) = _window([points, [target]], 0.3)
-    half = max(right - left, high - low) / 2
-    return flat_film(
-        [points],
-        np.arange(len(points)) / rate,
-        f"Moving picture of {len(points) - 1} steps. An arm's tip moves from {points[0, -1].round(1)} to "
-        f"{points[-1, -1].round(1)} m, along a dashed path; a dot is its target.",
-        f"{rate} steps a second: each is smaller than the one before.",
-        name="damped-steps",
-        still=[(points[:, -1], BLUE, (7, 5)), (np.array([target]), GREEN, ())],
-        half=round(half, 2),
-        centre=np.round([(left + right) / 2, (low + high) / 2], 2).tolist(),
-    )
 
 
 def race(racers, points_of, target):
