@@ -187,27 +187,6 @@ def arm_by_hand():
     return Picture(fig, alt, "The dotted lines are 5 m long, like the distance from the shoulder to the goal.")
 
 
-def motion_from_home():
-    """Return a flange in the plane with its wrist center, one metre behind it: at home M, after M^-1, and at T."""
-    fig, (ax,) = plane_figure(5.4, 3.8)
-    at, behind = np.array([[2.0, 0], [0, 0], [3, 3]]), np.array([[1, 0], [1, 0], [0, 1]])
-    words = [("home, $M$", (-16, -18)), ("after $M^{-1}$", (-28, -18)), ("goal, $T$", (12, 0))]
-    for flange, x_axis, colour, (name, aside) in zip(at, behind, (GREY, BLUE, CRIMSON), words, strict=True):
-        ax.plot(*np.transpose([flange - x_axis, flange]), "-o", color=colour, linewidth=4, markersize=8)
-        look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", flange + 0.7 * x_axis, flange, arrowprops=look)
-        ax.annotate(name, flange, xytext=aside, textcoords="offset points", color=colour)
-    arrows = ("$M^{-1}$", *at[:2], 0.45, (0.75, 0.65)), ("$T$", *at[1:], -0.3, (0.75, 2.1))
-    for name, start, end, bow, aside in arrows:
-        look = {"arrowstyle": "->", "linestyle": "--", "color": BLACK, "connectionstyle": f"arc3,rad={bow}"}
-        ax.annotate("", end, start, arrowprops=look | {"shrinkA": 7, "shrinkB": 7})
-        ax.annotate(name, aside, color=BLACK)
-    in_metres(ax, xlim=(-1.6, 4.4), ylim=(-0.9, 4.1))
-    alt = "A flange with its wrist center one metre behind it, three times: at home, (2, 0) and (1, 0); "
-    alt += "after M^-1, (0, 0) and (-1, 0); at the goal T, (3, 3) and (3, 2). Dashed arrows: M^-1 first, then T."
-    return Picture(fig, alt, "Whatever is fixed to the flange moves with it, so the wrist center stays behind it.")
-
-
 def joint_motion(motions):
     """Return the joint motion that a step commands, {label: function of the bend}, over the bend of the last joint."""
     bends = np.geomspace(0.003, 1, 60)
