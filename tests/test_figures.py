@@ -93,7 +93,6 @@ PICTURES = [
     (nb4.wrong_frame, ({"A": DOWN[:2] * 0, "B": DOWN}, 0.25), "One path goes into the table."),
     (nb4.wrong_frame, ({"A": DOWN[:2] + Z, "B": DOWN + Z}, 0.05),
      "B: the gripper moves by 40 cm. No path touches the table."),
-    (nb4.digits_lost, (lambda a: (1 - np.cos(a)) / a, lambda a: 0.55 * a), "in the library at most 1e-16."),
     (nb4.screw_motion, (SCREW, np.zeros(3), Z), "rises by 0.60 m."),
     (nb4.arc_of_a_twist, (np.pi / 3,), "from (0, 0) to (0.866, 0.5) m."),
     (velocities_of_the_tip, ({"bent": np.array([[0, 0], [2, 0], [2, 1]])},), "1: (-1, 2) m/s; bent, joint 2: (-1, 0)"),

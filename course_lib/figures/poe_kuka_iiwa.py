@@ -5,7 +5,6 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 
 import numpy as np
 
-from course_lib import rigid
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, in_metres, legend_above, lines, pi_ticks, plain
 from course_lib.figures.solids import Part, link_poses, scene, shell
@@ -34,28 +33,6 @@ def wrong_frame(paths, table):
     first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
     caption = f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it stays there."
     return Picture(fig, f"The gripper's path seen from the side, above a table. {ends}. {through}", caption)
-
-
-def digits_lost(textbook, with_series):
-    """Return the relative errors of three formulas for (1 - cos a)/a, over the angle, both logarithmic.
-
-    textbook, with_series: functions from angles (n,) to values (n,). The third is the library's ``exp_se3``.
-    """
-    sizes = np.logspace(-12, 0, 121)
-    exact = np.sinc(sizes / 2 / np.pi) ** 2 * sizes / 2  # 2 sin(a/2)^2 / a has all digits
-    twists = np.stack([sizes, np.ones_like(sizes)])
-    values = {
-        "$(1 - \\cos a)/a$": textbook(sizes),
-        "with a series below $10^{-4}$": with_series(sizes),
-        "in the library": rigid.exp_se3(np.einsum("kn,ki->ni", twists, np.eye(6)[[2, 3]]))[:, 1, 3],
-    }
-    errors = {name: np.maximum(np.abs(value / exact - 1), 1e-16) for name, value in values.items()}
-    said = ", ".join(f"{label} at most {error.max():.0e}" for label, error in errors.items())
-    return Picture(
-        lines(sizes, errors, log="xy", xlabel="angle $a$ (rad)", ylabel="relative error"),
-        f"The relative error over the angle, both logarithmic: {plain(said)}.",
-        "Below an angle of about $10^{-8}$ the formula has no correct digit.",
-    )
 
 
 def arc_of_a_twist(a):
