@@ -162,28 +162,6 @@ def manipulability(t, values):
     )
 
 
-def shares_of_the_limits(arm, angles, joints):
-    """Return how near some joints, counted from 1, come to the arm's limits in each round of a motion that repeats.
-
-    angles: (m, n), joint angles from the start on, 50 of them a round; a round takes 2 pi seconds.
-    """
-    share, steps = np.abs(angles) / arm.limits[:, 1], 50
-    ends = np.append(np.arange(steps, len(share), steps), len(share))
-    peaks = np.array([share[max(end - steps, 0) : end].max(axis=0) for end in ends])
-    rows = {f"$q_{joint}$": peaks[:, joint - 1] for joint in joints}
-    said = ", ".join(f"{name} from {row[0]:.3g} to {row[-1]:.3g}" for name, row in rows.items())
-    name, row = max(rows.items(), key=lambda item: item[1][-1] - item[1][0])
-    whole = np.diff(row)[:-1]  # the last round may be cut off
-    caption = f"The share of {name} grows most."
-    if len(whole) > 1 and whole.min() > 0 and whole[-1] > whole[0]:
-        caption = f"In each round {name} comes nearer to its limit, faster and faster."
-    return Picture(
-        lines(2 * np.pi / steps * ends, rows, xlabel="time (s)", ylabel="largest share of the limit"),
-        f"The largest share of its limit in each round, over time: {plain(said)}.",
-        caption,
-    )
-
-
 def singular_values(arm, generic, straight):
     """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
 
