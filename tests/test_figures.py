@@ -100,7 +100,6 @@ PICTURES = [
     (nb4.plane_projections, (SCREW[:, :3, 3],), "1.00 by 1.00 by 0.60 m."),
     (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}), "space up to 0.00 m/s, body up to 1.00"),
     (nb4.velocities_against_each_other, ({"space": R[0], "body": R[1]},), "a row for each of: space, body."),
-    (nb4.manipulability, ([0, 1], [0.1, 0.2]), "over time, between 0.100 and 0.200."),
     (nb4.singular_values, (IIWA, GENERIC, GENERIC * [1, 1, 1, 1, 1, 0, 1]), "q6 varies (wrist): least 0.11 at -0.08"),
     (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
     (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the table's top."),

@@ -6,7 +6,7 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 import numpy as np
 
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import STYLES, in_metres, legend_above, lines, pi_ticks, plain
+from course_lib.figures.plots import STYLES, in_metres, legend_above, pi_ticks, plain
 from course_lib.figures.solids import Part, link_poses, scene, shell
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
@@ -147,18 +147,6 @@ def velocities_against_each_other(v):
         fig,
         f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}.",
         "A row for each frame: in which one can you name the curves?",
-    )
-
-
-def manipulability(t, values):
-    """Return the manipulability, shape (n,), along a trajectory, over the times t, shape (n,)."""
-    ends = f"between {np.min(values):.3f} and {np.max(values):.3f}"
-    fig = lines(t, {"manipulability": values}, xlabel="time (s)", ylabel="manipulability")
-    fig.axes[0].lines[0].set_marker(_mark(t))
-    return Picture(
-        fig,
-        f"The manipulability over time, {ends}.",
-        f"It stays {ends}: the nearer to zero, the nearer to a singular configuration.",
     )
 
 
