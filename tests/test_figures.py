@@ -111,7 +111,6 @@ PICTURES = [
     (nb5.motion, (np.arange(3.0), {"mug": np.array([0.1, -0.02, 0.03])}, np.arange(2.0), np.ones(2), np.ones(2)),
      "its least value: mug -2.0 cm"),
     (nb5.at_the_mug, ([0, -0.8, 0, -2.4, 0, 1.6, 0.8], np.eye(4), np.zeros(3)), "gripper at a mug, in the"),
-    (nb5.matches, (POINTS, POINTS + np.diag([0, 0, 0.02]), np.eye(4), [2]), "point 2 to its place, 20 mm"),
     (nb5.pick, (FRAMES, FRAMES[:, -1], np.full(3, 0.08), FRAMES[[0, 0, 0], 3], T, X, np.eye(4)), "2 seconds"),
     (nb5.descents, ({"slow": np.array([1, 0.5]), "fast": np.array([1, 1e-9])},),
      "slow 0.5; fast below 1e-6 after step 1."),

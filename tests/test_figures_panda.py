@@ -49,21 +49,6 @@ def test_both_conventions_are_drawn_on_one_arm_with_arrows_along_their_axes_and_
     assert names == ["1, 2", "3", "4", "5, 6", "7", "modified", "1", "2", "3", "4, 5", "6", "7", "standard"]
 
 
-def test_the_mug_is_drawn_at_the_registered_pose_and_the_rejected_match_is_marked():
-    template = np.random.default_rng(2).uniform([-0.03, -0.03, 0.015], [0.03, 0.03, 0.075], (7, 3))
-    T = rigid.transform(rotations.rot_z(0.4), [0.4, 0.1, 0.6])
-    seen = template @ T[:3, :3].T + T[:3, 3]
-    seen[2] += 0.03
-    film = Film(figures.matches(template, seen, T, [2]))
-    left, right = film.poses[0, :, :3, 3]
-    assert all(film.has_dot(point + left) for point in template)
-    assert all(film.has_dot(point - T[:3, 3] + right) for point in seen)
-    one, other = np.split(film.pale(), 2)
-    np.testing.assert_allclose(other - right, (one - left) @ T[:3, :3].T, atol=2e-4)
-    (dashed,) = film.paths
-    np.testing.assert_allclose(dashed - right, [seen[2] - T[:3, 3], T[:3, :3] @ template[2]], atol=6e-4)
-
-
 def test_fingers_are_as_far_apart_as_the_gripper_is_open():
     figure, grippers, openings, _ = pick()
     film = Film(figure)

@@ -11,7 +11,7 @@ from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines
 from course_lib.figures.solids import Model, Part, body_poses, link_poses, meshes, scene, shell, shells
-from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREEN, Z_BLUE
+from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.figures.toys.film import beside, draw, film, still
@@ -248,35 +248,6 @@ def at_the_mug(q, T_mug, base):
     alt = "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
     look = {"extra": gripper + mug, "view": (1.0, -1.4, 0.3), "ground": 0.0, "frame": False, "near": near}
     return draw(arm, q, alt, "Rotate the picture: which part of the gripper is in the mug?", **look)
-
-
-def matches(template, scene_points, T, wrong):
-    """Return a mug's key points in its own frame, and those seen in the scene with the mug laid on them.
-
-    template, scene_points: (n, 3). T: (4, 4), the mug's pose by registration. wrong: which matches were dropped; they
-    are drawn in red, with dashed lines to where they should be.
-    """
-    laid, origin, R = template @ T[:3, :3].T + T[:3, 3], T[:3, 3], rigid.transform(T[:3, :3], [0, 0, 0])
-    mug, groups = Part(0, STEEL, meshes.mug()), {}
-    sides = {"template": (template, Z_BLUE, mug), "scene": (scene_points - origin, Y_GREEN, mug.moved(R))}
-    for title, (seen, colour, there) in sides.items():
-        red = wrong if title == "scene" else []
-        dots = [Part(0, MUG_RED if k in red else colour, meshes.ball(p, 0.0025)) for k, p in enumerate(seen)]
-        paths = [(np.array([seen[k], laid[k] - origin]), CRIMSON, (5, 4)) for k in red]
-        words = [(str(k), np.add(p, [0, 0, 0.008]), INK) for k, p in enumerate(seen)]
-        groups[title] = dots, [there], paths, words
-    off = 1000 * np.linalg.norm(laid - scene_points, axis=1)
-    apart = " and ".join(f"point {k} to its place, {off[k]:.0f} mm away" for k in wrong)
-    return beside(
-        groups,
-        0.13,
-        f"Left the template, a mug with {len(template)} numbered key points on it. Right the scene: the same mug "
-        f"placed by the good matches. {int((off < 5).sum())} seen points are within 5 mm of their places; dashes "
-        f"lead from {apart}.",
-        "The wrong matches are shifted alike, so that they agree with each other.",
-        view=(1.2, -1.3, 0.8),
-        high=-0.03,
-    )
 
 
 def pick(frames, grippers, openings, mugs, times, base, camera):
