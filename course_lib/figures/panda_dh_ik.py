@@ -303,16 +303,6 @@ def descents(errors):
     )
 
 
-def share_reached(x, shares, xlabel, caption):
-    """Return the share of targets reached, from 0 to 1, over x (n,): dampings, drawn by their logarithm, or starts."""
-    fig = lines(x, {"": shares}, xlabel=xlabel, ylabel="share of targets reached", log="x" if x[0] < 1 else "")
-    fig.axes[0].set(ylim=(0, 1))
-    fig.axes[0].lines[0].set_marker("o")
-    alt = f"The share of targets that is reached, over the {xlabel}: {shares[0]:.0%} at {x[0]:g}, {shares[-1]:.0%} at "
-    alt += f"{x[-1]:g}, and the most, {max(shares):.0%}, at {x[np.argmax(shares)]:g}."
-    return Picture(fig, alt, caption)
-
-
 def fastest_joint(times, speeds):
     """Return the speed of the fastest joint over time, {method: speeds (n,) in rad/s}; the plot ends at 20 rad/s."""
     shown = {name: np.minimum(each, 20) for name, each in speeds.items()}
