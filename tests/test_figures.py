@@ -114,7 +114,6 @@ PICTURES = [
     (nb5.pick, (FRAMES, FRAMES[:, -1], np.full(3, 0.08), FRAMES[[0, 0, 0], 3], T, X, np.eye(4)), "2 seconds"),
     (nb5.descents, ({"slow": np.array([1, 0.5]), "fast": np.array([1, 1e-9])},),
      "slow 0.5; fast below 1e-6 after step 1."),
-    (nb5.fastest_joint, ([0, 1], {"free": np.array([1.0, 30.0])}), "Its largest value: free 30 rad/s."),
     (nb5.iterations, ({"a": np.array([3, 5]), "b": np.array([9])}, 10),
      "a 2 targets, median 4; b 1 targets, median 9."),
     (nb6.two_elbows, (ELBOWS, np.ones(2)), "Both elbows lead to the same position."),

@@ -303,17 +303,6 @@ def descents(errors):
     )
 
 
-def fastest_joint(times, speeds):
-    """Return the speed of the fastest joint over time, {method: speeds (n,) in rad/s}; the plot ends at 20 rad/s."""
-    shown = {name: np.minimum(each, 20) for name, each in speeds.items()}
-    most = ", ".join(f"{name} {max(each):.2g} rad/s" for name, each in speeds.items())
-    return Picture(
-        lines(times, shown, xlabel="time (s)", ylabel="fastest joint (rad/s)"),
-        f"The speed of the fastest joint over time. Its largest value: {most}.",
-        "Close to the stretched arm the undamped joints would have to be ever faster; the others fall behind.",
-    )
-
-
 def iterations(counts, most):
     """Return histograms of how many iterations each reached target took, {method: (n,)}, one panel for each method.
 
