@@ -107,7 +107,7 @@ PICTURES = [
      "the length a = 0.8 m; about it, z2 is rotated against z1 by alpha = 40"),
     (nb5.conventions, (FRAMES[0, :7], FRAMES[0, 1:], np.zeros(3)), "modified, 1 and 2 share an origin; 5 and 6 share"),
     (nb5.pose_errors, (np.eye(4), rigid.transform(rotations.rot_z(0.5), [0.3, 0.4, 0])), "rotated by 29 degrees"),
-    (nb5.pinhole, (np.diag([500, 500, 1]), rigid.transform(np.eye(3), [0, 0, 0.5]), POINTS), "numbered key points"),
+    (nb5.pinhole, (np.diag([500, 500, 1]), rigid.transform(np.eye(3), [0, 0, 0.5]), POINTS), "is seen 25 pixels"),
     (nb5.motion, (np.arange(3.0), {"mug": np.array([0.1, -0.02, 0.03])}, np.arange(2.0), np.ones(2), np.ones(2)),
      "its least value: mug -2.0 cm"),
     (nb5.at_the_mug, ([0, -0.8, 0, -2.4, 0, 1.6, 0.8], np.eye(4), np.zeros(3)), "gripper at a mug, in the"),

@@ -4,7 +4,6 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 """
 
 import numpy as np
-from matplotlib.collections import PolyCollection
 
 from course_lib import rigid
 from course_lib.arms import panda
@@ -151,23 +150,14 @@ def pose_errors(T, T_target):
 
 
 def pinhole(K, T_cm, key_points):
-    """Return a pinhole camera from the side, with one ray, and the picture it takes of a mug.
+    """Return a pinhole camera from the side, with the ray to the key point that is farthest from its axis.
 
-    K: (3, 3), of a camera with 640 by 480 pixels. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in
-    the mug's frame.
+    K: (3, 3), of a camera. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the mug's frame.
     """
-
-    def project(points):
-        seen = points @ T_cm[:3, :3].T + T_cm[:3, 3]
-        return seen, (seen @ K.T)[:, :2] / seen[:, 2:]
-
-    seen, pixels = project(key_points)
+    seen = key_points @ T_cm[:3, :3].T + T_cm[:3, 3]
     k = np.abs(seen[:, 0]).argmax()
-    (x, _, z), u = seen[k], pixels[k, 0]
-    mug = meshes.mug()
-    depth, outline = project(mug.vertices)
-    far_first = np.argsort(-depth[mug.faces, 2].mean(1))
-    fig, (side, image) = plane_figure(9, 3.7, 2, width_ratios=[1.15, 1])
+    x, _, z = seen[k]
+    fig, (side,) = plane_figure(5.4, 3.7)
     f = 0.3 * z  # where the image plane is drawn; any distance would do
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
     side.plot([0, f, f, f], [0, 0, -0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
@@ -184,20 +174,11 @@ def pinhole(K, T_cm, key_points):
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
     ):
         side.text(*at, words, color=colour, fontsize=12, va="center")
-    side.set(xlabel="z, the optical axis (m)", ylabel="x (m)", title="from the side")
-    faces = PolyCollection(outline[mug.faces[far_first]], facecolor="#e6e2de", edgecolor="#c9c4bf", linewidth=0.3)
-    image.add_collection(faces)
-    image.plot(*pixels.T, "o", color=CRIMSON, markersize=6)
-    for i, (a, b) in enumerate(pixels):
-        image.annotate(str(i), (a, b), (6, 4), textcoords="offset points", fontsize=12)
-    image.plot(*K[:2, 2], "+", color=GREY, markersize=14)
-    image.set(xlim=(0, 640), ylim=(480, 0), aspect="equal", xlabel="u (pixels)", ylabel="v (pixels)")
-    image.set_title("the picture: v grows downwards")
+    side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,
-        f"Left, a camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a depth of "
-        f"{z:.2f} m, is seen {abs(u - K[0, 2]):.0f} pixels beside the principal point. Right, the picture of the mug "
-        f"with {len(seen)} numbered key points.",
+        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a depth of {z:.2f} m, "
+        f"is seen {abs(K[0, 0] * x / z):.0f} pixels beside the principal point.",
         "The blue line is the image plane. Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to $z$.",
     )
 
