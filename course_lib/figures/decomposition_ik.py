@@ -161,20 +161,6 @@ def errors(contents, caption):
     return Picture(fig, alt, caption)
 
 
-def over_width(width, curves):
-    """Return mean errors over the width of the cells, both logarithmic.
-
-    width: (n,), in cm. curves: {name: mean errors (n,), in cm}.
-    """
-    least = {name: (error.min(), width[int(np.argmin(error))]) for name, error in curves.items()}
-    said = "; ".join(f"{name}: least {e:.1g} cm, at {w:.1f} cm" for name, (e, w) in least.items())
-    return Picture(
-        lines(width, curves, xlabel="width of the cells (cm)", ylabel="mean error (cm)", log="xy"),
-        f"Mean error over the width of the cells, both logarithmic. {said}.",
-        "Without noise smaller cells are better; with noise they can be too small.",
-    )
-
-
 def convergence(sizes, curves, slopes):
     """Return the largest error of the position over the size of the cell.
 
