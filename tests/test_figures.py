@@ -121,7 +121,6 @@ PICTURES = [
     (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "Left, 3 positions"),
     (nb6.clusters, ({"one": (ELBOWS, np.array([0, 1]))},), "one: q2 from 90 to 90 and -90 to -90 degrees in the"),
     (nb6.two_cells, (ELBOWS, XY[:2], np.array([True, False]), np.ones(2, bool)), "q2 from 90 to 90 and -90 to -90 deg"),
-    (nb6.percentiles, ({"all": np.array([[1.0, 3.0], [2.0, np.nan]])},), "all: half below 2, all below 3."),
     (nb6.errors, ({"a": (XY[:2], np.array([0.5, 2]))}, "Words."), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
     (nb6.convergence, (T[1:], {"affine": T[1:] ** 2}, {"affine": 2.0}), "affine falls with slope 2.0 to 4e+02."),
     (nb6.root_and_square, (0.25,), "and for the square the line misses q2 by up to"),

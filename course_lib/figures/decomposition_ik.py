@@ -121,18 +121,6 @@ def two_cells(q, xy, in_joints, in_plane):
     )
 
 
-def percentiles(contents):
-    """Return the percentiles of errors {label: errors, NaN where there is no answer} over their share."""
-    share = np.linspace(5, 100, 96)
-    curves = {name: np.nanpercentile(e, share) for name, e in contents.items()}
-    said = [f"{name}: half below {np.interp(50, share, e):.2g}, all below {e[-1]:.2g}" for name, e in curves.items()]
-    return Picture(
-        lines(share, curves, xlabel="share of the errors (%)", ylabel="error below (cm)", log="y"),
-        f"Percentiles of the error in cm on a logarithmic axis. {'; '.join(said)}.",
-        "Most errors are below a millimetre; the last few percent determine the mean.",
-    )
-
-
 def errors(contents, caption):
     """Return errors at positions in the plane, by size and colour.
 
