@@ -123,7 +123,6 @@ PICTURES = [
     (nb6.two_cells, (ELBOWS, XY[:2], np.array([True, False]), np.ones(2, bool)), "q2 from 90 to 90 and -90 to -90 deg"),
     (nb6.errors, ({"a": (XY[:2], np.array([0.5, 2]))}, "Words."), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
     (nb6.convergence, (T[1:], {"affine": T[1:] ** 2}, {"affine": 2.0}), "affine falls with slope 2.0 to 4e+02."),
-    (nb6.root_and_square, (0.25,), "and for the square the line misses q2 by up to"),
     (nb6.by_bend, (np.array([0, 2, 10, 90]), np.array([0.1, 0.3, 0.02])), "largest, 0.30 cm, between 2 and 10"),
     (nb6.costs, ({"a table": 240000}, {"a table": 0.21}), "a table: 240,000 bytes, 0.21 cm."),
 ]  # fmt: skip  # one picture a line, but for long words

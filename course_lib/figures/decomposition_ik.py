@@ -164,26 +164,6 @@ def convergence(sizes, curves, slopes):
     )
 
 
-def root_and_square(width):
-    """Return q2 and its square over the tip's distance, and their fits in a cell of a width (m) at the edge."""
-    fig, axes = plane_figure(9.6, 3.6, 2)
-    r, said = 2 - 0.8 * np.linspace(0, 1, 300) ** 2, []
-    bend, own = 2 * np.arccos(r / 2), r >= 2 - width
-    drawn = ((bend, 3, "cubic", "$q_2$ (rad)"), (bend**2, 1, "line", "$q_2^2$ (rad²)"))
-    for ax, (values, degree, fitted, name) in zip(axes, drawn, strict=True):
-        fit = np.polynomial.Polynomial.fit(r[own], values[own], degree)(r[own])
-        ax.axvspan(2 - width, 2, color=GREY, alpha=0.15)
-        ax.plot(r, values, color=BLUE, linewidth=2, label=name)
-        ax.plot(r[own], fit, "--", color=CRIMSON, linewidth=2, label=f"{fitted} in the last cell")
-        ax.set(xlabel="distance of the tip (m)", ylabel=name)
-        ax.legend(frameon=False)
-        q2 = np.sqrt(np.maximum(fit, 0)) if degree == 1 else fit
-        said.append(f"the {fitted} misses q2 by up to {np.rad2deg(np.abs(q2 - bend[own]).max()):.1f} degrees")
-    alt = "The bend q2 over the distance of the tip falls to 0 at 2 m with a vertical tangent; its square is nearly "
-    alt += f"straight. In the last cell, {width:g} m wide, {', and for the square '.join(said)}."
-    return Picture(fig, alt, "At the edge $q_2$ falls like a root; its square is nearly a straight line.")
-
-
 def by_bend(edges, mean):
     """Return the mean error over the bend |q2| of the elbow.
 
