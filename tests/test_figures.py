@@ -66,7 +66,6 @@ PICTURES = [
      "ends at (2, 0), 0.10 m from the end of"),
     (nb2.euler_errors, (np.array([0.5, 0.1]), np.array([0.7, 0.14])), "0.14 m for steps of 0.1 s, 0.7 m for 0.5"),
     (nb2.time_scalings, ([0, 1], {"linear": [[0, 1], [1, 1], [0, 0]]}), "velocity 1.00 at the start, up to 1.00"),
-    (nb2.end_velocities, ([0, 2], {"rest": [0, 1]}), 'from 0 to 1 in 2 s. "rest": between 0.00 and 1.00.'),
     (nb2.arm_movie, ("x", ARM, [0, 1]), "An arm of 2 links moves; its tip draws a dashed blue curve from (2, 0)"),
     (nb2.arm_movie, ("x", ARM, [0, 1], ARM), "A second arm moves to its right; their tips are up to 0.00 m apart"),
     (nb2.arm_paths, ({"one": ARM, "two": ARM},), "Two: the path is 2.83 m long, (2, 0) to (0, 2)."),

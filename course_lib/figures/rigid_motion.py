@@ -217,16 +217,6 @@ def time_scalings(u, curves):
     )
 
 
-def end_velocities(times, curves):
-    """Return cubics {label: values of s, shape (n,)} with given velocities at their ends."""
-    said = (f'"{label}": between {min(s):.2f} and {max(s):.2f}.' for label, s in curves.items())
-    return Picture(
-        lines(times, curves, xlabel="time (s)", ylabel="s"),
-        f"Cubics from 0 to 1 in {times[-1]:.3g} s. {' '.join(said)}",
-        "The slope at each end is the velocity there; to arrive backwards, $s$ has to rise above 1 first.",
-    )
-
-
 # ---- arms ----
 
 
