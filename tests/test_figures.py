@@ -69,8 +69,6 @@ PICTURES = [
     (nb2.arm_movie, ("x", ARM, [0, 1]), "An arm of 2 links moves; its tip draws a dashed blue curve from (2, 0)"),
     (nb2.arm_movie, ("x", ARM, [0, 1], ARM), "A second arm moves to its right; their tips are up to 0.00 m apart"),
     (nb2.arm_paths, ({"one": ARM, "two": ARM},), "Two: the path is 2.83 m long, (2, 0) to (0, 2)."),
-    (nb2.arm_paths, ({"six axes": np.pad(ARM, ((0, 0), (0, 0), (0, 1)))},),
-     "Six axes: the path is 2.83 m long, (2, 0, 0) to (0, 2, 0)"),
     (nb2.joint_tracks, ({"both": np.array([[0, 0], [1, 2]])},), "Both: joint 2 between 0.00 and 2.00 rad."),
     (nb3.rotated_onto, (Z, X, 2 * Y, 1.5), "R p is 1.005 from g; p itself 2.236."),
     (nb3.rotated_onto, (Z, X, 2 * Y, np.pi / 2), "$R\\,p$ is 1.000 m from $g$"),

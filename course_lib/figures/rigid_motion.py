@@ -16,12 +16,6 @@ HALF = 10  # metres from the middle of the scene to its edge
 RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
-_SIDE, _UP = np.deg2rad([-35, 30])  # from where arms in space are seen
-_VIEW = np.array([
-    [-np.sin(_SIDE), -np.sin(_UP) * np.cos(_SIDE)],
-    [np.cos(_SIDE), -np.sin(_UP) * np.sin(_SIDE)],
-    [0, np.cos(_UP)],
-])  # fmt: skip
 _CAPTIONS = {  # of films
     "body-interpolated": "The body is slow at both ends, and rotates in proportion to the distance that it has moved.",
     "body-propagated": "While the body rotates its path bends; in the third part it moves sideways, without rotating.",
@@ -247,23 +241,16 @@ def arm_movie(name, points, times, beside=None):
 def arm_paths(contents):
     """Return arms side by side, each on its path between the same configurations, drawn at every tenth instant.
 
-    contents: {title: points (n, links + 1, 2 or 3) in metres}; in space they are seen from above and from a side.
+    contents: {title: points (n, links + 1, 2) in metres}.
     """
-    said, titled, window = [], {}, None
+    said, titled = [], {}
     for title, points in contents.items():
         length = np.linalg.norm(np.diff(points[:, -1], axis=0), axis=1).sum()
-        titled[f"{title}: {length:.2f} m"] = points @ _VIEW if points.shape[-1] == 3 else points
-        ends = " to ".join(f"({', '.join(f'{x:.3g}' for x in p)})" for p in points[[0, -1], -1])
+        titled[f"{title}: {length:.2f} m"] = points
+        ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
         said.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
-    if points.shape[-1] == 3:
-        every_point = np.concatenate([shown.reshape(-1, 2) for shown in titled.values()])
-        window = every_point.min(0) - 0.1, every_point.max(0) + 0.1
     caption = "Left, the joints move in proportion and the path is a curve; right, the path is a straight line."
-    fig = draw_arms(titled, 10, window)
-    if window:
-        for ax in fig.axes:
-            ax.set(xlabel="across the view (m)", ylabel="upwards in the view (m)")
-    return Picture(fig, " ".join(said), caption)
+    return Picture(draw_arms(titled, 10), " ".join(said), caption)
 
 
 def joint_tracks(paths):
