@@ -13,7 +13,7 @@ from course_lib.figures.solids import Model, Part, body_poses, link_poses, meshe
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
-from course_lib.figures.toys.film import beside, draw, film, still
+from course_lib.figures.toys.film import beside, film, still
 from course_lib.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
@@ -21,14 +21,19 @@ from course_lib.rotations import rot_x, rot_z
 def through_the_table(q):
     """Return the Panda on its table at joint angles q, shape (7,), with its flange below the top."""
     height = panda().fk(q)[2, 3]
-    return draw(
-        panda(),
+    return _panda(
         q,
+        scene.triad(7, panda().home[-1], 0.1),
         f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top.",
         "The arm bends down beside its base, through the table.",
         view=(-1.5, 0.7, 0.15),
-        ground=0.0,
     )
+
+
+def _panda(q, extra, alt, caption, **look):
+    """The Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base frame at q = 0."""
+    poses = link_poses(panda(), np.asarray(q, float))[None]
+    return film([*shell(panda()), *extra], poses, [0.0], alt, caption, ground=0.0, **look)
 
 
 # ---- DH parameters ----
@@ -219,16 +224,16 @@ def at_the_mug(q, T_mug, base):
 
     base: (3,), where the arm stands in the world.
     """
-    arm, mug = panda(), [Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))]
-    tip = arm.home[-1] @ IN_FLANGE
+    mug = [Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))]
+    tip = panda().home[-1] @ IN_FLANGE
     gripper = shells.gripper(7, tip)
     for side in (1, -1):
         at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
         gripper += [part.moved(at) for part in shells.finger(7, side)]
-    near = Model.of(gripper + mug).placed(link_poses(arm, np.asarray(q, float)))[::9]
+    near = Model.of(gripper + mug).placed(link_poses(panda(), np.asarray(q, float)))[::9]
     alt = "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
-    look = {"extra": gripper + mug, "view": (1.0, -1.4, 0.3), "ground": 0.0, "frame": False, "near": near}
-    return draw(arm, q, alt, "Rotate the picture: which part of the gripper is in the mug?", **look)
+    caption = "Rotate the picture: which part of the gripper is in the mug?"
+    return _panda(q, gripper + mug, alt, caption, view=(1.0, -1.4, 0.3), near=near)
 
 
 def pick(frames, grippers, openings, mugs, times, base, camera):

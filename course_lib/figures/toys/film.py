@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib import rigid
-from course_lib.figures.solids import link_poses, scene, shell
+from course_lib.figures.solids import scene
 from course_lib.figures.solids.model import Model, Part
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.toys.toy import Toy, solid
@@ -63,23 +63,6 @@ def film(
     if near is not None:
         meta["near"] = np.round(near, 4).tolist()
     return Toy("film", meta | ({"movie": name} if name else {}), alt, caption=caption)
-
-
-def draw(arm, q, alt, caption="", *, extra=(), view=VIEW, ground=None, frame=True, near=None):
-    """Return a picture of an arm as solid bodies on a floor, at joint angles q (n,), with its end-effector frame.
-
-    The iiwa, the Panda and the UR5e look like themselves; any other arm gets capsules and drums from its screw axes.
-    extra: Parts to draw on the bodies 0 to n, in the base frame at q = 0. view: (3,), the direction
-    from the arm to the eye. ground: the height of the floor; 0 or that of the lowest point if None. frame: draw the
-    frame of the end-effector. near: (n, 3), what the picture shows; all if None.
-    """
-    model, poses = Model.of([*shell(arm), *extra]), link_poses(arm, np.asarray(q, float))
-    vertices = model.placed(poses)
-    size = max(np.ptp(vertices, axis=0).max(), np.linalg.norm(arm.home[-1, :3, 3]) * 0.5)
-    parts = [*extra, *(scene.triad(arm.n, arm.home[-1], 0.17 * size) if frame else ())]
-    ground = min(0.0, vertices[:, 2].min()) if ground is None else ground
-    look = {"view": view, "near": near, "ground": ground}
-    return film([*shell(arm), *parts], poses[None], [0.0], alt, caption, **look)
 
 
 def flat_film(shapes, times, alt, caption="", *, name, still, half, centre=(0, 0), proportion=1.0, closed=False):
