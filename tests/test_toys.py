@@ -89,8 +89,6 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("planar_arm_toy", {"target": [1, np.nan]}, "target"),
         ("planar_arm_toy", {"step": 7}, "step"),
         ("planar_arm_toy", {"damping": 0}, "damping"),
-        ("circles_toy", {"between": 0}, "between"),
-        ("circles_toy", {"p1": 181}, "p1"),
         ("panda_toy", {"q": "up"}, "q"),
         ("build_up_toy", {"arm": iiwa14(), "q": [0.0]}, "q"),
         ("jog", {"arm": iiwa14(), "q": Q, "fk": np.eye(4)}, "fk"),
