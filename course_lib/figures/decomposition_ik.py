@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.colors import LogNorm
 
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_metres, lines
+from course_lib.figures.plots import in_metres, legend_above, lines
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, RED, plane_figure
 
 _EDGE = "#555555"
@@ -180,29 +180,19 @@ def by_bend(edges, mean):
 
 
 def costs(memory, error):
-    """Return the mean error of methods over the memory that they need, both logarithmic, a named dot for each method.
+    """Return the mean error of methods over the memory that they need, both logarithmic, a mark for each method.
 
     memory: {name: bytes}. error: {name: cm}.
     """
-    fig, (ax,) = plane_figure(5.4, 4.6)
-    named, said = {}, []
-    for (name, size), marker, colour in zip(memory.items(), "osD^vP*", (*COLOURS, GREY), strict=False):
-        at = size, error[name]
-        near = [each for each in named if np.allclose(each, at, rtol=0.3, atol=0)]  # too near for a name of its own
-        look = {"markersize": 16, "fillstyle": "none", "markeredgewidth": 2} if near else {"markersize": 9}
-        ax.plot(*at, marker, color=colour, **look)  # of two marks in one place the second is around the first
-        named.setdefault(near[0] if near else at, []).append(name)
-        said.append(f"{name}: {size:,} bytes, {error[name]:.2g} cm")
-    for at, names in named.items():
-        left = at[0] > 1e4
-        beside = [e for m, e in named if (m, e) != at and 0.1 < m / at[0] < 10 and 0.5 < e / at[1] < 2]
-        up = 7 * np.sign(at[1] - beside[0]) if beside else 0  # names of neighbours are moved apart
-        look = {"xytext": (-14 if left else 10, up), "ha": "right" if left else "left", "va": "center", "fontsize": 9}
-        ax.annotate(" and ".join(names), at, textcoords="offset points", **look)
+    fig, (ax,) = plane_figure(5.4, 4.4)
+    for (name, size), marker, colour in zip(memory.items(), "osD^vP*", COLOURS, strict=False):
+        ax.plot(size, error[name], marker, color=colour, markersize=9, alpha=0.8, label=name)
     ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)")
     ax.margins(0.15, 0.12)
+    legend_above(fig, 2)
+    said = "; ".join(f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items())
     return Picture(
         fig,
-        f"Mean error of both branches over memory, both logarithmic. {'; '.join(said)}.",
+        f"Mean error of both branches over memory, both logarithmic. {said}.",
         "Two fitted numbers gain more than a factor of ten, and the best tables of the samples another.",
     )
