@@ -50,11 +50,6 @@ class Model:
         colours, bodies = ([getattr(part, name) for part in parts] for name in ("colour", "body"))
         return cls(mesh.vertices, mesh.faces, np.repeat(colours, counts), np.repeat(bodies, counts))
 
-    @property
-    def counts(self):
-        """How many vertices each body has."""
-        return np.bincount(self.bodies).tolist()
-
     def placed(self, poses):
         """Return the vertices (..., m, 3) for poses (..., bodies, 4, 4)."""
         poses = np.asarray(poses, float)[..., self.bodies, :, :]
