@@ -9,6 +9,7 @@ import pytest
 from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, reflections_stay, right
 
 from course_lib import rotations
+from course_lib.arms import panda
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Exercise, Property, Verdict
 from course_lib.checks.notebook import Check, Predict, Progress, describe
@@ -234,6 +235,10 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
             "decimals are added in place, by += or -=, to an array of whole numbers",
         ),
         (_refuses, "your own line raises this error"),
+        (
+            lambda M: panda().home[-1, :2, :2].__imatmul__(M),
+            "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
+        ),
         (lambda M: 1 / 0, "something is divided by zero, or the result, nan or infinity, is used further"),
         (lambda M: np.atleast_2d(M[0])[1], "an array has another shape than this line takes it to have"),
     ],
