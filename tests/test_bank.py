@@ -28,6 +28,7 @@ from course_lib.checks.notebook import describe
 BANK = Path(__file__).parent / "answers"
 FILES = sorted(BANK.glob("*/*.py"))  # by their names, so that nothing is imported that is not asked for
 SEEDS = [PUBLIC_SEED, 7, *range(10_000, 10_000 + int(os.environ.get("SEEDS", 2)) - 2)]
+SLOW = ("panda_ik", "newton_ik", "plan_pick", "good_matches")  # whose wrong answers are asked one seed's cases
 MOST_LINES = 24  # of a message
 
 each_exercise = pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
@@ -130,7 +131,7 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
     """The row recorded here is shown in the summary of the test run; see conftest.py."""
     exercise, found = exercise_of(path), []
     for name, function in answers(path).items():
-        for seed in SEEDS:
+        for seed in SEEDS[:1] if path.stem in SLOW and name.startswith("wrong_") else SEEDS:
             found += [f"seed {seed}: {c}" for c in complaints(name, function, verdict_on(path, name, seed))]
         if len(SEEDS) > 2 and name.startswith("right_"):
             found += complaints(name, function, review(exercise, Here(function)))
