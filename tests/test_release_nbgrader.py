@@ -23,11 +23,10 @@ def course(tmp_path_factory):
     """A course folder of nbgrader's, with the notebooks and their data as they are."""
     folder = tmp_path_factory.mktemp("course")
     (folder / "nbgrader_config.py").write_text(CONFIG)
-    for assignment in ("all", "one"):
-        shutil.copytree(ROOT / "notebooks/data", folder / "source" / assignment / "data")
+    shutil.copytree(ROOT / "notebooks/data", folder / "source/all/data")
     for path in NOTEBOOKS:
         shutil.copy(path, folder / "source/all")
-    nbformat.write(without_figures(ROOT / "notebooks" / GRADED), folder / "source/one" / GRADED)
+    nbformat.write(without_figures(ROOT / "notebooks" / GRADED), folder / "source/all" / GRADED)
     return folder
 
 
@@ -51,35 +50,31 @@ def nbgrader(folder, *arguments):
     return done.stderr
 
 
-def test_every_notebook_becomes_an_assignment(course):
+def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_solutions_and_none_for_stubs(course):
     nbgrader(course, "generate_assignment", "all")
     assert sorted(path.name for path in (course / "release/all").glob("*.ipynb")) == [p.name for p in NOTEBOOKS]
-
-
-def test_solutions_get_full_marks_and_stubs_get_none(course):
-    nbgrader(course, "generate_assignment", "one")
-    source = course / "source/one" / GRADED
+    source = course / "source/all" / GRADED
     stubs = students_copy(source.read_text(encoding="utf-8"), GRADED, "0.0.0-test")
     for student, text in {"author": source.read_text(encoding="utf-8"), "stubs": stubs}.items():
-        folder = course / "submitted" / student / "one"
+        folder = course / "submitted" / student / "all"
         folder.mkdir(parents=True)
         (folder / GRADED).write_text(text, encoding="utf-8")
-    nbgrader(course, "autograde", "one")
+    nbgrader(course, "autograde", "all")
 
-    grades = grades_of(course, "one")
+    grades = grades_of(course)
     assert grades["author"]["exercises"] == grades["most"]["exercises"] > 0
     assert grades["author"]["left to a person"] == len([name for name in grades["names"] if name.startswith("explain")])
     assert (grades["stubs"]["exercises"], grades["stubs"]["left to a person"]) == (0, 0)
 
 
-def grades_of(course, assignment):
+def grades_of(course):
     """{student: points by the checks and the number of cells to grade by hand}, the most points, and the cells."""
     from nbgrader.api import Gradebook
 
     found = {}
     with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
-        for submission in book.assignment_submissions(assignment):
-            (notebook,) = submission.notebooks
+        for submission in book.assignment_submissions("all"):
+            (notebook,) = (each for each in submission.notebooks if f"{each.name}.ipynb" == GRADED)
             checks = [grade for grade in notebook.grades if grade.name.startswith("check_")]
             found[submission.student.id] = {
                 "exercises": sum(grade.auto_score for grade in checks),
