@@ -111,7 +111,7 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
     made(course, "test", f"ONLY={NOTEBOOK}")
     for path in (ROOT / "notebooks").glob("0*.ipynb"):
         shutil.copy(path, course / "notebooks")
-    collected = run(course, ".venv/bin/python", "-m", "pytest", "--collect-only", "-q", "tests")
+    collected = run(course, ".venv/bin/python", "-m", "pytest", "--collect-only", "-q", "--assert=plain", "tests")
     assert collected.returncode == 0, collected.stdout[-2000:]
     for path in (course / "notebooks").glob("0[1-6]*.ipynb"):  # out of the way, for the pages take time
         path.unlink()
