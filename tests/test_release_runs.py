@@ -22,6 +22,9 @@ FEWER = {
     "thousand-code": {"(1000, 7))": "(1000, 7))[:50]"},
     "wrong-pairing": {"(1000, dice)": "(50, dice)"},
     "benchmark": {"reached(thousand,": "reached(thousand[:50],"},
+    "restarts": {"arange(1000)": "arange(50)"},
+    "near-far": {"(500, 7)": "(25, 7)", "reached(thousand,": "reached(thousand[:50],"},
+    "register-run": {"(500, dice)": "(25, dice)"},
     "width-code": {", 36, 50, 70": ""},
     "compete-code": {"[:5000]": "[:500]"},
 }
