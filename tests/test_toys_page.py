@@ -20,7 +20,7 @@ from course_lib.figures.poe_kuka_iiwa import arm_movie
 from course_lib.trajectory import Trajectory
 
 MINUS = "\N{MINUS SIGN}"
-ALL = 26000  # pixels: a window in which all toys are, so that none waits to be drawn and no test scrolls
+ALL = 26000  # pixels: a window in which all toys are, so that none waits to be drawn
 
 
 @pytest.fixture(scope="module")
@@ -65,6 +65,8 @@ def visit(page, browser):
         visit.page.add_init_script(KEPT)
         visit.page.set_viewport_size({"width": 1280, "height": ALL})
         visit.page.goto(page.as_uri())
+        visit.page.wait_for_function(DRAWN)
+        visit.page.set_viewport_size({"width": 1280, "height": 1100})  # a taller one takes longer to paint
         yield from until_it_ends(visit)
 
 
@@ -76,9 +78,12 @@ def phone(page, browser):
         yield from until_it_ends(visit)
 
 
+# Until each toy has its height, what stands above the window grows and moves what is in it.
+DRAWN = "() => !document.querySelector('.toy-figure:not(.drawn)')"
+
+
 def until_it_ends(visit):
-    # Until each toy has its height, what stands above the window grows and moves what is in it.
-    visit.page.wait_for_function("() => !document.querySelector('.toy-figure:not(.drawn)')")
+    visit.page.wait_for_function(DRAWN)
     yield visit
     assert visit.complaints == []
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
@@ -100,7 +105,10 @@ PICTURE = """(box) => {
 
 
 def figure_of(visit, name):
-    return visit.page.locator(".toy-figure").nth(list(TOYS).index(name))
+    """A toy, whose picture is in the middle of the window."""
+    box = visit.page.locator(".toy-figure").nth(list(TOYS).index(name))
+    box.evaluate("e => (e.querySelector('canvas') ?? e).scrollIntoView({ block: 'center' })")
+    return box
 
 
 def picture(box):
@@ -514,7 +522,7 @@ def film(page, browser):
 
 
 # The poses that are drawn from now on, as lists of numbers: those of the first mesh.
-DRAWN = """() => {
+POSES = """() => {
   const { scene } = window.course, { draw } = scene;
   scene.draw = (context, what, redraw) => { window.poses = what.meshes[0].poses; draw(context, what, redraw); };
 }"""
@@ -522,7 +530,7 @@ DRAWN = """() => {
 
 def test_the_range_moves_the_bodies_along_screws_and_reduced_motion_stands_still(film, figure):
     page, _ = film
-    page.evaluate(DRAWN)
+    page.evaluate(POSES)
     slider, poses = page.get_by_role("slider", name="Time"), Film(figure).poses
     assert slider.get_attribute("aria-valuetext") == "0.00 s"
     slider.focus()
