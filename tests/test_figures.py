@@ -55,6 +55,7 @@ PICTURES = [
      "is 1.00 at pitch 0.00 and falls to 0.00 at pitch -1.57"),
     (nb1.projections, (np.diag([2.0, 1.0]), {"$R$": np.eye(2), "other": -np.eye(2)}),
      "R: 1.00, 1.00, and a sum of 3.00; other: -1.00, -1.00, and a sum of -3.00"),
+    (nb1.angles, ({"none": np.eye(3)[None], "any": R},), "none: 0% above 90 degrees"),
     (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),
     (nb2.parking, (DRIVE, [1, 2, 1.57], [0.6, 1, 0.4], 0.6), "as near as 1.08 m to the middle"),
     (nb2.body_movie, ("x", DRIVE, T), "2 s. A body outlined in red moves along a dashed blue path from (0, 0) "

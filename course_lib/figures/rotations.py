@@ -5,20 +5,19 @@ from matplotlib.patches import Circle
 
 from course_lib.arms import SerialArm
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, lines, plain
+from course_lib.figures.plots import in_columns, lines, pi_ticks, plain
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
 from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED
+from course_lib.figures.toys.arms import jog
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
-from course_lib.rotations import rot_y
+from course_lib.rotations import log_so3, rot_y
 
 
 def arm_toy():
     """Return a toy, not a Picture: the six-axis arm of notebooks 1 to 4, with a slider for each joint."""
-    from course_lib.figures.toys.arms import jog
-
     x, y, z = np.eye(3)
     origins = [[0, 0, 0], [0, 0, 0.29], [0, 0, 0.56], *3 * [[0.302, 0, 0.63]]]
     home = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
@@ -181,12 +180,25 @@ def on_sphere(samples):
         ax.add_patch(Circle((0, 0), 1, facecolor="#ececec", edgecolor=GREY))
         ax.plot(*below.T, ".", color=BLUE, markersize=4)
         ax.set(xlim=(1.1, -1.1), ylim=(-1.1, 1.1), aspect="equal")
-        up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
         ax.set_title(f"{title}\n{len(below)} of {len(R)} below the equator")
+        up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
         said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
     caption = "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike."
     return Picture(fig, alt, caption)
+
+
+def angles(samples):
+    """Return histograms of the rotation angles of {title: (n, 3, 3)} beside the density of uniform rotations."""
+    fig, axes = in_columns(samples, 4.2, 3, xlabel="rotation angle a (rad)", ylabel="density")
+    said = []
+    for ax, (title, R) in zip(axes, samples.items(), strict=True):
+        heights, edges = np.histogram(np.linalg.norm(log_so3(R), axis=-1), 20, (0, np.pi), density=True)
+        ax.stairs(heights, edges, color=BLUE)
+        ax.plot(edges, (1 - np.cos(edges)) / np.pi, color=RED, linestyle="--")
+        pi_ticks(ax.xaxis, 4)
+        said.append(f"{title}: {np.mean(heights[10:]) * np.pi / 2:.0%} above 90 degrees")
+    return Picture(fig, f"Histograms of rotation angles. {'; '.join(said)}.", "Dashed: $f(a)$, uniform rotations.")
 
 
 def _size_of_errors(errors):
