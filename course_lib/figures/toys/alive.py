@@ -141,7 +141,7 @@ def fly(start, goal, *, quaternions=False):
 def table(at):
     """Return a figure for `alive`: a position to drag, f(position) answers with the two joint angles of the 2R arm.
 
-    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at positions 0.1 m apart,
+    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at `at` and 0.1 m apart,
     and there the query goes from one of these to the next.
 
     Parameters
@@ -163,7 +163,7 @@ def table(at):
     def stored(f):
         side = np.arange(-2, 2 + _STEP / 2, _STEP)
         grid = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2).round(4) + 0.0
-        grid = grid[np.linalg.norm(grid, axis=-1) <= 2]
+        grid = np.vstack([at, grid[np.linalg.norm(grid, axis=-1) <= 2]])
         answers = Answers(f, ask)
         given = [answers({"at": p})["value"] or [np.nan, np.nan] for p in grid]
         return {"at": grid.T.tolist(), "q": np.round(given, 4).T.tolist()}
