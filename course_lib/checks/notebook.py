@@ -15,7 +15,7 @@ from course_lib.checks.naming import attempt, predict, same
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
-_NO_CHOICE = "○ No choice yet. Nothing waits for one, but choose before you read on:"
+_NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _NOTHING = object()
 _LONG = 40  # numbers: of a longer array one item is shown
 _WIDTH, _IN_VIEW = 100, 8  # columns and lines that JupyterLab shows beside its file browser on a small laptop
