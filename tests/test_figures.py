@@ -10,11 +10,11 @@ from matplotlib.figure import Figure
 
 from course_lib import arms, rigid, rotations, trajectory
 from course_lib.figures import decomposition_ik as nb6
-from course_lib.figures import lines, show, tables
 from course_lib.figures import panda_dh_ik as nb5
 from course_lib.figures import poe_kuka_iiwa as nb4
 from course_lib.figures import rigid_motion as nb2
 from course_lib.figures import rotations as nb1
+from course_lib.figures import show, tables
 from course_lib.figures import subproblems_damped_ik as nb3
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import velocities_of_the_tip
@@ -184,15 +184,6 @@ def test_pages_may_cut_panels_apart_that_are_side_by_side():
     assert "cuts" not in shown(Picture(plane_figure(6, 6, 2, rows=2)[0], ALT)).metadata["image/png"]
 
 
-def test_pages_may_cut_between_columns_of_panels():
-    drawing = three_views("ur5e", arms.ur5e(), frames=("0", "f"))
-    side, front, above = (ax.get_tightbbox() for ax in drawing.fig.axes)
-    said = shown(drawing).metadata["image/png"]
-    (cut,) = said["cuts"]
-    assert max(side.x1, above.x1) < cut * drawing.fig.dpi / 96 < front.x0
-    assert "The flange's frame f has x along +x" in said["alt"]
-
-
 @pytest.mark.parametrize("alt", ["", "short", None, 3])
 def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
@@ -214,18 +205,7 @@ def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words
         show(Figure(), alt=ALT, caption=3)
 
 
-def test_numbers_are_rounded_and_zero_has_no_sign():
-    numbers = {"x": (1.0, -0.0, 1 / 3, 1e-17, -1e-17, float("nan"), 7)}
-    (kept,) = (Toy("arm", numbers, ALT).stored()["layout"]["meta"]["course"]["x"],)
-    assert json.dumps(kept) == "[1.0, 0.0, 0.333333333333, 0.0, 0.0, null, 7]"
-
-
 # ---- plots and tables ----
-
-
-def test_ticks_are_parts_of_pi():
-    (ax,) = lines([0, 3.2], {"a": [0, 1]}, xlabel="angle (rad)", ylabel="x (m)", parts_of_pi=2).axes
-    assert [ax.xaxis.get_major_formatter()(x) for x in (-np.pi, 0, np.pi / 2)] == ["$-\\pi$", "$0$", "$\\pi/2$"]
 
 
 def test_a_count_that_rounding_decides_is_about_half():

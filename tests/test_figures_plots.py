@@ -7,7 +7,6 @@ from numpy.testing import assert_allclose
 from course_lib import rotations
 from course_lib.arms import planar_arm
 from course_lib.figures import decomposition_ik as nb6
-from course_lib.figures import panda_dh_ik as nb5
 from course_lib.figures import poe_kuka_iiwa as nb4
 from course_lib.figures import rigid_motion as nb2
 from course_lib.figures import subproblems_damped_ik as nb3
@@ -77,15 +76,6 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
         assert ((low <= points) & (points <= high)).all() or name in ("gains", "map")
 
 
-def test_descents_that_jump_are_drawn_as_dots_and_small_errors_on_a_logarithmic_axis():
-    jumping = ARM * np.where(STEPS % 2, 1, -1)[:, None, None]
-    closer = ARM[-1] + np.geomspace(1, 1e-6, N)[:, None, None]
-    fig, alt, _ = nb3.descents({"jumps": jumping, "closer": closer}, ARM[-1, -1], "")
-    assert [line.get_linestyle() for line in fig.axes[0].lines[:2]] == ["None", "--"]
-    assert fig.axes[1].get_yscale() == "log"
-    assert "jumps: jumps about" in alt
-
-
 def test_the_step_map_shows_each_run_in_a_cell_of_its_own():
     (mesh,) = LINES["map"][0].fig.axes[0].collections
     assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
@@ -126,13 +116,6 @@ def test_larger_errors_are_larger_and_darker_and_a_missing_one_is_not_drawn():
     assert [text.get_text() for text in ax.texts] == ["12.0 cm"]
 
 
-def test_histograms_count_every_sample():
-    counts = {"one": np.array([1, 1, 99, 100, 362]), "two": np.array([50])}
-    for ax, (title, taken) in zip(nb5.iterations(counts, 100).fig.axes, counts.items(), strict=True):
-        assert sum(bar.get_height() for bar in ax.patches) == len(taken)
-        assert ax.get_title() == title
-
-
 # ---- films: bodies and arms are where their data say, at each time ----
 
 CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
@@ -161,12 +144,3 @@ def test_the_body_stands_at_each_pose_with_its_nose_ahead():
         nose = np.array(corners)[np.argmax((corners - np.array([x, y])) @ ahead)]
         assert_allclose(nose, [x, y] + 1.4 * ahead, atol=ROUNDED)
         assert_allclose(nb2.outline([x, y, theta]), corners, atol=1e-9)
-
-
-def test_the_arms_stand_at_their_angles_in_each_frame():
-    first_arm, second_arm = np.array(FILMS[1].meta["shapes"])
-    for drawn, (first, second) in zip(first_arm, ANGLES, strict=True):
-        elbow = np.array([np.cos(first), np.sin(first)])
-        tip = elbow + np.array([np.cos(first + second), np.sin(first + second)])
-        assert_allclose(drawn, [[0, 0], elbow, tip], atol=ROUNDED)
-    assert_allclose(second_arm - first_arm[::-1], np.broadcast_to([4.4, 0], second_arm.shape), atol=1e-9)

@@ -1,4 +1,4 @@
-"""The pictures of notebook 4: the arm is where forward kinematics puts it, in every frame."""
+"""The pictures of notebook 4: a screw motion, and the dimensioned drawings of arms."""
 
 import itertools
 
@@ -9,19 +9,9 @@ from films import Film
 from course_lib import rigid
 from course_lib.arms import iiwa14, ur5e
 from course_lib.figures import poe_kuka_iiwa as figures
-from course_lib.figures import solids, three_views
-from course_lib.trajectory import Trajectory
+from course_lib.figures import three_views
 
-ARM = iiwa14()
-ARMS = {"iiwa": ARM, "ur5e": ur5e()}
-Q = np.array([2.2, 0.7, 0, -1.3, 0, 0.5, 0]) + np.random.default_rng(1).uniform(-0.7, 0.7, (5, 7))
-TIMES = np.linspace(0, 2, 5)
-
-
-def test_the_arm_is_where_forward_kinematics_puts_it_and_its_path_is_drawn_through_all_samples():
-    film = Film(figures.arm_movie(ARM, Trajectory(TIMES, Q, 0 * Q)))
-    np.testing.assert_allclose(film.poses, solids.link_poses(ARM, Q), atol=5e-5)
-    np.testing.assert_allclose(film.paths[0], ARM.fk(Q)[:, :3, 3], atol=6e-5)
+ARMS = {"iiwa": iiwa14(), "ur5e": ur5e()}
 
 
 def test_a_screw_motion_shows_its_path_and_four_of_its_poses():

@@ -111,18 +111,6 @@ def test_orientations_on_the_sphere_follow_e_x():
     assert set(TRACKS) < set(film.words)
 
 
-def test_the_sphere_shows_where_e_x_goes_on_its_lower_half():
-    ax = nb1.on_sphere({"a": DRAWS}).fig.axes[0]
-    dots = ax.lines[0].get_xydata()
-    assert_allclose(dots, DRAWS[DRAWS[:, 2, 0] < 0, :2, 0])
-    assert f"{len(dots)} of 200" in ax.get_title()
-
-
-def test_the_rotated_point_is_drawn_by_the_function_it_is_given():
-    (path,) = Film(nb1.rotated_point(np.array([0, 0, 1.0]), np.array([1.0, 0, 0.2]), lambda w: np.eye(3))).paths
-    assert np.ptp(path, axis=0).tolist() == [0, 0, 0]
-
-
 def test_the_arrows_of_the_body_frame_are_the_columns_of_its_matrix():
     film = Film(nb1.body_frame(DRAWS[0]))
     for column in DRAWS[0].T:
