@@ -93,18 +93,8 @@ def test_jacobians_against_differences(arm, which):
 # What an arm keeps ----------------------------------------------------------------------------------------------------
 
 
-def test_limits_are_kept():
-    limits = [[-1, 2.0], [0, 3]]
-    arm = SerialArm.from_screws(np.ones((2, 3)), np.ones((2, 3)), np.eye(4), limits)
-    assert np.array_equal(arm.limits, limits)
-    assert np.isfinite(arm.fk([50, -50])).all()  # angles beyond them are looked at by nobody here
-
-
-def test_an_arm_does_not_change_and_is_equal_to_itself_alone():
-    arm, other = iiwa14(), iiwa14()
+def test_an_arm_does_not_change():
+    arm = iiwa14()
     for array in (arm.screw_axes, arm.home, arm.limits):
         with pytest.raises(ValueError, match="read-only"):
             array += 1
-    assert arm == arm
-    assert arm != other
-    assert len({arm, other, arm}) == 2

@@ -39,14 +39,6 @@ def test_a_batch_gives_the_results_of_each_alone(name, batch, method):
     close(of(0 * q), np.broadcast_to(of(np.zeros(ALL[name].n)), alone.shape), 1e-14)
 
 
-@pytest.mark.parametrize("scale", [1e-100, 1e-6, 1e6, 1e99])
-def test_arms_of_any_size(scale):
-    """What is left out as rounding is small beside the arm, not beside a metre."""
-    small = SerialArm.from_screws(SKEW.screw_axes[:, :3], RNG.normal(size=(6, 3)) * scale, np.eye(4))
-    q = configurations(small, 2 * arms._SMALL_BATCH)
-    close(small.fk(q)[:, :3, 3] / scale, [small.fk(one)[:3, 3] / scale for one in q], 2e-14)
-
-
 def test_a_small_length_beside_long_ones_counts():
     arm = planar_arm([1, 1e-9, 1])
     q = configurations(arm, 2 * arms._SMALL_BATCH)
