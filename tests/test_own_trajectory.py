@@ -38,10 +38,6 @@ def still():
     return 0.1 * np.arange(30), np.tile(ARM.limits[:, 1] / 3, (30, 1)), np.zeros((30, 7))
 
 
-def one_row():
-    return tuple(part[:1] for part in another_path())
-
-
 def run_with(path, velocities=None, step=None):
     """Run the notebook's code with another trajectory; return its names and all alternative texts."""
     cells = [c for c in nbformat.read(NOTEBOOK, 4).cells if c.cell_type == "code"]
@@ -64,7 +60,7 @@ def film_of(told):
     return film
 
 
-@pytest.mark.parametrize("made", [noisy_and_uneven, still, one_row])
+@pytest.mark.parametrize("made", [noisy_and_uneven, still])
 @pytest.mark.filterwarnings("error")
 def test_the_notebook_runs_with_another_trajectory_and_tells_of_that_one(made, tmp_path, capsys):
     path = tmp_path / "own.csv"
