@@ -38,15 +38,6 @@ def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
     assert np.median(alone.iterations) <= 15, "a single target is first tried by itself, with few steps for most"
 
 
-def test_a_descent_by_itself_takes_the_steps_that_it_takes_among_others():
-    arm, rng = panda(), np.random.default_rng(11)
-    targets, q0 = reachable(arm, 20), rng.uniform(*arm.limits.T, (20, 7))
-    together = solve(arm, targets, rng, q0=q0, starts=1, steps=6)
-    alone = [solve(arm, target, rng, q0=q, starts=1, steps=6) for target, q in zip(targets, q0, strict=True)]
-    close([one.q for one in alone], together.q, 1e-6)
-    assert [one.iterations for one in alone] == together.iterations.tolist()
-
-
 def test_an_unreachable_target_ends_nearby_without_success():
     arm = panda()
     far = rigid.transform(np.diag([1.0, -1, -1]), [3.0, 0, 0.333])
