@@ -46,8 +46,6 @@ def test_floats_go_in_as_real_symbols_of_their_names_and_whole_numbers_as_they_a
     "function",
     [
         lambda x: sp.Matrix([[sp.cos(x), 0], [1, x]]),
-        lambda x: sp.ImmutableMatrix([[sp.cos(x), 0], [1, x]]),
-        lambda x: sp.SparseMatrix([[sp.cos(x), 0], [1, x]]),
         lambda x: sp.Array([[sp.cos(x), 0], [1, x]]),
         lambda x: sp.MatMul(sp.Matrix([[sp.cos(x), 0], [1, x]]), sp.eye(2)),
         lambda x: np.array([[sp.cos(x), 0], [1, x]]),
@@ -117,7 +115,6 @@ def test_what_stays_an_expression_is_no_number(entry):
     [
         lambda a, alpha, d, theta: np.cos(theta),
         lambda a, alpha, d, theta: sp.Matrix([math.sin(alpha)]),
-        lambda a, alpha, d, theta: np.sin(2 * theta + alpha),
         lambda a, alpha, d, theta: np.arctan2(theta, alpha),
     ],
 )
@@ -126,9 +123,3 @@ def test_a_function_for_numbers_used_on_symbols_is_named_without_the_numbers_of_
     assert verdict.state == ERROR
     assert "For theta" not in describe(verdict)
     assert "numpy's or math's function is used on symbols: take SymPy's" in describe(verdict)
-
-
-def test_other_errors_are_not_taken_for_it():
-    verdict = judge(DH_SYMBOLIC, Here(lambda a, alpha, d, theta: sp.Matrix([[1, 2]]) * sp.Matrix([[1, 2]])))
-    assert verdict.state == ERROR
-    assert verdict.mistake is None
