@@ -15,7 +15,7 @@ SKEW = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), p
 STANDARD = SerialArm.from_dh(
     [DHRow(0.3, 0.4, 0.2, 1.0), DHRow(-0.1, -2.0, 0.5), DHRow(0, 0, 0.1, -3.0)], "standard", pose_samples(3)(RNG, ())
 )
-ALL = {"panda": panda(), "iiwa14": iiwa14(), "planar": planar_arm([1, 0.5, 2]), "skew": SKEW, "standard": STANDARD}
+ALL = {"panda": panda(), "iiwa14": iiwa14(), "planar": planar_arm([1, 1e-9, 2]), "skew": SKEW, "standard": STANDARD}
 ALL["ur5e"] = ur5e()
 ALL["one joint"] = SerialArm.from_screws([[0, -1, 0]], [[1, 2, 3]], np.eye(4))
 METHODS = ["frames", "fk", "space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian"]
@@ -37,14 +37,6 @@ def test_a_batch_gives_the_results_of_each_alone(name, batch, method):
     alone = np.array([of(one) for one in q.reshape(-1, ALL[name].n)]).reshape(batch + shape)
     close(of(q), alone, 2e-14)
     close(of(0 * q), np.broadcast_to(of(np.zeros(ALL[name].n)), alone.shape), 1e-14)
-
-
-def test_a_small_length_beside_long_ones_counts():
-    arm = planar_arm([1, 1e-9, 1])
-    q = configurations(arm, 2 * arms._SMALL_BATCH)
-    sums = np.cumsum(q, -1)
-    expected = (np.exp(1j * sums) * [1, 1e-9, 1]).sum(-1)
-    close(arm.fk(q)[:, 0, 3] + 1j * arm.fk(q)[:, 1, 3], expected, 1e-15)
 
 
 @pytest.mark.parametrize("method", METHODS)
