@@ -6,7 +6,6 @@ from functools import partial
 
 import numpy as np
 import pytest
-from sklearn.exceptions import NotFittedError
 from sklearn.utils.estimator_checks import check_estimator
 
 from course_lib.arms import planar_arm
@@ -185,13 +184,3 @@ def test_what_scikit_learn_asks_of_every_estimator():
     model = fitted(cells=(30, 40), steps=2)
     assert model.n_features_in_ == 2
     assert model.fit(*SAMPLES) is model
-
-
-def test_an_estimator_that_refuses_its_samples_is_not_fitted():
-    model = GridIK(cells=(300, 300))
-    with pytest.raises(ValueError, match=r"^xy must hold a sample for each of the 90000 cells"):
-        model.fit(*SAMPLES)
-    with pytest.raises(NotFittedError):
-        model.predict(SAMPLES[0])
-    with pytest.raises(NotFittedError):
-        _ = model.nbytes
