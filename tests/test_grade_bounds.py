@@ -8,11 +8,11 @@ import signal
 import time
 
 import pytest
-from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
+from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
 from course_lib.pack.grade import submission
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
+from course_lib.pack.grade.notebook_file import UNREADABLE, defines
 from course_lib.pack.grade.submission import grade
 
 # ---- a process of its own ----
@@ -23,24 +23,16 @@ def busy(seconds):
         pass
 
 
-def test_a_function_s_result_comes_back_from_its_process():
-    assert call_bounded(lambda a, b: {"sum": a + b, "text": "é\ud800"}, 1, 2) == {"sum": 3, "text": "é\ud800"}
-    assert call_bounded(os.getpid) != os.getpid()
-
-
 ENDS = [
     (lambda: 1 / 0, {}, "ZeroDivisionError: division by zero"),
     (lambda: busy(time.process_time() + 100), {"cpu_seconds": 1}, "more than 1 seconds of computing"),
     (lambda: len(bytearray(2 * 10**9)), {"memory": 10**9}, "MemoryError|process that graded it ended"),
-    (lambda: os._exit(3), {}, r"ended \(exit status 3\)"),
     (lambda: os.kill(os.getpid(), signal.SIGTERM), {}, r"ended \(exit status -15\)"),
     (lambda: time.sleep(100), {"clock_seconds": 1}, "not done after 1 seconds"),
 ]
 
 
-@pytest.mark.parametrize(
-    ("function", "bounds", "words"), ENDS, ids=["raises", "cpu", "memory", "exit", "killed", "clock"]
-)
+@pytest.mark.parametrize(("function", "bounds", "words"), ENDS, ids=["raises", "cpu", "memory", "killed", "clock"])
 def test_the_end_of_the_process_is_reported(function, bounds, words):
     with pytest.raises((OutOfBounds, RuntimeError), match=words):
         call_bounded(function, **bounds)
@@ -51,15 +43,8 @@ def test_the_end_of_the_process_is_reported(function, bounds, words):
 LONG_NUMBER = "9" * 5000
 
 
-def test_a_notebook_with_numbers_of_any_length_is_read():
-    numbers = [LONG_NUMBER, f"1e{LONG_NUMBER}", f"0.{LONG_NUMBER}"]
-    text = book("x = 1", metadata={"x": "NUMBER"}).decode().replace('"NUMBER"', f"[{', '.join(numbers)}]")
-    assert code(read(text.encode())[0]) == ["x = 1"]
-
-
-@pytest.mark.parametrize("filling", ["[]", "1"])
-def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed(filling):
-    content = ('{"cells": [' + ",".join([filling] * 6_000_000) + "]}").encode()
+def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed():
+    content = ('{"cells": [' + ",".join(["[]"] * 6_000_000) + "]}").encode()
     begin = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     result = grade(content, NAME, SEED)
     assert "far more than a notebook does" in result["problems"][0]
@@ -150,13 +135,3 @@ def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
     assert said == "Its answers cannot be judged: that takes more than 0.5 seconds of computing."
     assert points(result) == FULL - 3
     assert signal.getitimer(signal.ITIMER_PROF) == (0, 0)
-
-
-def test_a_message_that_cannot_be_written_affects_only_its_exercise(few, monkeypatch):
-    def fails(verdict):
-        raise OverflowError("a number of this size")
-
-    monkeypatch.setattr(submission, "describe", fails)
-    wrong = cell("def nearest_so(M):\n    return 3")
-    result = grade(book(cells=[cell(source) for source in [few[0], *few[1]]] + [wrong]), NAME, SEED)
-    assert points(result) == FULL - 3

@@ -124,20 +124,6 @@ def test_a_roster_in_any_encoding_of_windows_is_read(tmp_path, encoding):
     assert Roster(read_roster(path)).find("Al Bö")[0]["ID number"] == "1235"
 
 
-def test_titles_with_semicolons_and_columns_that_come_twice_lose_no_number(roster):
-    head = 'Student,ID,SIS Login ID,Section,"a; b; c; d; e; f; g (77)",ID\n'
-    rows = roster(head + '"    Points Possible",,,,10,\n"Doe, Jane",1234,jane,A,9,\n')
-    assert Roster(rows).find("x", "1234")[0]["SIS Login ID"] == "jane"
-    assert Roster(rows).find("Points Possible") == []
-
-
-def test_nobody_is_taken_for_canvas_row_of_points(roster):
-    named = Totals({"01": 10}, {"My Points Possible": {"01": 9}, "Points Possible": {"01": 9}})
-    for given in (None, roster(CANVAS)):
-        text, missing, _ = gradebook_text("canvas", named, given)
-        assert (len(rows(text)), missing) == (2, ["My Points Possible", "Points Possible"])
-
-
 def test_other_names_of_the_columns_are_known(roster):
     """Gradescope's roster, Moodle's before `Last name`, one that tells Excel the separator, and Canvas's two names."""
     for head in ("First name,Surname,Email address", "sep=,\nFirst Name,Last Name,Email"):

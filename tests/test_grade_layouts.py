@@ -6,7 +6,6 @@ import re
 import pytest
 from hostile.build import NAME, SEED, book
 
-from course_lib.pack.grade.statements import parsed, plain, statements
 from course_lib.pack.grade.submission import grade
 
 pytestmark = pytest.mark.filterwarnings("ignore:.make_tokens_by_line")
@@ -110,10 +109,3 @@ def test_whatever_a_function_needs_is_there_when_graded(few, needs):
         cells += re.sub(r"\bF\b|(?<=_)F\b", name, layout).split("\n# %%\n")
     found = {row["exercise"]: row for row in grade(book(*cells), NAME, SEED)["exercises"]}
     assert {name: found[name]["state"] for name in names[: len(needs)]} == dict.fromkeys(names[: len(needs)], "right")
-
-
-def test_what_the_transformer_cannot_read_is_left_as_it_is():
-    for source in ("x = (", "%" * 300, "!" + "(" * 5000, "?" * 100_001, "'''", "%%time", "%%", "\\"):
-        assert isinstance(plain(source), str)
-        assert isinstance(parsed(source), list)
-    assert len(statements(["a = (\n  1\n  % 2\n)", "%time b = 1", "!c", "d = !e"])) == 4
