@@ -42,7 +42,7 @@ def pytest_ignore_collect(collection_path):
 # most of the time, so others work meanwhile; files that need a browser follow each other, for it stays open.
 LONGEST = ["test_lab.py", "test_site_course.py", "test_mutants.py", "test_grade_hostile.py", "test_bank.py"]
 LONGEST += ["test_grade_submission.py", "test_release_runs.py", "05_panda_dh_ik.ipynb"]
-LONGEST += ["test_toys_page.py", "test_site.py", "test_site_more.py", "test_site_answers.py"]
+LONGEST += ["test_toys_page.py", "test_site.py", "test_site_answers.py"]
 LONGEST += ["test_grade_tests.py", "test_grade_cluster.py", "test_commands.py", "06_decomposition_ik.ipynb"]
 LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade_layouts.py"]
 LONGEST += ["test_release_nbgrader.py", "test_grade_isolation.py", "test_notebook_runner.py", "test_grade_jobs.py"]

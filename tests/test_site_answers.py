@@ -1,27 +1,25 @@
-"""Answers on the pages: folded shut, or left out."""
+"""What is folded shut on the pages: answers, which may be left out, and sections of More, with a report among them."""
 
 import shutil
-from pathlib import Path
 
-import nbformat
 import pytest
 from bs4 import BeautifulSoup
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
-from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SOLUTION, cell, output, png, write
-from site_visits import CONTRAST, Visit
+from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SLIDING, SOLUTION, cell, output, png, write
+from site_visits import CONTRAST, Visit, assert_readable
 from sphinx_builds import build
 
+from course_lib.figures.display import TOY
 from course_lib.pack.site import SiteError
 
-NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
+PAGES = {"01.html", "02_rotations.html", "03_rigid_motion.html", "index.html", "search.html"}
 ANSWERS = {"Solution": "gooseberry", "Model answer": "stay orthogonal"}  # name: words that are inside
 
 
-def answers(notebook):
-    """The answer cells of a notebook."""
-    cells = nbformat.read(notebook, 4).cells
-    return [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
+def more(text):
+    return new_markdown_cell(text, metadata={"tags": ["more"]})
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +38,22 @@ def notebooks(tmp_path_factory):
         cell(output({"image/png": png()}, "A rising line"), source='show(fig, caption="It rises.")'),
         cell(output({"image/png": png()}, "A line"), new_output("stream", text="7"), source="show(fig)\nprint(plums)"),
     )
+    write(
+        folder,
+        "02_rotations.ipynb",
+        new_markdown_cell("# Rotations\n\nA drone grows. It takes about three hours."),
+        cell(source="import numpy as np"),
+        cell(output({"image/png": png()}, "A rising line"), source="x = 2\nprint(x)\ndraw(x)", tags=["cover"]),
+        new_markdown_cell("Words of the core. See [the numbers](#Reproduce)."),
+        more(f"## {TITLE}\n\n{PROMISE}"),
+        new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        cell(output({TOY: SLIDING, "image/png": png()}, "Two poses on a floor")),
+        more("## Appendix: the report\n\nWhat it did."),
+        new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
+    )
+    plain = "# Rigid motion\n\n[There](02_rotations.ipynb#Reproduce)."
+    write(folder, "03_rigid_motion.ipynb", new_markdown_cell(plain))
     write(folder, "Untitled.ipynb", new_markdown_cell("# Notes of the author's own"))
     (folder / "Marks.md").write_text("# For graders")
     return folder
@@ -57,7 +71,7 @@ def site(notebooks):
 
 
 def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages_and_none_of_before_stays(site):
-    assert {page.name for page in site[False].glob("*.html")} == {"01.html", "index.html", "search.html"}
+    assert {page.name for page in site[False].glob("*.html")} == PAGES
 
 
 @pytest.fixture(scope="module")
@@ -129,3 +143,68 @@ def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answ
     with pytest.raises(SiteError, match=r"01\.ipynb, cell 2: an answer cell without ### BEGIN SOLUTION"):
         build(tmp_path / "notebooks", tmp_path / "html", solutions=False)
     assert not (tmp_path / "html").exists()
+
+
+# ---- sections of More ----
+
+
+@pytest.fixture
+def more_visit(site, browser):
+    with Visit(browser, site[True] / "02_rotations.html", width=390, theme="dark") as visit:
+        yield visit
+
+
+def test_a_section_is_a_line_with_its_heading_and_its_promise_that_the_keyboard_opens(more_visit, notebooks):
+    page = more_visit.page
+    line, inside = page.locator("summary.more").first, page.get_by_text("Haar")
+    expect(line.locator("h2")).to_contain_text(TITLE)
+    expect(line.locator(".promise")).to_contain_text("40 minutes")
+    expect(line.locator(".promise .math")).to_be_visible()
+    expect(inside).not_to_be_visible()
+    assert page.locator("summary.more").count() == 2
+    assert page.locator("details details summary", has_text="Solution").count() == 1
+    line.focus()
+    page.keyboard.press("Enter")
+    expect(inside).to_be_visible()
+    expect(page.get_by_text("All digits agree")).not_to_be_visible()
+    assert_readable(more_visit, notebooks / "02_rotations.ipynb", 390)
+
+
+def test_a_link_into_a_section_opens_it_at_once_and_a_second_time(more_visit, site):
+    page, there = more_visit.page, more_visit.page.get_by_text("All digits agree")
+    for _ in range(2):
+        page.get_by_role("link", name="the numbers").click()
+        expect(there).to_be_in_viewport()
+        page.locator("summary.more").nth(1).press("Enter")
+        expect(there).not_to_be_visible()
+    page.goto((site[True] / "03_rigid_motion.html").as_uri())
+    page.get_by_role("link", name="There").click()
+    expect(there).to_be_in_viewport()
+
+
+def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, browser):
+    with Visit(browser, site[True] / "search.html", query="?q=gooseberry") as visit:
+        visit.page.locator("#search-results a", has_text="Rotations").first.click()
+        expect(visit.page.locator("details details .highlighted")).to_be_in_viewport()
+
+
+def test_paper_shows_what_is_folded_but_imports(more_visit):
+    page = more_visit.page
+    page.emulate_media(media="print")
+    for words in ("Haar", "All digits agree"):
+        expect(page.get_by_text(words)).to_be_visible()
+    expect(page.get_by_text("gooseberry")).to_be_visible()
+    expect(page.locator(".tag_not-on-paper summary").first).not_to_be_visible()
+    page.emulate_media(media="null")
+    expect(page.get_by_text("Haar")).not_to_be_visible()
+
+
+def test_the_first_screen_shows_the_figure_before_the_words(more_visit):
+    tops = [
+        more_visit.page.locator(part).first.bounding_box()["y"]
+        for part in ("article h1", "article img", "p:has-text('core')")
+    ]
+    assert tops == sorted(tops)
+    assert tops[1] < 600
+    folded = [line.strip() for line in more_visit.page.locator("details.hide > summary").all_inner_texts()]
+    assert folded[:2] == ["Imports and settings", "The lines that draw it"]
