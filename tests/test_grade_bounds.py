@@ -12,7 +12,7 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
 from course_lib.pack.grade import submission
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.notebook_file import UNREADABLE, defines
+from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
 from course_lib.pack.grade.submission import grade
 
 # ---- a process of its own ----
@@ -41,6 +41,11 @@ def test_the_end_of_the_process_is_reported(function, bounds, words):
 # ---- files ----
 
 LONG_NUMBER = "9" * 5000
+
+
+def test_a_notebook_with_numbers_of_any_length_is_read():
+    text = book("x = 1", metadata={"x": "NUMBER"}).decode().replace('"NUMBER"', f"[{LONG_NUMBER}, 0.{LONG_NUMBER}]")
+    assert code(read(text.encode())[0]) == ["x = 1"]
 
 
 def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed():

@@ -26,7 +26,7 @@ FEWER = {
     "near-far": {"(500, 7)": "(25, 7)", "reached(thousand,": "reached(thousand[:50],"},
     "register-run": {"(500, dice)": "(25, dice)"},
     "width-code": {", 36, 50, 70": ""},
-    "compete-code": {"[:5000]": "[:500]"},
+    "compete-network": {"[:5000]": "[:500]"},
 }
 BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return "forty-two"', "raise SystemExit"]
 
