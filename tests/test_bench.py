@@ -12,20 +12,6 @@ def task(other, convert=np.asarray):
     return Task("Twice", np.arange(3.0), lambda x: 2 * x, {"other": other}, {"other": convert})
 
 
-def test_a_share_is_of_the_least_times_for_one_item(monkeypatch):
-    class Timer:  # the library takes 3, 2, 2, ... seconds for three items, the other 4
-        def __init__(self, run, timer):
-            self.times = [3.0, 2.0] if run.func(1) == 2 else [4.0]
-
-        def timeit(self, number):
-            return number * (self.times.pop(0) if len(self.times) > 1 else self.times[0])
-
-    monkeypatch.setattr(bench, "Timer", Timer)
-    seconds, found = shares(task(lambda x: 2.0 * x + 1e-10))
-    assert seconds == pytest.approx(2 / 3)
-    assert found == {"other": pytest.approx(0.5)}
-
-
 def test_a_library_that_gives_another_answer_stops_the_comparison():
     shares(task(lambda x: 2 * x + 5e-10))
     shares(task(lambda x: -2 * x, np.negative))

@@ -74,14 +74,6 @@ def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at
     assert "-m venv .venv" in make("environment")[1]
 
 
-def test_a_library_of_the_benchmark_that_cannot_be_installed_is_left_out_and_tried_again(make):
-    done, called = make("bench", AT="pin==", SAYS="No matching distribution found")
-    assert "pin==4.1.0 is left out. Some packages are not made for this Python" in done.stdout
-    assert "roboticstoolbox-python==" in called
-    assert "python -m course_lib.pack.bench\n" in called
-    assert [line.split()[-1] for line in make("bench")[1].splitlines() if "install" in line] == ["pin==4.1.0"]
-
-
 def test_a_lock_that_fails_leaves_the_old_one(make):
     shutil.copy(make.bin / "python3", make.bin / "uv")
     assert "stays as it is" in make("lock")[0].stdout

@@ -46,7 +46,6 @@ LINES = {
     "outlines": (nb2.past_a_gate({"a": POSES}), 0, [POSES[:, :2], *(nb2.outline(POSES[i]) for i in (0, 16, 30))]),
     "Euler": (nb2.euler_paths({"a": POSES[:, :2], "b": ARM[:, -1]}), 0, [POSES[:, :2], ARM[:, -1]]),
     "car": (nb2.parking(POSES, [1, 2, 1.6], [0.6, 1, 0.4], 0.5), 0, [POSES[:, :2]]),
-    "joints": (nb2.joint_tracks({"a": ANGLES}), 0, [ANGLES]),
     "arm": (nb2.arm_paths({"a": ARM}), 0, [*ARM[::10], ARM[:, -1]]),
     "descent": (DESCENT, 0, [ARM[:, -1], ARM[-1], ARM[::-1, -1], ARM[0], [TARGET]]),
     "distance": (DESCENT, 1, over(STEPS, MISS, MISS[::-1])),
@@ -58,7 +57,6 @@ LINES = {
     "elbows": (nb6.two_elbows(ELBOWS, np.ones(2)), 0, [[[0, 0], [1, 0], [1, 1]], [[0, 0], [0, 1], [1, 1]], [[1, 1]]]),
     "costs": (nb6.costs(*COSTS), 0, [[[240000, 0.2]], [[16, 2e-14]]]),
     "from above": (nb4.plane_projections(SPACE), 0, [SPACE[:, :2]]),
-    "from the side": (nb4.plane_projections(SPACE), 1, [SPACE[:, [0, 2]]]),
     "velocities": (nb4.velocities_against_each_other({"a": SPACE, "b": 2 * SPACE}), 5, [2 * SPACE[:, [1, 2]]]),
     "scalings": (nb2.time_scalings(np.arange(9), {"a": SPACE.T, "b": 2 * SPACE.T}), 1,
                  over(np.arange(9), SPACE[:, 1], 2 * SPACE[:, 1])),
@@ -74,36 +72,6 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
     for line, points in zip(ax.lines, expected, strict=False):
         assert_allclose(np.transpose(line.get_data()), points, atol=1e-9)
         assert ((low <= points) & (points <= high)).all() or name in ("gains", "map")
-
-
-def test_the_step_map_shows_each_run_in_a_cell_of_its_own():
-    (mesh,) = LINES["map"][0].fig.axes[0].collections
-    assert_allclose(mesh.get_array().reshape(5, 7), np.log10(ERRORS).T)
-    corners, centres = mesh.get_coordinates(), np.stack(np.meshgrid(ALPHAS, EPSILONS), -1)
-    assert ((corners[:-1, :-1] < centres) & (centres < corners[1:, 1:])).all()
-
-
-def offsets(ax):
-    """The positions of the dots of every scatter plot in a panel."""
-    return [np.asarray(dots.get_offsets()) for dots in ax.collections]
-
-
-def test_samples_are_drawn_twice_and_neighbouring_cells_differ():
-    cell = np.stack(np.meshgrid(range(4), range(4)), -1).reshape(-1, 2)
-    xy = (cell + 0.5) / 4
-    plain, by_cell = nb6.samples(xy, cell, np.zeros(2), np.ones(2), 4).fig.axes
-    assert_allclose([*offsets(plain), *offsets(by_cell)], [xy, xy])
-    colour = by_cell.collections[0].get_facecolors().reshape(4, 4, 4)  # row, column
-    assert (colour[1:] != colour[:-1]).any(-1).all()
-    assert (colour[:, 1:] != colour[:, :-1]).any(-1).all()
-    edges = {float(line.get_xdata()[0]) for line in by_cell.lines if line.get_xdata()[0] == line.get_xdata()[1]}
-    assert edges == {0, 0.25, 0.5, 0.75, 1}
-
-
-def test_each_cluster_has_its_marker_at_each_of_its_samples():
-    q, labels = np.deg2rad([[10, 20], [30, -40], [50, 60.0]]), np.array([0, 1, 0])
-    one, two = (offsets(ax) for ax in nb6.clusters({"one": (q, labels), "two": (-q, 1 - labels)}).fig.axes)
-    assert_allclose(np.concatenate([*one, two[0]]), [[10, 20], [50, 60], [30, -40], [-30, 40]])
 
 
 def test_larger_errors_are_larger_and_darker_and_a_missing_one_is_not_drawn():

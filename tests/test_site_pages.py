@@ -134,11 +134,6 @@ def test_errata_contain_every_claim_with_its_evidence_and_the_correction(article
     assert sorted(printed) == sorted("".join(output.text.split()) for output in outputs)
 
 
-def test_errata_name_their_notebooks(article):
-    into = {link["href"] for link in article("errata").select("h3 a[href]")}
-    assert {f"{notebook.stem}.html" for notebook in NOTEBOOKS if section(notebook, ERRATA[0])} <= into
-
-
 def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(article):
     parts = article("reports").select("section section")
     reproduced = [notebook for notebook in NOTEBOOKS if "### Reproduce" in notebook.read_text(encoding="utf-8")]

@@ -66,8 +66,6 @@ def test_plain_data_comes_back_as_it_was(value):
         (np.arange(3)[::-1], np.array([2, 1, 0])),
         (np.eye(3, order="F")[:2], np.eye(3)[:2]),
         (np.arange(3, dtype=">i4"), np.arange(3, dtype="<i4")),
-        (np.longdouble([0.5]), np.array([0.5])),
-        (np.clongdouble(0.5), np.complex128(0.5)),
         (np.array([["a", "b"]]), [["a", "b"]]),
         (np.ma.array([1.0, 2.0]), np.array([1.0, 2.0])),
         (np.array(np.float64(2.0)), np.float64(2.0)),
