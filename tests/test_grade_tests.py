@@ -67,7 +67,7 @@ def test_a_test_earns_points_by_the_versions_that_it_judges_rightly(graded):
 
 
 PLURALITY = """
-import collections, fcntl, glob, json, mmap, os, resource, socket, subprocess, time, zlib
+import collections, fcntl, glob, json, mmap, os, resource, socket, subprocess, tempfile, time, zlib
 R = rotations.exp_so3(np.array([0, 0, np.pi]))
 shared = mmap.mmap(-1, 1 << 20)
 
@@ -86,9 +86,9 @@ def test_log(log):
 # How a test may compare candidates with each other, on the way through something that outlives one call.
 REMEMBERS = {
     "in a list": "seen.append(log)\n    return seen\nseen = []",
-    "in a folder of its own": "os.makedirs('/tmp/a/b', exist_ok=True)\n"
-    "    open('/tmp/a/b/seen', 'a').write(json.dumps(log) + chr(10))\n"
-    "    return [json.loads(line) for line in open('/tmp/a/b/seen')]",
+    "in a folder of its own": "place = tempfile.gettempdir() + '/a/b'\n    os.makedirs(place, exist_ok=True)\n"
+    "    open(place + '/seen', 'a').write(json.dumps(log) + chr(10))\n"
+    "    return [json.loads(line) for line in open(place + '/seen')]",
     "in memory that all children share": "end = shared.find(b'\\0')\n    text = json.dumps(log).encode() + b';'\n"
     "    shared[end : end + len(text)] = text\n"
     "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
