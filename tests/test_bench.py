@@ -21,13 +21,6 @@ def test_a_library_that_gives_another_answer_stops_the_comparison():
             shares(task(other))
 
 
-def test_a_library_that_is_missing_is_named(monkeypatch):
-    monkeypatch.setattr(bench, "PEERS", ("numpy", "no_such_library"))
-    here, missing = bench.installed()
-    assert here == {"numpy": np}
-    assert "No module named 'no_such_library'" in missing["no_such_library"]
-
-
 def test_the_table_takes_its_place_in_the_readme(monkeypatch, tmp_path):
     monkeypatch.setattr(bench, "README", tmp_path / "README.md")
     monkeypatch.setattr(bench, "installed", lambda: ({}, {}))
