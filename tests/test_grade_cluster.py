@@ -68,7 +68,7 @@ def written(folder):
 def grading(worker):
     """Return the processes below a worker once one of them is the sandbox of a submission, not the one of the trial."""
     below = psutil.Process(worker.pid).children(recursive=True)
-    with suppress(psutil.NoSuchProcess):
+    with suppress(psutil.NoSuchProcess, IndexError):  # one ends meanwhile
         for process in below:
             parents = process.parents()
             if process.name() == "bwrap" and parents[0].name() != "bwrap" and parents[2].pid == worker.pid:
