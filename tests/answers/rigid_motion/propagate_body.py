@@ -5,6 +5,15 @@ import math
 import numpy as np
 
 
+def step_lengths(duration, dt):
+    """As the notebook gives it."""
+    lengths, remaining = [], duration
+    while remaining > 1e-9:
+        lengths.append(min(dt, remaining))
+        remaining -= lengths[-1]
+    return lengths
+
+
 def right_components(start, plan, dt):
     x, y, theta = start
     poses = [[x, y, theta]]
@@ -44,3 +53,26 @@ def right_times_first(start, plan, dt):
             step = h * np.append(vx * direction + vy * across, omega)
             poses = np.vstack([poses, poses[-1] + step])
     return poses
+
+
+def wrong_components(start, plan, dt):
+    """vx changes only x, and vy only y"""
+    x, y, theta = start
+    poses = [[x, y, theta]]
+    for (vx, vy, omega), duration in plan:
+        for h in step_lengths(duration, dt):
+            x += vx * np.cos(theta) * h
+            y += vy * np.sin(theta) * h
+            theta += omega * h
+            poses.append([x, y, theta])
+    return np.array(poses)
+
+
+def wrong_time_since_the_beginning(start, plan, dt):
+    """the steps have other lengths than step_lengths(duration, dt)"""
+    poses = [np.array(start, float)]
+    for (vx, vy, omega), duration in plan:
+        for t in np.cumsum(step_lengths(duration, dt)):
+            c, s = np.cos(poses[-1][2]), np.sin(poses[-1][2])
+            poses.append(poses[-1] + t * np.array([c * vx - s * vy, s * vx + c * vy, omega]))
+    return np.array(poses)

@@ -124,11 +124,11 @@ def theta_later(start, plan, dt, share):
     return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
 
 
-@EXERCISE.mistake
-def axes_of_the_world(start, plan, dt):
-    """the velocities are taken along the axes of the world. (vx, vy) is ahead and to the left of the body: what
-    rotates it?"""
-    return _moved((start, plan, dt), direction=lambda theta, omega, h: 0 * theta)
+@EXERCISE.mistake(factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1)))
+def axes_of_the_world(start, plan, dt, factors):
+    """vx changes only x, and vy only y, as along the axes of the world. (vx, vy) is ahead and to the left of the body:
+    what rotates it?"""
+    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(start, plan, dt)
 
 
 @EXERCISE.mistake(factor=(0, -1))

@@ -286,13 +286,13 @@ def goes_straight(start, plan, dt):
 
 
 def _lengths_covered(rows, plan, dt):
-    speeds = np.linalg.norm(steps(plan, dt)[0][:, :2], axis=1)
-    return np.linalg.norm(np.diff(rows[:, :2], axis=0), axis=1) / speeds
+    ahead, left = rotated(-rows[0, 2], np.diff(rows[:, :2], axis=0)).T
+    return np.where(np.abs(left) < FINE, ahead, 0) / steps(plan, dt)[0][:, 0]
 
 
 STEP_LENGTHS = Property(
     "each step is dt long, and the last one of a pair is shorter if it must be to end on time",
-    # A step of no length goes another way altogether: of that other properties speak.
+    # A step in another direction has no length here: of its direction other properties speak.
     lambda rows, start, plan, dt: (
         (covered := _lengths_covered(rows, plan, dt)).min() < FINE or np.abs(covered - steps(plan, dt)[1]).max() < FINE
     ),
