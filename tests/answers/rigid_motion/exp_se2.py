@@ -26,3 +26,10 @@ def right_half_angle(twist):
         return _pose(0.0, vx, vy)
     a, b = np.sin(w) / w, 2 * np.sin(w / 2) ** 2 / w
     return _pose(w, a * vx - b * vy, b * vx + a * vy)
+
+
+def wrong_cosine_from_1e_8_on(twist):
+    """small angles are taken for none, or lose their digits"""
+    w, vx, vy = twist
+    a, b = (1.0, w / 2) if abs(w) < 1e-8 else (np.sin(w) / w, (1 - np.cos(w)) / w)
+    return _pose(w, a * vx - b * vy, b * vx + a * vy)
