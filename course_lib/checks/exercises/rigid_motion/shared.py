@@ -8,7 +8,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
-from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import compared
 from course_lib.planar import quintic_time_scaling, wrap_angle
 
@@ -88,7 +88,7 @@ ENDS = tuple(
     Property(
         f"the {word} pose is {name}",
         lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], start, goal),
-        says=lambda rows, start, goal, n, k=k: f"Yours is {format_array(rows[k])}.",
+        says=lambda rows, start, goal, n, k=k: f"That is {compared((start, goal)[k], rows[k])}.",
         where=one_arc_is_shorter,
     )
     for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
