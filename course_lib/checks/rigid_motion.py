@@ -31,10 +31,10 @@ PREDICTIONS = (
         "pole",
         "b",
         {
-            "a": "That would be so for half a revolution: then start and goal lie opposite each other about the pole.",
-            "b": "The less the body rotates, the farther away the pole. Without rotation the arc becomes a straight "
-            "line, and there is no pole.",
-            "c": "The start does move. The pole is a point that stays where it is.",
+            "a": "A rotation about that point may lead to the goal's position, but it changes the direction.",
+            "b": "The angle would be 0, and a rotation by 0 moves nothing, whatever the point. So the arc becomes a "
+            "straight line.",
+            "c": "The start moves. The point that we look for stays where it is.",
         },
     ),
     Prediction(
