@@ -202,7 +202,7 @@ def drive(plan, *, exact=False):
     )
     alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
     asked = "Do the robots still separate?" if exact else "Where do the robots separate?"
-    caption = f"Click the picture; use the arrow keys, two for a bend, or hold a button. {asked}"
+    caption = f"Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by mouse). {asked}"
     return Figure(model, alt, caption, ask)
 
 
