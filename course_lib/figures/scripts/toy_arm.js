@@ -31,7 +31,7 @@
   }
 
   P.toy("arm", (meta) => meta.title, (card, meta, kernel) => {
-    const { arm, limits, names, size } = meta, n = arm.screws.length, view = card.armSpace();
+    const { arm, limits, names, size } = meta, n = arm.screws.length, view = card.armSpace(-1.25);
     const has = (part) => meta.parts.includes(part);
     const state = card.state({ q: [...meta.q], axes: true, velocity: true, force: false, frames: 0 });
     let path = null, elbow = null;

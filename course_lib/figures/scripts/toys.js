@@ -168,9 +168,9 @@ outline:3px solid var(--focus);outline-offset:-3px}
       map: ({ parent = views, ...options }) => keep(map(parent, { redraw: draw, ...options })),
       space: ({ parent = views, ...options }) => keep(space(parent, { redraw: draw, meta, ...options })),
       // Space around the arm that meta describes (arm_view in toys/arms.py), whose bodies are drawn at their poses.
-      armSpace() {
+      armSpace(azimuth = -1) {
         const { centre, elevation, size, title: label } = meta, solid = S.unpack(meta.solid);
-        const view = made.space({ radius: 0.1 * size, centre, azimuth: -1, elevation, label });
+        const view = made.space({ radius: 0.1 * size, centre, azimuth, elevation, label });
         return Object.assign(view, {
           arm(poses, { colour, ...look }) {
             view.mesh(solid, poses, colour ? solid.palette.map(() => colour) : solid.palette, look);
