@@ -253,7 +253,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
     poses = np.concatenate([poses, np.broadcast_to(camera, (len(poses), 1, 4, 4))], 1)
     lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
     parts += [Part(12, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(12, STEEL, lens)]
-    look = {"name": "pick", "paths": [(grippers[:, :3, 3], BLUE, (6, 4))], "ground": base[2]}
+    look = {"name": "pick", "paths": [(grippers[:, :3, 3], BLUE, ())], "ground": base[2]}
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
     return film(
@@ -264,7 +264,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises. "
         "A camera hangs above the table and looks down.",
-        "The dashed line is the path between the fingertips, which close on both sides of the mug.",
+        "The blue line is the path between the fingertips, which close on both sides of the mug.",
         view=(1.2, 1.2, 0.7),
         **look,
     )
