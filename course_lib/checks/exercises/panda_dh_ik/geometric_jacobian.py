@@ -15,18 +15,14 @@ _SEVEN = Mistake("the arm is taken to have seven joints", "How many joints does 
 _ABOVE, _BELOW = slice(0, 3), slice(3, 6)
 
 
-def _parts(frames):
-    """Return the axes z and origins o of the joints, (n, 3) each, and the flange's origin p."""
-    return frames[:-1, :3, 2], frames[:-1, :3, 3], frames[-1, :3, 3]
-
-
 def _jacobian(z, o, p):
+    """Return it from the axes z and origins o of the joints, (n, 3) each, and the flange's origin p."""
     return np.vstack([np.cross(z, p - o).T, z.T])
 
 
 def right(frames):
     """Return the geometric Jacobian (6, n) of the last frame, (v, omega) along the world's axes."""
-    return _jacobian(*_parts(frames))
+    return _jacobian(frames[:-1, :3, 2], frames[:-1, :3, 3], frames[-1, :3, 3])
 
 
 def _known_form(array, frames):
@@ -77,10 +73,7 @@ EXERCISE = Exercise(
             "the upper half of each column is the velocity of the flange's origin if its joint rotates at 1 rad/s",
             right,
             _ABOVE,
-            Mistake(
-                "the velocity is not z x (p - o) of its joint",
-                "From which point to which does p - o lead, for each joint, and how long is the product?",
-            ),
+            Mistake("the velocity is not z x (p - o) of its joint", "From which point to which does p - o lead?"),
         ),
     ),
     hints=(
@@ -101,3 +94,10 @@ def another_frame(frames, z, step, base):
     lie here?"""
     others = frames[1:] if step > 0 else np.concatenate([[base], frames[:-2]])
     return _jacobian((frames[:-1], others)[z][:, :3, 2], others[:, :3, 3], frames[-1, :3, 3])
+
+
+@EXERCISE.mistake
+def backwards(frames):
+    """the velocity has the wrong sign. Let the axis of a joint point at you: which way does it move the flange, and
+    what does the product say?"""
+    return right(frames) * np.repeat([[-1], [1]], 3, 0)
