@@ -47,7 +47,7 @@ def wrong_reflections_stay(src, dst, weights):
 
 
 def wrong_as_in_the_report(src, dst, weights):
-    """the sign is changed in the finished R"""
+    """R is not the best rotation if U V^T is a reflection"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ Ut * [1, 1, np.linalg.det(V @ Ut)])
 
 

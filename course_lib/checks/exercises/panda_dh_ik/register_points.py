@@ -127,7 +127,7 @@ EXERCISE = Exercise(
     ),
     hints=(
         "Run the broken code on four points with noise of their own size until its determinant test applies. "
-        "Compare its R with rotations.nearest_so(B).",
+        "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small rotation?",
         "To change a sign costs least at the smallest singular value. Does a column of the finished product U V^T "
         "belong to one of the singular values?",
         "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
@@ -170,8 +170,8 @@ def sign_missing(T, *case):
 
 @EXERCISE.seen
 def sign_elsewhere(T, *case):
-    """the sign is changed in the finished R (all, a row or a column), or at another singular value than the smallest.
-    That is a rotation: is it the best one?"""
+    """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what does that cost at each
+    of the singular values?"""
     M, signs = _reflection(*case), 1 - 2 * np.eye(3)
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]
