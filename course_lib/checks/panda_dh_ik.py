@@ -35,7 +35,7 @@ PREDICTIONS = (
         {
             "a": "A few millimetres come from a bad calibration. A sign is a different kind of error.",
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
-            "c": "Yes: all beyond joint 1 is rotated by 180 degrees about a horizontal line, so above becomes below.",
+            "c": "Yes: all beyond this sign is rotated by 180 degrees about a horizontal line, so above becomes below.",
         },
     ),
     Prediction(
