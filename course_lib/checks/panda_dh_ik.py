@@ -44,7 +44,7 @@ PREDICTIONS = (
         {
             "a": "Axes 1 and 2 meet: where is their perpendicular, of length 0? And may x2 lie along z2?",
             "b": "Yes. Axes 1 and 2 meet: row 2 has a = 0, and alpha = 90 or -90 degrees, because x1 may point either "
-            "way. Row 3 has a = 0.425. Of the perpendiculars of two parallel axes any will do.",
+            "way. Row 3 has a = 0.425.",
             "c": "That is the standard convention, with frame i on the axis of joint i + 1.",
         },
     ),
