@@ -376,18 +376,18 @@ JOINTS = """(box) => [...box.querySelectorAll("input[type=range]")]
   .filter((e) => /^Joint \\d/.test(e.labels[0].textContent.trim())).map((e) => Number(e.value))"""
 
 
-def test_the_elbow_moves_and_the_gripper_stays_within_a_micrometre(visit):
+def test_the_elbow_moves_and_the_flange_stays_within_a_micrometre(visit):
     box = figure_of(visit, "panda_toy")
     pose = box.locator(".matrix").get_attribute("aria-label")
     before = box.evaluate(JOINTS)
     assert len(before) == 7
     for share in (0.0, 0.3, 1.0):
         put(box, "Elbow (flange stays)", share)
-        expect(box.locator(".numbers")).to_contain_text("the gripper moved by")
+        expect(box.locator(".numbers")).to_contain_text("the flange moved by")
         moved = f"(box, before) => ({JOINTS})(box).some((angle, i) => Math.abs(angle - before[i]) > 3)"
         wait_until(visit, moved, box, before)
         words = box.locator(".numbers").inner_text()
-        assert float(re.search(r"gripper moved by (\S+) mm", words)[1]) < 1e-3
+        assert float(re.search(r"flange moved by (\S+) mm", words)[1]) < 1e-3
         assert box.locator(".matrix").get_attribute("aria-label") == pose
         before = box.evaluate(JOINTS)
 

@@ -136,7 +136,7 @@
       }
       if (path) {
         const e = M.norm(M.poseError(T, path.target).slice(3));
-        lines.push(`the gripper moved by ${(1000 * e).toFixed(6)} mm from where it was`);
+        lines.push(`the flange moved by ${(1000 * e).toFixed(6)} mm from where it was`);
       }
       numbers(...lines);
       words.textContent = answer ? compared(answer, differs)
