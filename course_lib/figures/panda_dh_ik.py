@@ -50,11 +50,11 @@ def four_parameters(a, alpha, d, theta):
     for o, z, high in ((o1, z1, 0.5), (o2, z2, d + 0.35)):
         parts += [Part(0, STEEL, meshes.capsule(o - 0.25 * z, o + high * z, 0.012))]
         parts += [Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11))]
-    tilt, swing = _arc(o2, z1, z2, 0.588), _arc(foot, x1, x2, 0.364)
+    tilt, swing = _arc(o2, z1, z2, 0.33), _arc(foot, x1, x2, 0.364)
     paths = [(np.array([o, o + long * e]), GREY, (7, 5)) for o, long, e in ((o2, 0.75, z1), (foot, 0.5, x1))]
     paths += [(tilt, ORANGE, ()), (swing, ORANGE, ())]
     ends = {"z₁": 0.56 * z1, "z₂": o2 + (d + 0.41) * z2, "x₁": 0.35 * a * x1 - 0.06 * z1, "x₂": foot + 0.66 * x2}
-    middles = {"a": 0.7 * a * x1 - 0.06 * z1, "d": o2 + 0.5 * d * z2 + 0.07 * x1}
+    middles = {"a": 0.7 * a * x1 - 0.06 * z1, "d": o2 + 0.6 * d * z2 - 0.07 * x1}
     middles |= {"\u03b1": tilt[8] + 0.1 * (tilt[8] - o2), "θ": swing[8] + 0.15 * (swing[8] - foot)}
     words = [(word, at, colour) for named, colour in ((ends, INK), (middles, BLUE)) for word, at in named.items()]
     return still(
