@@ -29,7 +29,7 @@ EXERCISE = Exercise(
             Mistake("the last column is not B_n", "Which joints lie between the last axis and the end-effector?"),
         ),
         part_is(
-            "above, each column has the direction of its axis, along the end-effector's own axes",
+            "in rows 1 to 3, each column has the direction of its axis, along the end-effector's own axes",
             _right,
             np.s_[:3],
             Mistake(
@@ -38,7 +38,7 @@ EXERCISE = Exercise(
             ),
         ),
         part_is(
-            "below, each column has the velocity of the end-effector's origin, along the end-effector's own axes",
+            "in rows 4 to 6, each column has the velocity of the end-effector's origin, along the end-effector's axes",
             _right,
             np.s_[3:],
         ),

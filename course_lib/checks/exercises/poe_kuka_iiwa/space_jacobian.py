@@ -22,7 +22,7 @@ EXERCISE = Exercise(
             "the first column is the first screw axis: no joint stands before it", jacobian, np.s_[:, 0], _FIRST_MOVED
         ),
         part_is(
-            "above, each column has the direction of its axis, rotated by all joints before it",
+            "in rows 1 to 3, each column has the direction of its axis, rotated by all joints before it",
             jacobian,
             np.s_[:3],
             Mistake(
@@ -31,7 +31,7 @@ EXERCISE = Exercise(
             ),
         ),
         part_is(
-            "below, each column has v = -omega x p, with a point p of its axis where the joints before have moved it",
+            "in rows 4 to 6, each column has v = -omega x p, with p on its axis as the joints before it have moved it",
             jacobian,
             np.s_[3:],
             Mistake("an axis is rotated, but not moved", "Which 6 x 6 matrix of a pose takes along both?"),
