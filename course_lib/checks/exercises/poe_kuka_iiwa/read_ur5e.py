@@ -77,24 +77,24 @@ EXERCISE = Exercise(
             points=1,
         ),
         Property(
-            "M is a pose: R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
+            "M is a pose (R, p): R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
             lambda read: (
                 np.allclose(read[2][3], [0, 0, 0, 1], atol=FINE)
                 and orthogonality_error(read[2][BLOCK]) < 1e-6
                 and np.linalg.det(read[2][BLOCK]) > 0
             ),
             says=lambda read: f"det R is {np.linalg.det(read[2][BLOCK]):.3g}, the last row {read[2][3]}.",
-            mistake=Mistake("the columns of R are no right-handed frame", "They are the flange's x, y and z = x x y."),
+            mistake=Mistake("M's rotation is not right-handed", "Its columns are the flange's x, y and z = x x y."),
         ),
         Property(
-            "the columns of R are the flange's axes, seen from the base",
+            "the columns of the rotation in M are the flange's axes, seen from the base",
             lambda read: np.allclose(read[2][BLOCK], _R, atol=1e-6),
             says=lambda read: (
                 f"The flange's {'xyz'[np.argmax(abs(read[2][BLOCK] - _R).max(0) > 1e-6)]} axis points elsewhere."
             ),
         ),
         Property(
-            "p is the flange's position in the base frame, in metres",
+            "the position in M is that of the flange in the base frame, in metres",
             lambda read: np.abs(read[2][COLUMN] - _P).max() <= _TOLERANCE,
             says=lambda read: f"Yours is {format_tuple(read[2][COLUMN])}: look at {_axes(read[2][COLUMN] - _P)} again.",
             mistake=Mistake(
@@ -110,7 +110,7 @@ EXERCISE = Exercise(
         "Dimensions are distances between neighbours: go on from axis 4, whose point is there. Mind the signs: the arm "
         "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower.",
         "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the base's. The columns "
-        "of R are x, y and z; p adds up the lengths along -x, -y and z.",
+        "of its rotation are x, y and z; its position adds up the lengths along -x, -y and z.",
     ),
 )
 
@@ -125,7 +125,7 @@ def _screws(read, predicted):
 
 
 def _orientation(read, predicted):
-    return np.allclose(read[2][BLOCK], predicted[1][BLOCK], atol=_TOLERANCE)
+    return _screws(read, predicted) and np.allclose(read[2][BLOCK], predicted[1][BLOCK], atol=_TOLERANCE)
 
 
 @EXERCISE.mistake(alike=_screws)
@@ -148,5 +148,5 @@ def parallel_to_the_base():
 
 @EXERCISE.mistake(alike=_orientation)
 def rows_for_columns():
-    """R is transposed. Each column of R is one axis of the flange, seen from the base."""
+    """the rotation in M is transposed. Each of its columns is one axis of the flange, seen from the base."""
     return _answered(R=_R.T)
