@@ -34,9 +34,8 @@
     const { arm, limits, names, size } = meta, n = arm.screws.length, view = card.armSpace(-1.25);
     const has = (part) => meta.parts.includes(part);
     const state = card.state({ q: [...meta.q], axes: true, velocity: true, force: false, frames: 0 });
-    let path = null, elbow = null;
+    let path = null, elbow = null, joints = [];
 
-    let joints = [];
     card.fold("Joint angles", () => (joints = state.q.map((angle, i) => card.range(`Joint ${i + 1}`, {
       min: Math.ceil(limits[i][0] / rad), max: Math.floor(limits[i][1] / rad), step: 1, value: angle / rad,
     }, P.inDegrees, (x) => { state.q[i] = x * rad; moved(); }))));
@@ -74,8 +73,7 @@
       card.checkbox("force ellipsoid (orange)", state, "force");
     }
     card.button("Start again", () => { state.q = [...meta.q]; showJoints(); moved(); });
-    const numbers = card.numbers(), words = card.words();
-    const ask = card.asker(kernel);
+    const numbers = card.numbers(), words = card.words(), ask = card.asker(kernel);
     function moved(alongPath = false) {
       if (!alongPath) {
         path = null;
@@ -94,8 +92,11 @@
       const right = M.bodies(arm, state.q), F = M.frames(arm, state.q, right), T = F[n], p = M.positionOf(T);
       const { answer } = state, theirs = answer && answer.value, bodies = (theirs && theirs.bodies) || right;
       const differs = Boolean(answer && !(answer.gap < 1e-6)); // null if there is no answer to compare
+      const tips = M.eye(3).map((e) => M.move(T, M.scale(e, 0.1 * size))), l = 0.19 * size;
+      const axes = !state.axes || !has("axes") ? [] : arm.screws.map((screw, i) =>
+        [M.move(right[i], M.positionOf(arm.home[i])), M.apply(M.rotationOf(right[i]), screw.slice(0, 3))]);
       view.begin();
-      view.stand(right);
+      view.stand(right, [...tips, ...axes.map(([at, axis]) => M.add(at, axis, 1.27 * l))]);
       const dragged = view.joints(() => state.q, bodies, (i, angle) => { state.q[i] = angle; showJoints(); moved(); });
       view.arm(bodies, { opacity: state.frames ? 0.35 : 1, shadow: true, ...dragged });
       if (differs) view.arm(right, { opacity: 0.45, colour: COLOURS.pale });
@@ -103,9 +104,7 @@
       view.text([0, 0, -0.04 * size], "s");
       view.frame(theirs ? theirs.end : T, 0.1 * size, { thick: 0.006 * size });
       if (differs && theirs) view.frame(T, 0.07 * size, { thick: 0.004 * size });
-      if (state.axes && has("axes")) arm.screws.forEach((screw, i) => {
-        const at = M.move(right[i], M.positionOf(arm.home[i])), l = 0.19 * size;
-        const axis = M.apply(M.rotationOf(right[i]), screw.slice(0, 3));
+      axes.forEach(([at, axis], i) => {
         view.line([M.add(at, axis, -l), M.add(at, axis, l)], COLOURS.purple, 2, { dash: [6, 4], above: true });
         view.arrow(M.add(at, axis, l), M.add(at, axis, 1.15 * l), COLOURS.purple, { thick: 0.004 * size, above: true });
         view.text(M.add(at, axis, 1.27 * l), String(i + 1), COLOURS.purple);

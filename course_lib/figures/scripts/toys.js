@@ -186,10 +186,10 @@ outline:3px solid var(--focus);outline-offset:-3px}
               moved(body - 1, Math.min(high, Math.max(low, angle)));
             },
           } }),
-          // Go as far away as the arm needs, and draw the floor below it.
-          stand(poses) {
+          // Go as far away as the arm and further points need, and draw the floor below it.
+          stand(poses, also = []) {
             const few = solid.vertices.filter((_, i) => i % 9 === 0);
-            view.contain(few.map((v, i) => M.move(poses[solid.bodies[9 * i]], v)));
+            view.contain([...also, ...few.map((v, i) => M.move(poses[solid.bodies[9 * i]], v))]);
             view.floor(meta.floor, meta.ground, size > 2 ? 0.5 : 0.2);
           },
         });
@@ -613,7 +613,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
           const [x, y] = toPixels(p);
           return Math.max(Math.abs(x / made.width - 0.5), Math.abs(y / made.height - 0.5)) > 0.44;
         };
-        for (let k = 0; k < 60 && points.some(out); k++, aim()) fitted *= 1.03;
+        for (let k = 0; k < 90 && points.some(out); k++, aim()) fitted *= 1.03;
       },
       end() {
         const { context, width, height, dense } = made, at = M.add(centre, eye, FAR * radius);
