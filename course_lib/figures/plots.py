@@ -85,11 +85,11 @@ def draw_arms(contents, every, window=None):
     return fig
 
 
-def velocities_of_the_tip(contents):
+def velocities_of_the_tip(contents, frame=""):
     """Return planar arms with the velocity that each joint gives the tip, at 1 rad/s about an axis out of the page.
 
     contents: {title: points (n + 1, 2)}, the joints from the base on, and the tip, in metres, along x and y of the
-    frame that is drawn at the origin.
+    frame that is drawn at the origin, with its name `frame`.
     """
     fig, axes = in_columns(contents, 4.4, 3.6, xlabel="x (m)", ylabel="y (m)")
     said = []
@@ -110,6 +110,7 @@ def velocities_of_the_tip(contents):
             said.append(f"{title}, {words} m/s")
         for end, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
             ax.plot(*np.transpose([(0, 0), end]), color=colour, linewidth=3)
+        ax.annotate(frame, (0, 0), (4, -14), textcoords="offset points")
         ax.set_aspect("equal", adjustable="datalim")
         ax.margins(0.3, 0.15)
     alt = f"Planar arms, and the velocity that each joint gives the tip at 1 rad/s: {plain('; '.join(said))}."
