@@ -517,7 +517,7 @@ outline:3px solid var(--focus);outline-offset:-3px}
     if (!S.start()) throw Error("this browser draws nothing in space (no WebGL 2)");
     const keys = "Arrow keys look from another side, plus and minus come nearer and go farther.";
     const made = stage(parent, {
-      label: `${label}. ${keys}`, proportion, redraw,
+      label: `${label.replace(/\.$/, "")}. ${keys}`, proportion, redraw,
       attributes: { tabindex: 0, style: "touch-action:pan-y;cursor:move" },
     });
     const camera = meta.camera || (meta.camera = { azimuth, elevation, zoom: 1 });
