@@ -84,7 +84,7 @@
       const none = answer && answer.value && !theirs.length;
       const isLost = off(shown[0], T) > 1e-3;
       const lost = isLost ? "Out of reach: the arm comes as near as it can."
-        : starts ? many : "Drag the target: the arm follows.";
+        : starts ? many : "The target is within reach: the arm follows.";
       const more = (answer && answer.said) || "", both = [count, more].filter(Boolean).join(" ");
       words.textContent = none ? `No solution from ${answer.whose}. The arm is the library's${isLost
         ? ": out of reach, as near as it can come" : ", which finds one"}. ${more}` : said(state, both, lost);
