@@ -14,7 +14,7 @@ _POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that p
 def _cases(rng):
     ordinary = [[np.pi / 2, 1.0, 0.0], [0.5, 2.0, 0.0], [np.pi / 2, 0.0, 1.0], [-1.0, 1.0, 0.0], [2.5, -1.0, 3.0]]
     drawn = rng.uniform([-3, -4, -4], [3, 4, 4], (3, 3)).round(2)
-    small = [[size * sign, 3.0, -2.0] for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9, 1.8e-8) for sign in (1, -1)]
+    small = [[size * sign, 3.0, -2.0] for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9, 2.3e-8) for sign in (1, -1)]
     edge = [[np.pi, 1.0, 2.0], [-np.pi, 1.0, 2.0], [7.0, 1.0, -1.0], [2 * np.pi, 1.0, 2.0]]
     edge += [[40.0, 1.0, 2.0], [-40.0, 2.0, 1.0]]  # where a series of any length has lost its digits
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
