@@ -182,9 +182,9 @@ def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "figures.js" in url], "a page without a toy"
+        visit.page.wait_for_load_state()  # until then nothing listens to the keys
         visit.page.keyboard.press("Control+k")
-        visit.page.keyboard.type("symbol")
-        visit.page.keyboard.press("Enter")
+        visit.page.keyboard.type("symbol\n")
         visit.page.locator("#search-results a", has_text="Rotations").press("Enter")
         expect(visit.page.locator("article .highlighted", has_text="symbol")).to_be_in_viewport()
         visit.page.goto((site / "search.html").as_uri() + "?q=nosuchword")
