@@ -45,6 +45,7 @@ update: environment ## take newer notebooks into exercises/, with your answers
 # of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
 test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name, LAB=all for all notebooks in JupyterLab
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
+	$(PY) -m ruff format --no-cache --check --quiet course_lib tests
 	.venv/bin/lint-imports --no-cache --no-logo
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \

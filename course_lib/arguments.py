@@ -11,19 +11,24 @@ _MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more a
 def real_array(value, name, *shapes, batched=True, copy=True, infinite=False, gaps=False):
     """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or ("n", 3).
 
-    "n" is any number from 1 on. The axes before them are the batch, unless batched=False; () allows every shape. With
-    copy=False, for callers that only read the array, it may be `value` itself. With infinite=True entries may be
-    infinite, as joint limits may; with gaps=True they may be NaN, as answers that are missing are.
+    "n" is any number from 1 on. The axes before them are the batch, unless batched=False; () allows
+    every shape. With copy=False, for callers that only read the array, it may be `value` itself.
+    With infinite=True entries may be infinite, as joint limits may; with gaps=True they may be NaN,
+    as answers that are missing are.
     """
     expected = partial(_expected, name, shapes, batched)
     if isinstance(value, np.ma.MaskedArray):
         raise ValueError(f"{expected()}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
-    except Exception as unreadable:  # ragged lists, and any exception from a foreign object's __array__
+    except (
+        Exception
+    ) as unreadable:  # ragged lists, and any exception from a foreign object's __array__
         raise ValueError(f"{expected()}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
-        what = f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"
+        what = (
+            f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"
+        )
         raise ValueError(f"{expected()}; it holds {what}")
     if not any(_fits(array.shape, shape, batched) for shape in shapes):
         raise ValueError(f"{expected()}; its shape is {array.shape}")
@@ -36,7 +41,9 @@ def real_array(value, name, *shapes, batched=True, copy=True, infinite=False, ga
     usable = ~np.isnan(array) if infinite else np.abs(array) <= _LARGEST
     if gaps:
         usable |= np.isnan(array)
-    if np.count_nonzero(usable) < array.size:  # a third of the time of usable.all() for a small array
+    if (
+        np.count_nonzero(usable) < array.size
+    ):  # a third of the time of usable.all() for a small array
         first = tuple(np.argwhere(~usable)[0])
         wanted = f"at most {_LARGEST:g}, of either sign" if np.isfinite(array[first]) else "finite"
         raise ValueError(f"{name} must be {wanted}; {entry(name, first)} is {array[first]}")
@@ -60,8 +67,14 @@ def positive(value, name, *shape, batched=True):
 
 def count(value, name="n", least=0):
     """Return an argument as a whole number, of at most 10^9: no memory holds an answer with more entries."""
-    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or not least <= value <= 10**9:
-        raise ValueError(f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}")
+    if (
+        isinstance(value, bool | np.bool_)
+        or not isinstance(value, int | np.integer)
+        or not least <= value <= 10**9
+    ):
+        raise ValueError(
+            f"{name} must be a whole number from {least} to 1,000,000,000; it is {value!r}"
+        )
     return int(value)
 
 
@@ -69,7 +82,10 @@ def generator(value, name="rng"):
     """Return an argument if it is a numpy random Generator; a seed is none."""
     if not isinstance(value, np.random.Generator):
         kind = type(value).__name__
-        raise ValueError(f"{name} must be a numpy Generator, such as numpy.random.default_rng(0); it is of type {kind}")
+        raise ValueError(
+            f"{name} must be a numpy Generator, such as numpy.random.default_rng(0); it is of type "
+            f"{kind}"
+        )
     return value
 
 
@@ -81,7 +97,8 @@ def broadcast(**batches):
             common = np.broadcast_shapes(common, batch)
         except ValueError as mismatch:
             raise ValueError(
-                f"{name} must have a batch that goes with that of the arguments before it, {common}; it is {batch}"
+                f"{name} must have a batch that goes with that of the arguments before it, "
+                f"{common}; it is {batch}"
             ) from mismatch
     return common
 
@@ -90,7 +107,9 @@ def refuse_first(bad, name, reason, *values):
     """Raise ValueError for the first True in a batch of flags: reason, formatted with that entry of the values."""
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
-        raise ValueError(f"{entry(name, index)} {reason.format(*(value[index] for value in values))}")
+        raise ValueError(
+            f"{entry(name, index)} {reason.format(*(value[index] for value in values))}"
+        )
 
 
 def read_only(array):
@@ -125,4 +144,7 @@ def _expected(name, shapes, batched):
     if shapes == ((),) and not batched:
         return f"{name} must be one real number"
     names = (", ".join([*["..."] * batched, *map(str, shape)]) for shape in shapes)
-    return f"{name} must be an array of real numbers of shape {' or '.join(f'({sizes})' for sizes in names)}"
+    return (
+        f"{name} must be an array of real numbers of shape "
+        f"{' or '.join(f'({sizes})' for sizes in names)}"
+    )

@@ -1,11 +1,11 @@
 """Serial arms: the pose and the velocity of the end-effector for given joint angles.
 
-An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero and in the base
-frame.
+An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero
+and in the base frame.
 
-Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig, Introduction to Robotics,
-3rd edition (2005), eq. 3.6, for modified DH parameters; Siciliano and others, Robotics (2009), eq. 2.52 for standard
-ones, section 3.1 for the geometric Jacobian.
+Sources: Lynch and Park, Modern Robotics (2017), chapters 4 and 5, called MR below; Craig,
+Introduction to Robotics, 3rd edition (2005), eq. 3.6, for modified DH parameters; Siciliano and
+others, Robotics (2009), eq. 2.52 for standard ones, section 3.1 for the geometric Jacobian.
 """
 
 from dataclasses import dataclass, replace
@@ -29,8 +29,8 @@ _NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # of x, y, z, for cross products
 class DHRow:
     """One row of a table of Denavit-Hartenberg parameters.
 
-    In the modified convention a and alpha lead from the previous axis to this one (Craig writes them with the index
-    i - 1); in the standard convention they lead from this axis to the next.
+    In the modified convention a and alpha lead from the previous axis to this one (Craig writes
+    them with the index i - 1); in the standard convention they lead from this axis to the next.
 
     Attributes
     ----------
@@ -52,8 +52,8 @@ class DHRow:
 class SerialArm:
     """An arm of n revolute joints, which does not change: its arrays are read-only.
 
-    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e. Its methods take joint
-    angles q, array_like (..., n), in radians.
+    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e. Its
+    methods take joint angles q, array_like (..., n), in radians.
 
     Attributes
     ----------
@@ -86,7 +86,8 @@ class SerialArm:
         home : array_like (4, 4)
             The end-effector's pose at q = 0.
         limits : array_like (n, 2), optional
-            Lowest and highest angle of each joint, in radians; infinite for joints without limits, as with None.
+            Lowest and highest angle of each joint, in radians; infinite for joints without limits,
+            as with None.
 
         Returns
         -------
@@ -107,7 +108,9 @@ class SerialArm:
         home = checked_pose(home, "home", (4, 4), batched=False)
         limits = np.tile([-np.inf, np.inf], (n, 1)) if limits is None else limits
         limits = real_array(limits, "limits", (n, 2), batched=False, infinite=True)
-        refuse_first(limits[:, 0] >= limits[:, 1], "limits", "must be low before high; it is {}", limits)
+        refuse_first(
+            limits[:, 0] >= limits[:, 1], "limits", "must be low before high; it is {}", limits
+        )
         screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)
         return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
 
@@ -137,11 +140,15 @@ class SerialArm:
         [1.  0.5 0. ]
         """
         if not isinstance(convention, str) or convention not in ("modified", "standard"):
-            raise ValueError(f'convention must be "modified" or "standard"; it is {convention!r:.80}')
+            raise ValueError(
+                f'convention must be "modified" or "standard"; it is {convention!r:.80}'
+            )
         try:
             table = [(row.a, row.alpha, row.d, row.theta) for row in rows]
         except Exception as no_rows:  # whatever a foreign object raises
-            raise ValueError(f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}") from no_rows
+            raise ValueError(
+                f"rows must be a list of DHRow(a, alpha, d, theta); it is {rows!r:.80}"
+            ) from no_rows
         table = real_array(table, "rows", ("n", 4), batched=False)
         frames, axes = _dh_frames(table, convention)
         end = np.eye(4) if end is None else checked_pose(end, "end", (4, 4), batched=False)
@@ -187,7 +194,9 @@ class SerialArm:
         [0. 3. 0.]
         """
         fill = self.batched.fill_end_effector
-        return self._evaluate(q, (4, 4), lambda q: self._partial_products(q)[..., -1, :, :] @ self.home[-1], fill)
+        return self._evaluate(
+            q, (4, 4), lambda q: self._partial_products(q)[..., -1, :, :] @ self.home[-1], fill
+        )
 
     def space_jacobian(self, q):
         """Return the space Jacobian: it maps joint velocities to the end-effector's spatial twist (MR eq. 5.11).
@@ -205,13 +214,16 @@ class SerialArm:
          [ 0. -1.]]
         """
         fill = self.batched.fill_space_jacobian
-        return self._evaluate(q, (6, self.n), lambda q: self._jacobians(self._partial_products(q), 0.0), fill)
+        return self._evaluate(
+            q, (6, self.n), lambda q: self._jacobians(self._partial_products(q), 0.0), fill
+        )
 
     def geometric_jacobian(self, q):
         """Return the geometric Jacobian: angular velocity and velocity of the end-effector's origin.
 
-        Both are expressed along the base frame's axes, in the order (omega, v) that this library uses everywhere;
-        Siciliano and others have (v, omega). Other names for this twist are hybrid and local-world-aligned.
+        Both are expressed along the base frame's axes, in the order (omega, v) that this library
+        uses everywhere; Siciliano and others have (v, omega). Other names for this twist are hybrid
+        and local-world-aligned.
 
         Returns
         -------
@@ -225,7 +237,9 @@ class SerialArm:
          [3. 2.]]
         """
         fill = self.batched.fill_geometric_jacobian
-        return self._evaluate(q, (6, self.n), lambda q: self.pose_and_geometric_jacobian(q)[1], fill)
+        return self._evaluate(
+            q, (6, self.n), lambda q: self.pose_and_geometric_jacobian(q)[1], fill
+        )
 
     def body_jacobian(self, q):
         """Return the body Jacobian: it maps joint velocities to the end-effector's twist in its frame (MR eq. 5.22).
@@ -243,7 +257,9 @@ class SerialArm:
          [3. 2.]]
         """
         J = self.geometric_jacobian(q)
-        halves = J.reshape(*J.shape[:-2], 2, 3, self.n)  # omega and v, both along the base frame's axes
+        halves = J.reshape(
+            *J.shape[:-2], 2, 3, self.n
+        )  # omega and v, both along the base frame's axes
         return (np.swapaxes(self.fk(q)[..., None, :3, :3], -1, -2) @ halves).reshape(J.shape)
 
     def position_jacobian(self, q):
@@ -278,7 +294,8 @@ class SerialArm:
     def pose_and_geometric_jacobian(self, q):
         """Return the end-effector's pose (..., 4, 4) and geometric Jacobian (..., 6, n), without looking at q.
 
-        For small batches q (..., n) that the caller has looked at. It costs little more than one of the two.
+        For small batches q (..., n) that the caller has looked at. It costs little more than one of
+        the two.
         """
         moved = self._partial_products(q)
         T = moved[..., -1, :, :] @ self.home[-1]
@@ -305,7 +322,8 @@ class SerialArm:
     def _jacobians(self, moved, reference):
         """Return (..., 6, n): omega of each axis and the velocity of the reference point, omega x (reference - point).
 
-        moved: (..., n, 4, 4), the partial products. A joint does not move its own axis, so joint i's product serves.
+        moved: (..., n, 4, 4), the partial products. A joint does not move its own axis, so joint
+        i's product serves.
         """
         axes = moved @ self._constants[2]
         omega, arm = axes[..., :3, 0], reference - axes[..., :3, 1]
@@ -341,14 +359,16 @@ def planar_arm(lengths):
     lengths = positive(lengths, "lengths", "n", batched=False)
     ends = np.concatenate([[0.0], np.cumsum(lengths)])
     points = np.stack([ends, 0 * ends, 0 * ends], -1)
-    return SerialArm.from_screws(np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1]))
+    return SerialArm.from_screws(
+        np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1])
+    )
 
 
 def iiwa14():
     """Return the KUKA LBR iiwa 14 as published in the report: the end-effector 1.301 m above the base at q = 0.
 
-    The geometry is read off the published Jacobian and pose. The manufacturer's flange is 5 mm higher, at 0.360 +
-    0.420 + 0.400 + 0.126 = 1.306 m.
+    The geometry is read off the published Jacobian and pose. The manufacturer's flange is 5 mm
+    higher, at 0.360 + 0.420 + 0.400 + 0.126 = 1.306 m.
 
     Returns
     -------
@@ -361,9 +381,19 @@ def iiwa14():
     [0.    0.    1.301]
     """
     omega = [[0, 0, 1], [0, 1, 0], [0, 0, 1], [0, -1, 0], [0, 0, 1], [0, 1, 0], [0, 0, 1]]
-    points = [[0, 0, 0], [0, 0, 0.36], [0, 0, 0.36], [0, 0, 0.78], [0, 0, 0.78], [0, 0, 1.18], [0, 0, 1.18]]
+    points = [
+        [0, 0, 0],
+        [0, 0, 0.36],
+        [0, 0, 0.36],
+        [0, 0, 0.78],
+        [0, 0, 0.78],
+        [0, 0, 1.18],
+        [0, 0, 1.18],
+    ]
     limits = np.deg2rad([170, 120, 170, 120, 170, 120, 175])
-    return SerialArm.from_screws(omega, points, transform(np.eye(3), [0, 0, 1.301]), np.stack([-limits, limits], -1))
+    return SerialArm.from_screws(
+        omega, points, transform(np.eye(3), [0, 0, 1.301]), np.stack([-limits, limits], -1)
+    )
 
 
 def panda():
@@ -372,8 +402,8 @@ def panda():
     Returns
     -------
     SerialArm
-        With seven joints, and the limits of the Franka Control Interface documentation, "Robot and interface
-        specifications".
+        With seven joints, and the limits of the Franka Control Interface documentation, "Robot and
+        interface specifications".
 
     Examples
     --------
@@ -399,11 +429,12 @@ def panda():
 def ur5e():
     """Return the Universal Robots UR5e up to its flange: six axes, no spherical wrist.
 
-    The base frame is the manufacturer's: z up, and the stretched arm points along -x at q = 0. The UR5 of MR, section
-    4.1.2, is the older model with other dimensions and another base frame.
+    The base frame is the manufacturer's: z up, and the stretched arm points along -x at q = 0. The
+    UR5 of MR, section 4.1.2, is the older model with other dimensions and another base frame.
 
-    Source: Universal Robots, "DH parameters for calculations of kinematics and dynamics", table UR5e (standard
-    convention): d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6 = 0.0996 metres.
+    Source: Universal Robots, "DH parameters for calculations of kinematics and dynamics", table
+    UR5e (standard convention): d1 = 0.1625, a2 = -0.425, a3 = -0.3922, d4 = 0.1333, d5 = 0.0997, d6
+    = 0.0996 metres.
 
     Returns
     -------
@@ -417,7 +448,14 @@ def ur5e():
     """
     shoulder, elbow, wrist = (0, 0, 0.1625), (-0.425, 0, 0.1625), (-0.8172, 0, 0.1625)
     omega = [[0, 0, 1], [0, -1, 0], [0, -1, 0], [0, -1, 0], [0, 0, -1], [0, -1, 0]]
-    points = [[0, 0, 0], shoulder, elbow, wrist, [-0.8172, -0.1333, 0.1625], [-0.8172, -0.1333, 0.0628]]
+    points = [
+        [0, 0, 0],
+        shoulder,
+        elbow,
+        wrist,
+        [-0.8172, -0.1333, 0.1625],
+        [-0.8172, -0.1333, 0.0628],
+    ]
     flange = transform([[1, 0, 0], [0, 0, -1], [0, 1, 0]], [-0.8172, -0.2329, 0.0628])
     return SerialArm.from_screws(omega, points, flange, np.tile([-2 * np.pi, 2 * np.pi], (6, 1)))
 

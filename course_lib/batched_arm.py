@@ -1,9 +1,13 @@
-"""Many configurations of one arm at once, laid out as in course_lib.batching. SerialArm and ik.solve use it.
+"""Many configurations of one arm at once, laid out as in course_lib.batching.
 
-The configurations lie along the last axis: q is (n, N), a vector is (3, N), a rotation matrix is its three columns,
-each (3, N). Products with the constants 0 and 1, of which an arm is full, are left out.
+SerialArm and ik.solve use it.
 
-The caller has looked at the arrays. Source: Lynch and Park, Modern Robotics (2017), called MR below.
+The configurations lie along the last axis: q is (n, N), a vector is (3, N), a rotation matrix is
+its three columns, each (3, N). Products with the constants 0 and 1, of which an arm is full, are
+left out.
+
+The caller has looked at the arrays. Source: Lynch and Park, Modern Robotics (2017), called MR
+below.
 """
 
 from dataclasses import dataclass
@@ -16,13 +20,15 @@ _ROUNDING = 1e-15
 
 @dataclass(frozen=True)
 class BatchedArm:
-    """An arm of n revolute joints as constants, all at joint angles zero. Make one by BatchedArm.of.
+    """An arm of n revolute joints as constants, all at joint angles zero.
 
-    On each axis sits a frame with z along the axis (or against it: then the joint's sign is -1), so that the joint
-    rotates two of its columns and keeps the third. Rotations and translations lead from the base to the first of these
-    frames, from each to the next, and from the last to the end-effector; frame_offsets from each to the frame that
-    SerialArm.frames shows. They are kept as lists of nonzero factors: of three columns for a translation, three such
-    lists for a rotation.
+    Make one by BatchedArm.of.
+
+    On each axis sits a frame with z along the axis (or against it: then the joint's sign is -1), so
+    that the joint rotates two of its columns and keeps the third. Rotations and translations lead
+    from the base to the first of these frames, from each to the next, and from the last to the
+    end-effector; frame_offsets from each to the frame that SerialArm.frames shows. They are kept as
+    lists of nonzero factors: of three columns for a translation, three such lists for a rotation.
 
     Examples
     --------
@@ -63,7 +69,10 @@ class BatchedArm:
             points[0][:, None],
             [_rotation_factors(R) for R in before @ np.concatenate([frames, home[-1:, :3, :3]])],
             [_nonzero_factors(p, size) for p in translations],
-            [(_rotation_factors(R), _nonzero_factors(p, size)) for R, p in zip(offset_rotations, offsets, strict=True)],
+            [
+                (_rotation_factors(R), _nonzero_factors(p, size))
+                for R, p in zip(offset_rotations, offsets, strict=True)
+            ],
         )
 
     def joint_frames(self, q):
@@ -71,11 +80,15 @@ class BatchedArm:
 
         What is the same for all configurations may come as (3, 1).
         """
-        tangent = np.tan(self.signs * q / 2)  # sine and cosine from one function, which numpy has in vector code
+        tangent = np.tan(
+            self.signs * q / 2
+        )  # sine and cosine from one function, which numpy has in vector code
         cosine_and_1 = 2 / (1 + tangent**2)
         sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
         columns, origin = np.eye(3)[:, :, None], self.start
-        for rotation, translation, s, c in zip(self.rotations[:-1], self.translations, sines, cosines, strict=True):
+        for rotation, translation, s, c in zip(
+            self.rotations[:-1], self.translations, sines, cosines, strict=True
+        ):
             x, y, z = (_combination(columns, factors) for factors in rotation)
             columns = c * x, c * y, z
             np.add(columns[0], s * y, out=columns[0])
@@ -104,7 +117,9 @@ class BatchedArm:
         for i, (columns, origin) in enumerate(self.joint_frames(q)):
             rotation, translation = self.frame_offsets[i]
             offset = _combination(columns, translation)
-            _fill_pose(T[i], [_combination(columns, factors) for factors in rotation], origin + offset)
+            _fill_pose(
+                T[i], [_combination(columns, factors) for factors in rotation], origin + offset
+            )
         _fill_pose(T[-1], *self._end_effector(columns, origin))
 
     def fill_space_jacobian(self, q, J):
@@ -141,12 +156,17 @@ def _fill_cross(result, a, b):
 def _rotation_factors(R):
     """Return the nonzero factors of each column, with entries near 0, 1 or -1 rounded: R is a product of rotations."""
     near = np.round(R)
-    return [_nonzero_factors(column, 1.0) for column in np.where(np.abs(R - near) <= _ROUNDING, near, R).T]
+    return [
+        _nonzero_factors(column, 1.0)
+        for column in np.where(np.abs(R - near) <= _ROUNDING, near, R).T
+    ]
 
 
 def _nonzero_factors(vector, size):
     """Return (row, factor) for the entries that are more than rounding beside `size`."""
-    return [(row, float(factor)) for row, factor in enumerate(vector) if abs(factor) > _ROUNDING * size]
+    return [
+        (row, float(factor)) for row, factor in enumerate(vector) if abs(factor) > _ROUNDING * size
+    ]
 
 
 def _combination(columns, factors):

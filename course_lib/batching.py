@@ -1,12 +1,13 @@
 """Batches in the layout that makes numpy fast, a structure of arrays: the items of a batch lie along the last axis.
 
-An array (N, 3, 3) keeps the nine entries of one matrix together. numpy then works on N tiny matrices one after the
-other, and the overhead of each is most of the time. Here R is (3, 3, N), and R[i, j] holds that entry of all N. One
-line of a formula then computes one product for all of them, in long runs through memory. The chunks are so small that
-the result of one line is still in the processor's cache when the next line reads it, and little memory is needed
-besides the result.
+An array (N, 3, 3) keeps the nine entries of one matrix together. numpy then works on N tiny
+matrices one after the other, and the overhead of each is most of the time. Here R is (3, 3, N), and
+R[i, j] holds that entry of all N. One line of a formula then computes one product for all of them,
+in long runs through memory. The chunks are so small that the result of one line is still in the
+processor's cache when the next line reads it, and little memory is needed besides the result.
 
-by_entries is for formulas, which may also be given a single item; in_chunks is for functions that fill a given array.
+by_entries is for formulas, which may also be given a single item; in_chunks is for functions that
+fill a given array.
 """
 
 import math
@@ -19,8 +20,8 @@ ITEMS = 6000  # of a few entries, such as vectors and matrices
 def by_entries(formula, shape, *arrays, batch):
     """Return a formula's value for each item of a batch, (*batch, *shape).
 
-    Given the arrays (*batch, ...) with the batch on the right, (...) or (..., m), the formula returns (*shape) or
-    (*shape, m).
+    Given the arrays (*batch, ...) with the batch on the right, (...) or (..., m), the formula
+    returns (*shape) or (*shape, m).
     """
     with np.errstate(all="ignore"):  # the caller refuses results that are inf or NaN
         if batch == ():
@@ -43,7 +44,10 @@ def in_chunks(fill, shape, *arrays, batch, most):
     items = [array.reshape((n, *array.shape[len(batch) :])) for array in arrays]
     for start in range(0, n, most):
         chunk = slice(start, start + most)
-        fill(*(np.ascontiguousarray(_batch_last(each[chunk])) for each in items), _batch_last(result[chunk]))
+        fill(
+            *(np.ascontiguousarray(_batch_last(each[chunk])) for each in items),
+            _batch_last(result[chunk]),
+        )
     return result.reshape((*batch, *shape))
 
 

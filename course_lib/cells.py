@@ -5,7 +5,10 @@ import numpy as np
 from course_lib.arguments import count, generator, real_array
 from course_lib.grid_ik import planar_forward
 
-SHOULDER = (0.08, 0.04)  # radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
+SHOULDER = (
+    0.08,
+    0.04,
+)  # radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
 _BELT = 0.01  # radians by which the elbow's belt is stretched, for sin(3 q2)
 _NOISE = 1e-3  # metres, the standard deviation of a measured coordinate
 KINDS = ("both elbows, separated", "one elbow, split in two", "elbows mixed")
@@ -26,8 +29,8 @@ def _sag(q, shoulder, belt):
 def sent(taken, shoulder=SHOULDER, belt=_BELT):
     """Return the angles (..., 2) to send to the sagging arm so that it takes the angles `taken` (..., 2).
 
-    shoulder: the coefficients of cos q1 and of cos(q1 + q2). belt: of sin(3 q2). There is no formula: the equation is
-    iterated, and each time what is left is an eighth at most.
+    shoulder: the coefficients of cos q1 and of cos(q1 + q2). belt: of sin(3 q2). There is no
+    formula: the equation is iterated, and each time what is left is an eighth at most.
 
     Examples
     --------
@@ -90,9 +93,9 @@ def in_ranges(solutions, lowest, highest):
 def kinds(q, number, count, split):
     """Return the kind of each cell (count,), and the clearest example of each: {kind: (angles (m, 2), labels (m,))}.
 
-    q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with 6 samples or more
-    is of one of KINDS: its samples have both signs of q2 and the labels agree with them, or they have one sign, or
-    they have both and a cluster mixes them.
+    q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with
+    6 samples or more is of one of KINDS: its samples have both signs of q2 and the labels agree
+    with them, or they have one sign, or they have both and a cluster mixes them.
     """
     kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
     for c, own in _cells(number):
@@ -137,7 +140,8 @@ class BranchTable:
     terms : function
         terms(xy (m, 2)) is an array (m, k).
     fit : function
-        fit(terms, q (m, 2)) is a model (2, k + 1): of q1, whose last entry is the factor of q2, and of q2 squared.
+        fit(terms, q (m, 2)) is a model (2, k + 1): of q1, whose last entry is the factor of q2, and
+        of q2 squared.
     branch : function
         branch(q (m, 2)) is 0 or 1 for each sample, (m,).
     least : int
@@ -183,7 +187,9 @@ class BranchTable:
                 if (c, k) in self.models:
                     (*of_q1, factor), of_square = self.models[c, k]
                     terms = self.terms(xy[own])
-                    q2 = sign * np.sqrt(np.maximum(terms @ of_square[:-1], 0))  # 0: the arm is stretched
+                    q2 = sign * np.sqrt(
+                        np.maximum(terms @ of_square[:-1], 0)
+                    )  # 0: the arm is stretched
                     found[own, k] = np.column_stack([terms @ of_q1 + factor * q2, q2])
         return found
 
@@ -191,8 +197,8 @@ class BranchTable:
 class JointCells:
     """A forward kinematics learnt in cells of joint space: in each a polynomial of degree two for what is measured.
 
-    It is fitted to the difference from the rigid arm. Every position follows from its angles, so there are no branches
-    here, and no edge.
+    It is fitted to the difference from the rigid arm. Every position follows from its angles, so
+    there are no branches here, and no edge.
 
     Parameters
     ----------
@@ -230,21 +236,26 @@ class JointCells:
         index = np.clip(np.nan_to_num(at).astype(int), 0, self.n - 1)
         (u, v), o = (at - index - 0.5).T, np.zeros(len(at))
         terms = np.stack([o + 1, u, v, u * u, u * v, v * v], axis=-1)
-        slopes = np.stack([[o, o + 1, o, 2 * u, v, o], [o, o, o + 1, o, u, 2 * v]]).transpose(0, 2, 1)
+        slopes = np.stack([[o, o + 1, o, 2 * u, v, o], [o, o, o + 1, o, u, 2 * v]]).transpose(
+            0, 2, 1
+        )
         return numbered(index, self.n), terms, slopes / self.width[:, None, None]
 
 
 def largest_errors(corner, size, degree, solve):
     """Return the largest errors of q2 (rad) and of the position (m) of one polynomial in a cell.
 
-    The cell ends at the corner's x and has its y in the middle. A polynomial of this degree is fitted to the first
-    branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41 positions.
+    The cell ends at the corner's x and has its y in the middle. A polynomial of this degree is
+    fitted to the first branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41
+    positions.
     """
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
     xy = corner + size / 2 * (grid - [1, 0])
     within = np.hypot(*xy.T) <= 2
     (u, v), xy = grid[within].T, xy[within]
-    basis = np.stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1)
+    basis = np.stack(
+        [u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1
+    )
     angles = solve(xy)[:, 0]
     fitted = basis @ np.linalg.lstsq(basis, angles)[0]
     off = np.linalg.norm(planar_forward(fitted)[0] - xy, axis=1)

@@ -43,9 +43,10 @@ def descend(arm, targets, q0, rules, steps, near):
     q0 : array_like (n,) or (m, n)
         The start for all targets, or one for each, in radians.
     rules : (error_of, move, inside)
-        error_of(T, target) is the error of poses (k, 4, 4), shape (k, 6); move(J, e, distance) are the steps (k, n) for
-        Jacobians (k, 6, n), errors and distances (k,); inside(q) are the joint angles (k, n) within the limits. Errors
-        and Jacobians are those of `ik.pose_error` and `SerialArm.geometric_jacobian`, (omega, v) in the base frame.
+        error_of(T, target) is the error of poses (k, 4, 4), shape (k, 6); move(J, e, distance) are
+        the steps (k, n) for Jacobians (k, 6, n), errors and distances (k,); inside(q) are the joint
+        angles (k, n) within the limits. Errors and Jacobians are those of `ik.pose_error` and
+        `SerialArm.geometric_jacobian`, (omega, v) in the base frame.
     steps : int
         The largest number of steps for each target.
     near : float
@@ -71,7 +72,9 @@ def descend(arm, targets, q0, rules, steps, near):
     q0 = real_array(q0, "q0", (arm.n,), (len(targets), arm.n), batched=False)
     steps, near = count(steps, "steps"), positive(near, "near", batched=False)
     if not (isinstance(rules, tuple | list) and len(rules) == 3 and all(map(callable, rules))):
-        raise ValueError(f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}")
+        raise ValueError(
+            f"rules must be three functions (error_of, move, inside); it is {rules!r:.80}"
+        )
     q = np.broadcast_to(q0, (len(targets), arm.n)).copy()
     error_of, move, inside = rules
     taken, busy = np.full(len(q), steps + 1), np.arange(len(q))

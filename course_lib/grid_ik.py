@@ -1,17 +1,17 @@
 """Inverse kinematics of an arm with two joints, learnt from samples: a grid of small models, a scikit-learn estimator.
 
-The box around the sampled positions is divided into cells. In each cell each branch, theta2 >= 0 and theta2 < 0, has
-its own model, so that no model averages over two solutions.
+The box around the sampled positions is divided into cells. In each cell each branch, theta2 >= 0
+and theta2 < 0, has its own model, so that no model averages over two solutions.
 
-An affine model (x, y) -> (theta1, theta2) fails near the stretched arm: the branches meet there in a fold, and theta2
-varies as the square root of the distance to the edge. The square of theta2 has no such root. So a polynomial of degree
-two in (x, y) is fitted to the square of theta2, and another one plus a multiple of |theta2| to theta1: near a fold
-every smooth map has this form.
+An affine model (x, y) -> (theta1, theta2) fails near the stretched arm: the branches meet there in
+a fold, and theta2 varies as the square root of the distance to the edge. The square of theta2 has
+no such root. So a polynomial of degree two in (x, y) is fitted to the square of theta2, and another
+one plus a multiple of |theta2| to theta1: near a fold every smooth map has this form.
 
-If the forward kinematics is given, Newton's method makes the answer exact; it works in the square too, so it converges
-as fast on the fold as elsewhere. An answer whose forward kinematics misses the query, or that leaves the range of the
-samples, is left out. This takes 13 numbers for each cell and branch, and two or three evaluations of the forward
-kinematics for each query and branch.
+If the forward kinematics is given, Newton's method makes the answer exact; it works in the square
+too, so it converges as fast on the fold as elsewhere. An answer whose forward kinematics misses the
+query, or that leaves the range of the samples, is left out. This takes 13 numbers for each cell and
+branch, and two or three evaluations of the forward kinematics for each query and branch.
 
 Source: Golubitsky and Guillemin, Stable Mappings and Their Singularities (1973), for folds.
 """
@@ -23,7 +23,9 @@ from sklearn.utils.validation import check_is_fitted
 from course_lib.arguments import count, real_array, refuse_first, tolerance
 
 _SIGNS = np.array([[1.0], [-1.0]])  # of theta2 on the two branches
-_TERMS = 7  # of a model: 1, u, v, u^2, u v, v^2, which the square of theta2 has, and |theta2|, which theta1 has too
+# of a model: 1, u, v, u^2, u v, v^2, which the square of theta2 has, and |theta2|, which theta1 has
+# too
+_TERMS = 7
 _RIDGE = 1e-10  # on every term but the first, so that a single sample determines a model
 _ENOUGH = 9  # samples in a cell for a model whose answers are not verified
 _LEAST_SQUARE = 1e-14  # of theta2, so that a step on the fold itself divides by no zero
@@ -34,8 +36,8 @@ _CHUNK = 4096  # queries at a time: few enough that all their numbers stay in th
 def planar_forward(theta, lengths=(1.0, 1.0)):
     """Return the tip (x, y) of a planar arm with two links, and its Jacobian.
 
-    For other lengths, give GridIK functools.partial(planar_forward, lengths=(...)). It does not check its arguments,
-    because it runs often.
+    For other lengths, give GridIK functools.partial(planar_forward, lengths=(...)). It does not
+    check its arguments, because it runs often.
 
     Source: Lynch and Park, Modern Robotics (2017), eq. 5.1.
 
@@ -61,7 +63,9 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
     x2, y2 = lengths[1] * c12, lengths[1] * s12
     x, y = lengths[0] * c1 + x2, lengths[0] * s1 + y2
     # Written in columns, which GridIK computes with.
-    return np.moveaxis(np.array([x, y]), 0, -1), np.moveaxis(np.array([[-y, -y2], [x, x2]]), (0, 1), (-2, -1))
+    return np.moveaxis(np.array([x, y]), 0, -1), np.moveaxis(
+        np.array([[-y, -y2], [x, x2]]), (0, 1), (-2, -1)
+    )
 
 
 def _cos_sin(angle):
@@ -74,20 +78,22 @@ def _cos_sin(angle):
 class GridIK(BaseEstimator):
     """Both solutions of the inverse kinematics of an arm with two joints in the plane, learnt from samples.
 
-    The arm's two solutions must meet where theta2 = 0, and theta1 must range over less than one revolution. In a cell
-    in which a branch has angles one revolution apart, answers are missing, or wrong if no `forward` verifies them.
+    The arm's two solutions must meet where theta2 = 0, and theta1 must range over less than one
+    revolution. In a cell in which a branch has angles one revolution apart, answers are missing, or
+    wrong if no `forward` verifies them.
 
     Parameters
     ----------
     cells : pair of int, default (50, 50)
         (nx, ny), the number of cells along x and y.
     forward : function, optional
-        Takes angles (m, 2), in the samples' order and unit, and returns positions (m, 2) and Jacobians (m, 2, 2), as
-        planar_forward does. None to answer by the models alone.
+        Takes angles (m, 2), in the samples' order and unit, and returns positions (m, 2) and
+        Jacobians (m, 2, 2), as planar_forward does. None to answer by the models alone.
     steps : int, default 3
         The largest number of Newton steps; used with `forward`.
     tol : float, default 1e-9
-        The largest distance, along each axis, between the query and the tip at an answer; used with `forward`.
+        The largest distance, along each axis, between the query and the tip at an answer; used with
+        `forward`.
 
     Attributes
     ----------
@@ -135,10 +141,14 @@ class GridIK(BaseEstimator):
         self.cells_, self.box_, self.range_, self.n_features_in_ = cells, box, ranges, 2
         cell, u, v = self._cell(xy.T)
         slot = (nx * ny + 1) * (theta[:, 1] < 0) + cell
-        known = np.bincount(slot, minlength=2 * (nx * ny + 1)) >= (_ENOUGH if self.forward is None else 1)
+        known = np.bincount(slot, minlength=2 * (nx * ny + 1)) >= (
+            _ENOUGH if self.forward is None else 1
+        )
         self.row_ = np.where(known, np.cumsum(known) - 1, -1).astype(np.int32).reshape(2, -1)
         use = known[slot]
-        self.models_ = _models(self.row_.ravel()[slot[use]], known.sum(), u[use], v[use], theta[use])
+        self.models_ = _models(
+            self.row_.ravel()[slot[use]], known.sum(), u[use], v[use], theta[use]
+        )
         return self
 
     def predict(self, xy):
@@ -151,8 +161,8 @@ class GridIK(BaseEstimator):
         Returns
         -------
         array (m, 2, 2)
-            The angles with theta2 >= 0, then those with theta2 <= 0. A row of NaN is no answer: there is no such
-            solution in the range of the samples, or none was sampled nearby.
+            The angles with theta2 >= 0, then those with theta2 <= 0. A row of NaN is no answer:
+            there is no such solution in the range of the samples, or none was sampled nearby.
         """
         check_is_fitted(self)
         xy = real_array(xy, "xy", ("n", 2), (0, 2), batched=False)
@@ -170,7 +180,11 @@ class GridIK(BaseEstimator):
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()
-        tags.target_tags.required, tags.target_tags.single_output, tags.target_tags.multi_output = True, False, True
+        tags.target_tags.required, tags.target_tags.single_output, tags.target_tags.multi_output = (
+            True,
+            False,
+            True,
+        )
         return tags
 
     def _answer(self, xy):
@@ -184,9 +198,13 @@ class GridIK(BaseEstimator):
             if self.forward is None:
                 reached = square >= 0
             else:
-                reached = self._newton(theta.reshape(2, -1), np.concatenate([xy, xy], 1)).reshape(2, -1)
+                reached = self._newton(theta.reshape(2, -1), np.concatenate([xy, xy], 1)).reshape(
+                    2, -1
+                )
             (low1, low2), (high1, high2) = self.range_
-            reached &= (theta[0] >= low1) & (theta[0] <= high1) & (theta[1] >= low2) & (theta[1] <= high2)
+            reached &= (
+                (theta[0] >= low1) & (theta[0] <= high1) & (theta[1] >= low2) & (theta[1] <= high2)
+            )
         return np.where(reached, theta, np.nan)
 
     def _newton(self, theta, xy):
@@ -204,7 +222,12 @@ class GridIK(BaseEstimator):
                 angles[there] = found[near]
             if not len(off):
                 break
-            left, at, xy, position = left.take(off), at.take(off, 1), xy.take(off, 1), np.take(position, off, 1)
+            left, at, xy, position = (
+                left.take(off),
+                at.take(off, 1),
+                xy.take(off, 1),
+                np.take(position, off, 1),
+            )
             J = np.take(J, off, 2)
         return reached
 
@@ -224,8 +247,12 @@ class GridIK(BaseEstimator):
 
     def _check_parameters(self):
         """Return the numbers of cells along x and y."""
-        if not isinstance(self.cells, tuple | list | np.ndarray) or np.array(self.cells, object).shape != (2,):
-            raise ValueError(f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}")
+        if not isinstance(self.cells, tuple | list | np.ndarray) or np.array(
+            self.cells, object
+        ).shape != (2,):
+            raise ValueError(
+                f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}"
+            )
         cells = tuple(count(n, f"cells[{i}]", least=1) for i, n in enumerate(self.cells))
         count(self.steps, "steps", least=1)
         tolerance(self.tol)
@@ -239,14 +266,16 @@ class GridIK(BaseEstimator):
             position, J = self.forward(theta)
         except (TypeError, ValueError) as other:
             raise ValueError(
-                f"forward must be a function of angles (m, 2) that returns positions and Jacobians: {other}"
+                f"forward must be a function of angles (m, 2) that returns positions and "
+                f"Jacobians: {other}"
             ) from other
         position = real_array(position, "forward(theta)[0]", xy.shape)
         real_array(J, "forward(theta)[1]", (*xy.shape, 2))
         miss = np.median(np.abs(xy - position), 0)
         if (miss > width).any():
             raise ValueError(
-                f"forward must lead from theta to xy; it misses half of the samples by {miss.max():.3g} or more, which "
+                f"forward must lead from theta to xy; it misses half of the samples by "
+                f"{miss.max():.3g} or more, which "
                 "is more than a cell (does it take the angles in their unit?)"
             )
 
@@ -285,14 +314,26 @@ def _models(row, rows, u, v, theta):
             b[k, :, i, 0] = np.bincount(row, term * target, rows)
     held = range(1, _TERMS)
     A[:, held, held] += _RIDGE * (1 + A[:, held, held])
-    models = np.concatenate([np.linalg.solve(A[:, :-1, :-1], b[0, :, :-1]), np.linalg.solve(A, b[1])], 1)[..., 0]
+    models = np.concatenate(
+        [np.linalg.solve(A[:, :-1, :-1], b[0, :, :-1]), np.linalg.solve(A, b[1])], 1
+    )[..., 0]
     return np.concatenate([models, np.full((1, models.shape[1]), np.nan)]).astype(np.float32)
 
 
 def _check_samples(xy, theta, cells):
     if len(xy) < cells:
-        raise ValueError(f"xy must hold a sample for each of the {cells} cells; it holds {len(xy)}: take fewer cells")
-    refuse_first(np.abs(theta) > _WIDEST, "theta", f"must be at most {_WIDEST:g}, of either sign; it is {{:g}}", theta)
+        raise ValueError(
+            f"xy must hold a sample for each of the {cells} cells; it holds {len(xy)}: take fewer "
+            f"cells"
+        )
+    refuse_first(
+        np.abs(theta) > _WIDEST,
+        "theta",
+        f"must be at most {_WIDEST:g}, of either sign; it is {{:g}}",
+        theta,
+    )
     width = np.ptp(xy, axis=0)
     if not (width >= 1e-100).all():
-        raise ValueError(f"xy must spread along x and along y; it does by {width[0]:g} and {width[1]:g}")
+        raise ValueError(
+            f"xy must spread along x and along y; it does by {width[0]:g} and {width[1]:g}"
+        )

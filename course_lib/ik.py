@@ -1,9 +1,10 @@
 """Inverse kinematics by iteration: joint angles for a pose, or a position, that the end-effector is to reach.
 
-Sources: Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method, IEEE Transactions on
-Robotics 27 (2011), for damping by the squared error; Nakamura and Hanafusa, Inverse kinematic solutions with
-singularity robustness for robot manipulator control, Journal of Dynamic Systems, Measurement, and Control 108 (1986),
-for damping as such. Lynch and Park, Modern Robotics (2017), is called MR.
+Sources: Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method,
+IEEE Transactions on Robotics 27 (2011), for damping by the squared error; Nakamura and Hanafusa,
+Inverse kinematic solutions with singularity robustness for robot manipulator control, Journal of
+Dynamic Systems, Measurement, and Control 108 (1986), for damping as such. Lynch and Park, Modern
+Robotics (2017), is called MR.
 """
 
 from dataclasses import dataclass
@@ -17,10 +18,16 @@ from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3, nearest_so
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
-_REACHED_SQUARED = (REACHED / 10) ** 2  # for the search: a tenth, because `solve` measures the result once more
-_DAMPING = 0.1  # times the squared error: short steps far from the target, full Newton steps near it
-_LEAST_DAMPING = 1e-12  # added to it, so that nothing is divided by zero when the arm is stretched towards its target
-_PATIENCE = 10  # steps, after which a descent is given up if its last step failed to halve the squared error,
+_REACHED_SQUARED = (
+    REACHED / 10
+) ** 2  # for the search: a tenth, because `solve` measures the result once more
+_DAMPING = (
+    0.1  # times the squared error: short steps far from the target, full Newton steps near it
+)
+# added to it, so that nothing is divided by zero when the arm is stretched towards its target
+_LEAST_DAMPING = 1e-12
+# steps, after which a descent is given up if its last step failed to halve the squared error,
+_PATIENCE = 10
 _NEAR = 0.01  # unless the squared error is below this
 _CANDIDATES = 8  # random configurations, of which the one nearest to the target becomes a start
 _CANDIDATES_ALONE = 32  # the same for a descent by itself, which costs more than choosing well
@@ -53,8 +60,9 @@ class IKResult:
 def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     """Return joint angles within the arm's limits for which the end-effector has the poses `targets`.
 
-    Levenberg-Marquardt descends from q0, or from a random configuration. If it fails to converge, it descends again
-    from other random configurations; each start is the one nearest to the target among a few candidates.
+    Levenberg-Marquardt descends from q0, or from a random configuration. If it fails to converge,
+    it descends again from other random configurations; each start is the one nearest to the target
+    among a few candidates.
 
     Parameters
     ----------
@@ -73,7 +81,8 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     Returns
     -------
     IKResult
-        With `success` False for a target that was not reached; q is then the nearest that was found.
+        With `success` False for a target that was not reached; q is then the nearest that was
+        found.
 
     Examples
     --------
@@ -92,7 +101,9 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     if q0 is not None:
         q0 = real_array(q0, "q0", (arm.n,))
         if broadcast(targets=batch, q0=q0.shape[:-1]) != batch:
-            raise ValueError(f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}")
+            raise ValueError(
+                f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}"
+            )
         q0 = np.clip(np.broadcast_to(q0, (*batch, arm.n)).reshape(-1, arm.n), *arm.limits.T)
     best, iterations = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
     for first in range(0, len(poses), CHUNK):
@@ -106,24 +117,37 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
 
 
 class _Search:
-    """The search of `solve` for m targets at once. A descent is the sequence of steps from one start.
+    """The search of `solve` for m targets at once.
 
-    N descents are their joint angles (n, N), targets (N,), steps taken (N,) and squared errors before the last (N,).
-    They lie along the last axis, as in course_lib.batching, where a hundred cost little more than one. So when few are
-    left, the unsolved targets get several new starts at once. A single target is first tried by itself, because one
-    descent by matrix products is faster than one by arrays.
+    A descent is the sequence of steps from one start.
+
+    N descents are their joint angles (n, N), targets (N,), steps taken (N,) and squared errors
+    before the last (N,). They lie along the last axis, as in course_lib.batching, where a hundred
+    cost little more than one. So when few are left, the unsolved targets get several new starts at
+    once. A single target is first tried by itself, because one descent by matrix products is faster
+    than one by arrays.
     """
 
     def __init__(self, arm, poses, rng, starts, steps):
         m = len(poses)
         self.arm, self.poses, self.rng, self.starts, self.steps = arm, poses, rng, starts, steps
-        self.goals = np.ascontiguousarray(poses[:, :3].T)  # (4, 3, m): three columns, then the position
-        # For each target: the best joint angles, their squared error, steps and starts so far, whether it is reached.
+        self.goals = np.ascontiguousarray(
+            poses[:, :3].T
+        )  # (4, 3, m): three columns, then the position
+        # For each target: the best joint angles, their squared error, steps and starts so far,
+        # whether it is reached.
         self.best, self.least = np.zeros((m, arm.n)), np.full(m, np.inf)
-        self.iterations, self.started, self.solved = np.zeros(m, int), np.zeros(m, int), np.zeros(m, bool)
+        self.iterations, self.started, self.solved = (
+            np.zeros(m, int),
+            np.zeros(m, int),
+            np.zeros(m, bool),
+        )
 
     def run(self, q0):
-        """Return the best joint angles (m, n) and the steps taken (m,). q0: (m, n), the first starts, or None."""
+        """Return the best joint angles (m, n) and the steps taken (m,).
+
+        q0: (m, n), the first starts, or None.
+        """
         if len(self.poses) == 1:
             self._descend_one_by_one(q0)
             if self.solved[0]:
@@ -133,21 +157,31 @@ class _Search:
         while len(target):
             J = np.empty((6, *q.shape))
             columns, position = self.arm.batched.fill_geometric_jacobian(q, J)
-            error = _error_by_entries(np.stack(np.broadcast_arrays(*columns, position)), self.goals[..., target])
+            error = _error_by_entries(
+                np.stack(np.broadcast_arrays(*columns, position)), self.goals[..., target]
+            )
             cost = self._record(q, target, error)
             moved = _step_within_limits(q, J, error, cost, *self.arm.limits.T[..., None])
             may_restart = (self.started < self.starts)[target]
-            ended = self.solved[target] | _ends(q, moved, age + 1, before, cost, self.steps, may_restart)
+            ended = self.solved[target] | _ends(
+                q, moved, age + 1, before, cost, self.steps, may_restart
+            )
             going_on = [each[..., ~ended] for each in (moved, target, age + 1, cost)]
             new = self._new_descents(target[~ended])
-            q, target, age, before = (np.concatenate(both, -1) for both in zip(going_on, new, strict=True))
+            q, target, age, before = (
+                np.concatenate(both, -1) for both in zip(going_on, new, strict=True)
+            )
         return self.best, self.iterations
 
     def _descend_one_by_one(self, q0):
         """Try the only target with a few descents by themselves."""
         goal, (low, high) = self.goals[..., 0], self.arm.limits.T
         while not self.solved[0] and self.started[0] < min(_ONE_BY_ONE, self.starts):
-            q = _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE) if q0 is None else q0
+            q = (
+                _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE)
+                if q0 is None
+                else q0
+            )
             q, q0, age, before, ended = q[0], None, 0, np.inf, False
             self.started[0] += 1
             while not ended:
@@ -157,7 +191,9 @@ class _Search:
                 if cost < self.least[0]:
                     self.best[0], self.least[0] = q, cost
                 moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
-                ended = reached or _ends(q, moved, age, before, cost, self.steps, self.started[0] < self.starts)
+                ended = reached or _ends(
+                    q, moved, age, before, cost, self.steps, self.started[0] < self.starts
+                )
                 q, before = moved, cost
             self.solved[0] = reached
             self.iterations[0] += age
@@ -175,13 +211,16 @@ class _Search:
     def _new_descents(self, running, q0=None):
         """Return descents that begin at q0 (m, n) or at random configurations; running: the targets (N,) of others.
 
-        Every unsolved target without a descent gets one. Those that have failed before share the remaining room.
+        Every unsolved target without a descent gets one. Those that have failed before share the
+        remaining room.
         """
         allowed = ~self.solved & (self.started < self.starts)
         idle = allowed & (np.bincount(running, minlength=len(allowed)) == 0)
         hard = allowed & (self.started > 0) & (idle | (self.started > 1))
         extra = max(0, _TOGETHER - len(running) - idle.sum()) // max(1, hard.sum())
-        target = np.repeat(np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started))
+        target = np.repeat(
+            np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started)
+        )
         self.started += np.bincount(target, minlength=len(allowed))
         q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None else q0
         return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
@@ -205,7 +244,9 @@ def _ends(q, moved, age, before, cost, steps, may_restart):
 
 
 def _step_within_limits(q, J, error, cost, low, high):
-    """Return q after one damped step. A joint that is at its limit and would leave it is held; the others compensate.
+    """Return q after one damped step.
+
+    A joint that is at its limit and would leave it is held; the others compensate.
 
     Arrays as in _damped_step; cost: the squared errors; low, high: (n, 1) or (n,).
     """
@@ -219,9 +260,10 @@ def _step_within_limits(q, J, error, cost, low, high):
 def _damped_step(J, error, damping):
     """Return J^T (J J^T + damping I)^-1 error, (n, N), and (N,) whether the damping outweighs rounding.
 
-    J: (k, n, N). error: (k, N). damping: (N,). Or all without N, for one. It equals (J^T J + damping I)^-1 J^T error,
-    by a smaller system. Many systems are solved together by Gaussian elimination; being positive definite they need no
-    pivoting (Golub and Van Loan, Matrix Computations, section 4.2).
+    J: (k, n, N). error: (k, N). damping: (N,). Or all without N, for one. It equals (J^T J +
+    damping I)^-1 J^T error, by a smaller system. Many systems are solved together by Gaussian
+    elimination; being positive definite they need no pivoting (Golub and Van Loan, Matrix
+    Computations, section 4.2).
     """
     k = len(error)
     if error.ndim == 1:
@@ -253,7 +295,11 @@ def _transpose_times(J, x):
 
 def _error_by_entries(end, goal):
     """Return the pose errors (6, N) from frames to goals, both (4, 3, N): three columns, then the position. Or no N."""
-    R = (goal[:3].T @ end[:3]).tolist() if goal.ndim == 2 else np.einsum("kaN,kbN->abN", goal[:3], end[:3])
+    R = (
+        (goal[:3].T @ end[:3]).tolist()
+        if goal.ndim == 2
+        else np.einsum("kaN,kbN->abN", goal[:3], end[:3])
+    )
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
     x, y, z = (zy - yz) / 2, (xz - zx) / 2, (yx - xy) / 2  # the axis times the sine: MR eq. 3.53
     sine, cosine = np.sqrt(x * x + y * y + z * z), (xx + yy + zz - 1) / 2
@@ -269,7 +315,8 @@ def _error_by_entries(end, goal):
 def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
     """Return for each of the poses (m, 4, 4) the nearest of a few random configurations, (m, n).
 
-    They are uniform between the limits, or over one revolution if these allow more. Radians weigh as much as metres.
+    They are uniform between the limits, or over one revolution if these allow more. Radians weigh
+    as much as metres.
     """
     low, high = arm.limits.T
     wide = high - low > 2 * np.pi
@@ -284,8 +331,8 @@ def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
 def pose_error(T, target):
     """Return the error from a pose to a target: the rotation vector and the translation that remain.
 
-    Both are expressed along the base frame's axes, in the order of SerialArm.geometric_jacobian: for small errors,
-    geometric_jacobian(q) @ dq is about equal to the error that dq removes.
+    Both are expressed along the base frame's axes, in the order of SerialArm.geometric_jacobian:
+    for small errors, geometric_jacobian(q) @ dq is about equal to the error that dq removes.
 
     Parameters
     ----------
@@ -295,7 +342,8 @@ def pose_error(T, target):
     Returns
     -------
     array (..., 6)
-        Three entries of a rotation vector in radians, of length at most pi, then three of a translation in metres.
+        Three entries of a rotation vector in radians, of length at most pi, then three of a
+        translation in metres.
 
     Examples
     --------
@@ -318,8 +366,8 @@ def _pose_error(T, target):
 def damped_path(arm, target, q0, alpha, eps, steps):
     """Return the joint angles of damped least-squares steps towards a point, q0 first (Nakamura and Hanafusa, 1986).
 
-    Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's position p and its
-    Jacobian J. It ignores the joint limits.
+    Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's
+    position p and its Jacobian J. It ignores the joint limits.
 
     Parameters
     ----------
@@ -367,7 +415,9 @@ def damped_path(arm, target, q0, alpha, eps, steps):
         with np.errstate(over="ignore"):
             q = q - alpha * step
         path[..., i + 1, :] = q.T.reshape(*batch, n)
-        refuse_first(~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", "is too large: the angles overflow")
+        refuse_first(
+            ~np.isfinite(path[..., i + 1, :]).all(-1), "alpha", "is too large: the angles overflow"
+        )
     return path
 
 

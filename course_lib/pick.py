@@ -1,7 +1,8 @@
 """What a motion of the Panda with its gripper may do: stay clear of table, mug and itself, within bounds of its motors.
 
-The moving links and the gripper are approximated by balls, which leave out no more than 2 cm of a bulge; the mug by a
-cylinder and a ball for the handle. All poses are seen from the world, where the arm stands on a table.
+The moving links and the gripper are approximated by balls, which leave out no more than 2 cm of a
+bulge; the mug by a cylinder and a ball for the handle. All poses are seen from the world, where the
+arm stands on a table.
 
 Source of the bounds: Franka Emika, Franka Control Interface documentation, limits for the Panda.
 """
@@ -16,7 +17,9 @@ from course_lib.rotations import rot_x, rot_z
 FASTEST = np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])  # rad/s
 HARDEST = np.array([15, 7.5, 10, 12.5, 15, 20, 20.0])  # rad/s^2
 BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))  # of the arm, in the world
-IN_FLANGE = read_only(transform(rot_z(-np.pi / 4), [0, 0, 0.1034]))  # the gripper's frame, between its fingertips
+IN_FLANGE = read_only(
+    transform(rot_z(-np.pi / 4), [0, 0, 0.1034])
+)  # the gripper's frame, between its fingertips
 IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))  # the gripper when it grasps, from above
 _TABLE, _MUG_RADIUS, _MUG_HEIGHT, _HANDLE = 0.6, 0.035, 0.09, (0.05, 0, 0.05, 0.02)
 _STEP, _MOST_STEPS = 0.02, 50  # radians
@@ -29,7 +32,9 @@ _ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre
     (5, (0, 0, -0.04), (0, 0, 0.04), 0.07, 3),
     (6, (0, 0, 0), (0, 0, 0.08), 0.055, 3),
 ]
-_GRIPPER = [((-0.065, -0.07), (0.065, -0.07), 0.035, 3)]  # y and z in the gripper's frame, open by 8 cm
+_GRIPPER = [
+    ((-0.065, -0.07), (0.065, -0.07), 0.035, 3)
+]  # y and z in the gripper's frame, open by 8 cm
 _GRIPPER += [((0.048 * side, -0.035), (0.048 * side, -0.005), 0.008, 3) for side in (-1, 1)]
 
 
@@ -37,7 +42,9 @@ def _balls():
     """Return the frame (m,), the centre in it (m, 3) and the radius (m,) of each ball."""
     rows = [(frame, np.linspace(a, b, n), r) for frame, a, b, r, n in _ROWS]
     for (y, z), (y1, z1), r, n in _GRIPPER:
-        rows.append((7, np.linspace([0, y, z], [0, y1, z1], n) @ IN_FLANGE[:3, :3].T + IN_FLANGE[:3, 3], r))
+        rows.append(
+            (7, np.linspace([0, y, z], [0, y1, z1], n) @ IN_FLANGE[:3, :3].T + IN_FLANGE[:3, 3], r)
+        )
     frames, centres, radii = zip(*rows, strict=True)
     counts = [len(each) for each in centres]
     return np.repeat(frames, counts), np.concatenate(centres), np.repeat(radii, counts)
@@ -45,7 +52,10 @@ def _balls():
 
 _FRAME, _CENTRE, _RADIUS = _balls()
 _APART = [
-    (i, j) for i, f in enumerate(_FRAME) for j, g in enumerate(_FRAME) if (f == 7 and g <= 4) or (f >= 5 and g <= 2)
+    (i, j)
+    for i, f in enumerate(_FRAME)
+    for j, g in enumerate(_FRAME)
+    if (f == 7 and g <= 4) or (f >= 5 and g <= 2)
 ]
 
 
@@ -68,7 +78,9 @@ def between(trajectory):
     array([0. , 0.5, 1. ])
     """
     trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
-    n = np.clip(np.ceil(np.abs(np.diff(trajectory[:, 1:], axis=0)).max(1) / _STEP), 1, _MOST_STEPS).astype(int)
+    n = np.clip(
+        np.ceil(np.abs(np.diff(trajectory[:, 1:], axis=0)).max(1) / _STEP), 1, _MOST_STEPS
+    ).astype(int)
     start = np.repeat(np.arange(len(n)), n)
     part = (np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)) / n[start]
     steps = trajectory[start] + part[:, None] * (trajectory[start + 1] - trajectory[start])
@@ -106,7 +118,9 @@ def clearances(joints, T_mug):
     cup = np.hypot(np.maximum(beside, 0), np.maximum(above, 0))
     handle = np.sqrt((x - _HANDLE[0]) ** 2 + y**2 + (z - _HANDLE[2]) ** 2) - _HANDLE[3]
     one, other = np.transpose(_APART)
-    apart = np.linalg.norm(at[..., one, :] - at[..., other, :], axis=-1) - _RADIUS[one] - _RADIUS[other]
+    apart = (
+        np.linalg.norm(at[..., one, :] - at[..., other, :], axis=-1) - _RADIUS[one] - _RADIUS[other]
+    )
     moving = _FRAME > 0
     return {
         "table": (at[..., moving, 2] - _TABLE - _RADIUS[moving]).min(-1),
@@ -126,7 +140,8 @@ def shares(trajectory):
     Returns
     -------
     speed, acceleration : array (n,)
-        Of the joint nearest to its bound: speeds between each row and the next, and their changes at each row.
+        Of the joint nearest to its bound: speeds between each row and the next, and their changes
+        at each row.
 
     Examples
     --------

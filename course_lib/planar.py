@@ -1,9 +1,10 @@
 """Paths of a body in the plane, and of an arm's joints: from pose to pose, and by a plan of velocities.
 
-A pose is (x, y, theta). The angle along a path continues beyond pi and is not wrapped, so that it can be drawn and
-differentiated. A plan is a sequence of pairs (velocities, duration).
+A pose is (x, y, theta). The angle along a path continues beyond pi and is not wrapped, so that it
+can be drawn and differentiated. A plan is a sequence of pairs (velocities, duration).
 
-Source: Lynch and Park, Modern Robotics (2017), called MR below: section 9.2 for interpolation, 3.3.3 for twists.
+Source: Lynch and Park, Modern Robotics (2017), called MR below: section 9.2 for interpolation,
+3.3.3 for twists.
 """
 
 import numpy as np
@@ -33,7 +34,9 @@ def wrap_angle(angle):
     >>> print(wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 1e-20]) / np.pi)
     [ 1.00000000e+00  1.00000000e+00 -5.00000000e-01  3.18309886e-21]
     """
-    angle = np.fmod(real_array(angle, "angle", ()), 2 * np.pi)  # exact, which adding pi and taking it off is not
+    angle = np.fmod(
+        real_array(angle, "angle", ()), 2 * np.pi
+    )  # exact, which adding pi and taking it off is not
     return angle - 2 * np.pi * (angle > np.pi) + 2 * np.pi * (angle <= -np.pi)
 
 
@@ -85,7 +88,9 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
     >>> print(quintic_time_scaling([0, 0.5, 1, 2], T=2))
     [0.         0.10351562 0.5        1.        ]
     """
-    t, T, s0, s1, v0, v1, a0, a1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1, a0=a0, a1=a1)
+    t, T, s0, s1, v0, v1, a0, a1 = _scaling_arguments(
+        t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1, a0=a0, a1=a1
+    )
     u = t / T
     change, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
     third = 10 * change - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
@@ -94,7 +99,9 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
     return s0 + u * (d0 + u * (c0 / 2 + u * (third + u * (fourth + u * fifth))))
 
 
-def interpolate_body(start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling):
+def interpolate_body(
+    start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling
+):
     """Return n poses from start to goal at evenly spaced times; x, y and theta each follow the time scaling.
 
     The angle takes the shorter arc. With zero velocities the path is a straight line.
@@ -191,7 +198,8 @@ def propagate_body(start, plan, dt):
     start : array_like (..., 3)
         Pose (x, y, theta), in metres and radians.
     plan : sequence of ((v_x, v_y, omega), duration)
-        Velocities in the body's frame in metres and radians per second; durations in seconds, zero or more.
+        Velocities in the body's frame in metres and radians per second; durations in seconds, zero
+        or more.
     dt : float
         Step in seconds. The last step of each pair is as short as it needs to be.
 
@@ -212,8 +220,12 @@ def propagate_body(start, plan, dt):
     for velocity, elapsed in _segments(plan, dt, 3):
         step = np.diff(elapsed, prepend=0.0)
         theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
-        rate = np.concatenate([_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1)
-        poses = np.concatenate([poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2)
+        rate = np.concatenate(
+            [_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1
+        )
+        poses = np.concatenate(
+            [poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2
+        )
     return poses
 
 
@@ -242,12 +254,16 @@ def propagate_body_exact(start, plan, dt):
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, 3):
-        poses = np.concatenate([poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2)
+        poses = np.concatenate(
+            [poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2
+        )
     return poses
 
 
 def propagate_arm(start, plan, dt):
-    """Return the joint angles that a plan of joint velocities leads to. Euler's method is exact here.
+    """Return the joint angles that a plan of joint velocities leads to.
+
+    Euler's method is exact here.
 
     Parameters
     ----------
@@ -337,7 +353,12 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     k = start.shape[-1]
     v_start, v_goal = (np.zeros(k) if np.isscalar(v) and v == 0 else v for v in (v_start, v_goal))
     v_start, v_goal = real_array(v_start, "v_start", (k,)), real_array(v_goal, "v_goal", (k,))
-    broadcast(start=start.shape[:-1], goal=goal.shape[:-1], v_start=v_start.shape[:-1], v_goal=v_goal.shape[:-1])
+    broadcast(
+        start=start.shape[:-1],
+        goal=goal.shape[:-1],
+        v_start=v_start.shape[:-1],
+        v_goal=v_goal.shape[:-1],
+    )
     T = positive(T, "T", batched=False)
     t = np.linspace(0, T, count(n, least=2))[:, None]
     try:
@@ -345,7 +366,9 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
         ends = (start, start + np.where(is_angle, wrap_angle(change), change), v_start, v_goal)
         return scaling(t, T, *(end[..., None, :] for end in ends))
     except TypeError as other:
-        raise ValueError(f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}") from other
+        raise ValueError(
+            f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}"
+        ) from other
 
 
 def _rotated(theta, v):
@@ -368,7 +391,9 @@ def _segments(plan, dt, k):
     try:
         pairs = [(velocities, duration) for velocities, duration in plan]
     except Exception as no_pairs:  # whatever a foreign object raises
-        raise ValueError(f"plan must be a list of pairs (velocities, duration); it is {plan!r:.80}") from no_pairs
+        raise ValueError(
+            f"plan must be a list of pairs (velocities, duration); it is {plan!r:.80}"
+        ) from no_pairs
     segments, total = [], 0
     for i, (velocities, duration) in enumerate(pairs):
         velocities = real_array(velocities, f"plan[{i}][0]", (k,), batched=False)
@@ -377,7 +402,10 @@ def _segments(plan, dt, k):
             n = np.ceil(duration / dt * (1 - 1e-12))  # 2.1 / 0.3 is a hair above 7
         total += n
         if total > _MOST_STEPS:
-            raise ValueError(f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes {total:.3g}")
+            raise ValueError(
+                f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes "
+                f"{total:.3g}"
+            )
         elapsed = np.append(dt * np.arange(1, int(n)), duration)  # the last step ends on time
         segments.append((velocities, elapsed[: int(n)]))
     return segments

@@ -1,8 +1,9 @@
 """Registration of points: the pose that moves one set of points onto another, with known correspondences (partners).
 
-Sources: Kabsch, A solution for the best rotation to relate two sets of vectors, Acta Crystallographica A32 (1976);
-Umeyama, Least-squares estimation of transformation parameters between two point patterns, IEEE PAMI 13 (1991);
-Golub and Van Loan, Matrix Computations, section 8.5, for rotations plane by plane (Jacobi's method).
+Sources: Kabsch, A solution for the best rotation to relate two sets of vectors, Acta
+Crystallographica A32 (1976); Umeyama, Least-squares estimation of transformation parameters between
+two point patterns, IEEE PAMI 13 (1991); Golub and Van Loan, Matrix Computations, section 8.5, for
+rotations plane by plane (Jacobi's method).
 """
 
 from dataclasses import dataclass
@@ -13,8 +14,8 @@ from course_lib.arguments import broadcast, positive, real_array, refuse_first
 from course_lib.rigid import transform
 from course_lib.rotations import nearest_so
 
-# Rounding moves a point by 1e-16 of the largest coordinate. Divided by how far the points are from one line, that is
-# the angle about the line by which the answer is uncertain.
+# Rounding moves a point by 1e-16 of the largest coordinate. Divided by how far the points are from
+# one line, that is the angle about the line by which the answer is uncertain.
 _THINNEST = 1e-12  # of the largest coordinate; the uncertainty is then 1e-4 rad
 _PLANES = ((1, 2), (0, 1), (0, 2))
 _SWEEPS = 30
@@ -22,16 +23,19 @@ _SMALLEST_ANGLE = 1e-15  # radians
 
 
 def register_points(src, dst, weights=None):
-    """Return the pose T that minimises the weighted sum of |T src_i - dst_i|^2. It is never a reflection.
+    """Return the pose T that minimises the weighted sum of |T src_i - dst_i|^2.
 
-    The points may be nearly on one line, and of any scale. The answer is as exact as rounding allows; the points are
-    refused if rounding leaves the angle about the line uncertain by more than 1e-4 rad. Noise does far more than
-    rounding: `uncertainty` says how much.
+    It is never a reflection.
+
+    The points may be nearly on one line, and of any scale. The answer is as exact as rounding
+    allows; the points are refused if rounding leaves the angle about the line uncertain by more
+    than 1e-4 rad. Noise does far more than rounding: `uncertainty` says how much.
 
     Parameters
     ----------
     src, dst : array_like (..., n, 3)
-        Points in metres, partners in the same order, n at least 3; not on one line, about which every angle fits.
+        Points in metres, partners in the same order, n at least 3; not on one line, about which
+        every angle fits.
     weights : array_like (..., n), optional
         Zero or more; at least three above zero. None for equal weights.
 
@@ -74,7 +78,8 @@ class Uncertainty:
     Attributes
     ----------
     angles : array (3,)
-        Standard deviations in radians, the largest first. From about 0.3 on they say no more than "uncertain".
+        Standard deviations in radians, the largest first. From about 0.3 on they say no more than
+        "uncertain".
     axes : array (3, 3)
         Each row is the unit vector about which the angle is.
     """
@@ -86,9 +91,9 @@ class Uncertainty:
 def uncertainty(points, noise, weights=None):
     """Return by what angle a registration of noisy points is uncertain about each of their principal axes.
 
-    For small noise the error of the rotation is a random rotation vector. Its standard deviation about an axis is the
-    noise, divided by the root of the sum of the squared distances from the axis through the centroid: about a line on
-    which all points lie almost, it is large.
+    For small noise the error of the rotation is a random rotation vector. Its standard deviation
+    about an axis is the noise, divided by the root of the sum of the squared distances from the
+    axis through the centroid: about a line on which all points lie almost, it is large.
 
     Parameters
     ----------
@@ -123,15 +128,17 @@ def uncertainty(points, noise, weights=None):
         size = np.abs(centred).max()
         moments, axes = np.linalg.eigh((w[:, None] * centred / size).T @ (centred / size))
         angles = noise / size / np.sqrt(heaviest) / np.sqrt(moments.sum() - moments)
-    refuse_first(~np.isfinite(angles).all(), "noise", "is too large beside the points: the angles overflow")
+    refuse_first(
+        ~np.isfinite(angles).all(), "noise", "is too large beside the points: the angles overflow"
+    )
     return Uncertainty(angles[::-1], axes.T[::-1])
 
 
 def _centred(points, share, name):
     """Return the points scaled to a largest coordinate of about 1 and less their mean, the mean, and more.
 
-    Also the exponent of 2 that undoes the scale, and the principal axes (..., 3, 3), as rows, the longest first.
-    A point of weight zero is ignored, however far away it is.
+    Also the exponent of 2 that undoes the scale, and the principal axes (..., 3, 3), as rows, the
+    longest first. A point of weight zero is ignored, however far away it is.
     """
     points = np.where(share > 0, points, 0.0)
     exponent = np.frexp(np.abs(points).max((-2, -1)))[1][..., None]
@@ -140,16 +147,19 @@ def _centred(points, share, name):
     points = np.where(share > 0, points - mean[..., None, :], 0.0)
     _, sizes, axes = np.linalg.svd(np.sqrt(share) * points, full_matrices=False)
     thin = sizes[..., 1] <= _THINNEST
-    refuse_first(thin, name, "has its points on one line, but for rounding: every angle about it fits")
+    refuse_first(
+        thin, name, "has its points on one line, but for rounding: every angle about it fits"
+    )
     return points, mean, exponent, axes
 
 
 def _rotation(a, b, share, axes):
     """Return the rotation that takes a (..., n, 3) to b best. axes: the principal axes of b.
 
-    The rotation nearest to the sum of b a^T is right up to the angle about the longest axis: that depends on the square
-    of the thickness, which may be lost in the sum. So a is rotated by it, and both are expressed along the principal
-    axes. The same sum, M, has then all its digits, and rotations in one plane after another make its trace largest.
+    The rotation nearest to the sum of b a^T is right up to the angle about the longest axis: that
+    depends on the square of the thickness, which may be lost in the sum. So a is rotated by it, and
+    both are expressed along the principal axes. The same sum, M, has then all its digits, and
+    rotations in one plane after another make its trace largest.
     """
     R = nearest_so(np.swapaxes(share * b, -1, -2) @ a)
     along = np.swapaxes(axes, -1, -2)
@@ -160,7 +170,10 @@ def _rotation(a, b, share, axes):
         for i, j in _PLANES:
             angle = np.arctan2(M[..., j, i] - M[..., i, j], M[..., i, i] + M[..., j, j])
             c, s = np.cos(angle)[..., None], np.sin(angle)[..., None]
-            M[..., i, :], M[..., j, :] = c * M[..., i, :] + s * M[..., j, :], c * M[..., j, :] - s * M[..., i, :]
+            M[..., i, :], M[..., j, :] = (
+                c * M[..., i, :] + s * M[..., j, :],
+                c * M[..., j, :] - s * M[..., i, :],
+            )
             G[..., i], G[..., j] = c * G[..., i] + s * G[..., j], c * G[..., j] - s * G[..., i]
             largest = max(largest, np.abs(angle).max(initial=0.0))
         if largest < _SMALLEST_ANGLE:

@@ -1,9 +1,10 @@
 """Rigid motions of the plane, SE(2), and of space, SE(3), as homogeneous matrices and as twists.
 
-A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in space. A matrix that
-is not a pose is refused where one is needed.
+A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in
+space. A matrix that is not a pose is refused where one is needed.
 
-Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; for the plane with the axis along z.
+Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; for the plane with the
+axis along z.
 """
 
 import numpy as np
@@ -74,7 +75,8 @@ def checked_pose(value, name, *shapes, batched=True):
 def nearest_se(T):
     """Return the pose nearest to T in the Frobenius norm.
 
-    Its block is the nearest rotation, its last row is (0, ..., 0, 1), and the translation stays as it is.
+    Its block is the nearest rotation, its last row is (0, ..., 0, 1), and the translation stays as
+    it is.
 
     Parameters
     ----------
@@ -127,7 +129,8 @@ def adjoint(T):
     Returns
     -------
     array (..., 3, 3) or (..., 6, 6)
-        For a twist (omega, v): [[R, 0], [[p] R, R]] in space; in the plane its part for (omega_z, v_x, v_y).
+        For a twist (omega, v): [[R, 0], [[p] R, R]] in space; in the plane its part for (omega_z,
+        v_x, v_y).
 
     Examples
     --------
@@ -143,12 +146,16 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    Ad[..., 3:, :3] = by_entries(lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2])  # p x R[:, j]
+    Ad[..., 3:, :3] = by_entries(
+        lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2]
+    )  # p x R[:, j]
     return Ad
 
 
 def hat_se3(twist):
-    """Return the 4 x 4 matrix [[[omega], v], [0, 0]] of a twist. Despite its name it is not skew-symmetric.
+    """Return the 4 x 4 matrix [[[omega], v], [0, 0]] of a twist.
+
+    Despite its name it is not skew-symmetric.
 
     Parameters
     ----------
@@ -194,7 +201,12 @@ def vee_se3(matrix):
     """
     matrix = real_array(matrix, "matrix", (4, 4), copy=False)
     last = matrix[..., 3, :]
-    refuse_first(np.abs(last).max(-1) > TOLERANCE, "matrix", "is not a twist: its last row is {}, not zero", last)
+    refuse_first(
+        np.abs(last).max(-1) > TOLERANCE,
+        "matrix",
+        "is not a twist: its last row is {}, not zero",
+        last,
+    )
     try:
         omega = vee(matrix[..., :3, :3])
     except ValueError as not_skew:
@@ -221,7 +233,9 @@ def exp_se3(twist):
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    return _assemble(exp_so3(omega), by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1]))
+    return _assemble(
+        exp_so3(omega), by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1])
+    )
 
 
 def log_se3(T):
@@ -322,7 +336,8 @@ def _half_cot(angle):
     return np.divide(angle / 2, tangent, out=np.ones_like(tangent), where=tangent != 0)
 
 
-# Formulas for by_entries ----------------------------------------------------------------------------------------------
+# Formulas for by_entries
+# ----------------------------------------------------------------------------------------------
 
 
 def _inverse(T):
@@ -338,7 +353,8 @@ def _translation(twist, angle):
     omega, v = twist[:3], twist[3:]
     n = omega / np.where(angle > 0, angle, 1.0)
     once = _cross(n, v)
-    # With a unit axis, the factors' rounding errors at small angles vanish beside 1, so no series is needed.
+    # With a unit axis, the factors' rounding errors at small angles vanish beside 1, so no series
+    # is needed.
     return v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * _cross(n, once)
 
 

@@ -1,8 +1,10 @@
 """Rotations in the plane and in space: matrices, rotation vectors and unit quaternions.
 
-Quaternions are (w, x, y, z). A matrix or quaternion that is not a rotation is refused where one is needed.
+Quaternions are (w, x, y, z). A matrix or quaternion that is not a rotation is refused where one is
+needed.
 
-Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; others where they are used.
+Sources: Lynch and Park, Modern Robotics (2017), chapter 3, called MR below; others where they are
+used.
 """
 
 import numpy as np
@@ -10,8 +12,9 @@ import numpy as np
 from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
 
-# The tolerance (see is_so and is_quaternion) within which the functions below accept a rotation. Wide enough for
-# matrices printed to seven digits, narrow enough to catch a matrix that was never meant to be a rotation.
+# The tolerance (see is_so and is_quaternion) within which the functions below accept a rotation.
+# Wide enough for matrices printed to seven digits, narrow enough to catch a matrix that was never
+# meant to be a rotation.
 TOLERANCE = 1e-6
 
 
@@ -58,7 +61,9 @@ def vee(W):
     sums = W + np.swapaxes(W, -1, -2)
     off = np.abs(sums).max((-2, -1))
     limit = TOLERANCE * np.maximum(1.0, np.abs(W).max((-2, -1)))
-    refuse_first(off > limit, "W", "is not skew-symmetric: W + W^T has an entry of size {:.2g}", off)
+    refuse_first(
+        off > limit, "W", "is not skew-symmetric: W + W^T has an entry of size {:.2g}", off
+    )
     skew = W - sums / 2
     return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], -1)
 
@@ -82,7 +87,9 @@ def rot_x(angle):
      [ 0.  0. -1.]
      [ 0.  1.  0.]]
     """
-    return _rotation_about_axis(angle, lambda c, s, one, zero: [[one, zero, zero], [zero, c, -s], [zero, s, c]])
+    return _rotation_about_axis(
+        angle, lambda c, s, one, zero: [[one, zero, zero], [zero, c, -s], [zero, s, c]]
+    )
 
 
 def rot_y(angle):
@@ -93,7 +100,9 @@ def rot_y(angle):
     >>> print(rot_y(np.pi / 2).round(9) @ [0, 0, 1])
     [1. 0. 0.]
     """
-    return _rotation_about_axis(angle, lambda c, s, one, zero: [[c, zero, s], [zero, one, zero], [-s, zero, c]])
+    return _rotation_about_axis(
+        angle, lambda c, s, one, zero: [[c, zero, s], [zero, one, zero], [-s, zero, c]]
+    )
 
 
 def rot_z(angle):
@@ -104,7 +113,9 @@ def rot_z(angle):
     >>> print(rot_z(np.pi / 2).round(9) @ [1, 0, 0])
     [0. 1. 0.]
     """
-    return _rotation_about_axis(angle, lambda c, s, one, zero: [[c, -s, zero], [s, c, zero], [zero, zero, one]])
+    return _rotation_about_axis(
+        angle, lambda c, s, one, zero: [[c, -s, zero], [s, c, zero], [zero, zero, one]]
+    )
 
 
 def exp_so3(w):
@@ -134,8 +145,9 @@ def exp_so3(w):
 def log_so3(R):
     """Return the rotation vector of R, of length 0 to pi: the inverse of exp_so3.
 
-    At exactly pi both signs of the axis are right; one of them is returned. The vector is computed from the quaternion,
-    which keeps all digits near 0 and near pi. The textbook's division by sin(angle) loses them (MR eq. 3.53).
+    At exactly pi both signs of the axis are right; one of them is returned. The vector is computed
+    from the quaternion, which keeps all digits near 0 and near pi. The textbook's division by
+    sin(angle) loses them (MR eq. 3.53).
 
     Parameters
     ----------
@@ -181,12 +193,13 @@ def is_so(R, tol=TOLERANCE):
 def nearest_so(M):
     """Return the rotation nearest to M in the Frobenius norm.
 
-    With the singular value decomposition M = U S V^T it is U diag(1, ..., det(U V^T)) V^T. A rotation comes back
-    unchanged except for rounding. If several rotations are equally near (rank at most n - 2, or det M < 0 and the two
-    smallest singular values equal), one of them is returned.
+    With the singular value decomposition M = U S V^T it is U diag(1, ..., det(U V^T)) V^T. A
+    rotation comes back unchanged except for rounding. If several rotations are equally near (rank
+    at most n - 2, or det M < 0 and the two smallest singular values equal), one of them is
+    returned.
 
-    Source: Schoenemann, A generalized solution of the orthogonal Procrustes problem, Psychometrika 31 (1966); Umeyama,
-    IEEE PAMI 13 (1991), for the determinant.
+    Source: Schoenemann, A generalized solution of the orthogonal Procrustes problem, Psychometrika
+    31 (1966); Umeyama, IEEE PAMI 13 (1991), for the determinant.
 
     Parameters
     ----------
@@ -256,8 +269,8 @@ def nearest_quaternion(q):
 def quaternion_to_matrix(q):
     """Return the rotation matrix of the unit quaternion q; q and -q give the same one (MR appendix B.3).
 
-    R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division makes R orthogonal to rounding even if |q| is off by
-    as much as the tolerance allows.
+    R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division makes R orthogonal to rounding
+    even if |q| is off by as much as the tolerance allows.
 
     Parameters
     ----------
@@ -283,8 +296,8 @@ def quaternion_to_matrix(q):
 def matrix_to_quaternion(R):
     """Return the unit quaternion of R with w >= 0.
 
-    If w = 0, the first entry that is not 0 is positive. All ten products of two entries of q can be read off R.
-    Dividing by the largest entry of q never divides by a small number.
+    If w = 0, the first entry that is not 0 is positive. All ten products of two entries of q can be
+    read off R. Dividing by the largest entry of q never divides by a small number.
 
     Source: Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978).
 
@@ -305,7 +318,10 @@ def matrix_to_quaternion(R):
     R = real_array(R, "R", (3, 3), copy=False)
     error = by_entries(_error_as_rotation, (), R, batch=R.shape[:-2])
     if np.any(error > TOLERANCE):
-        reason = "is not a rotation: R^T R or det R is off by {:.2g}, det R = {:.7g} (nearest_so gives the nearest)"
+        reason = (
+            "is not a rotation: R^T R or det R is off by {:.2g}, det R = {:.7g} (nearest_so gives "
+            "the nearest)"
+        )
         refuse_first(error > TOLERANCE, "R", reason, error, np.linalg.det(R))
     return by_entries(_quaternion_of, (4,), R, batch=R.shape[:-2])
 
@@ -353,7 +369,10 @@ def random_quaternions(n, rng):
     """
     s, angle1, angle2 = generator(rng).random((3, count(n))) * [[1.0], [2 * np.pi], [2 * np.pi]]
     near, far = np.sqrt(1 - s), np.sqrt(s)
-    return np.stack([np.cos(angle2) * far, np.sin(angle1) * near, np.cos(angle1) * near, np.sin(angle2) * far], -1)
+    return np.stack(
+        [np.cos(angle2) * far, np.sin(angle1) * near, np.cos(angle1) * near, np.sin(angle2) * far],
+        -1,
+    )
 
 
 def length(v):
@@ -364,11 +383,14 @@ def length(v):
     if np.count_nonzero(rough):
         exponent = np.frexp(np.abs(v).max(-1))[1]
         scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
-        size = np.where(rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size)[()]
+        size = np.where(
+            rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size
+        )[()]
     return size
 
 
-# Formulas for by_entries ----------------------------------------------------------------------------------------------
+# Formulas for by_entries
+# ----------------------------------------------------------------------------------------------
 
 
 def _error_as_rotation(R):
@@ -407,7 +429,8 @@ def _rotation_about_axis(angle, matrix):
 def _matrix_of_vector(w, angle):
     """Rodrigues' formula with sin a = 2 t / (1 + t^2) and 1 - cos a = 2 t^2 / (1 + t^2), t = tan(a/2).
 
-    So R is the matrix of the quaternion (1, t n). No digit is lost at any angle, and no series is needed.
+    So R is the matrix of the quaternion (1, t n). No digit is lost at any angle, and no series is
+    needed.
     """
     q = np.empty((4, *angle.shape))
     q[0] = 1
@@ -442,12 +465,16 @@ def _matrix_of_quaternion(q):
     np.multiply(twice, v, out=products[1:4])
     np.multiply(twice, w, out=products[4:7])
     np.multiply(twice, v[[1, 2, 0]], out=products[7:])
-    return (products.T @ _SUMS.T).T  # faster than nine sums, since it lays each matrix out in one piece as well
+    return (
+        products.T @ _SUMS.T
+    ).T  # faster than nine sums, since it lays each matrix out in one piece as well
 
 
 def _rotation_vector(q):
     w, x, y, z = q
-    sine = np.sqrt(x * x + y * y + z * z)  # of half the angle; its squares underflow where angle / sine is 2 anyway
+    sine = np.sqrt(
+        x * x + y * y + z * z
+    )  # of half the angle; its squares underflow where angle / sine is 2 anyway
     stretch = np.where(sine > 0, 2 * np.arctan2(sine, w) / sine, 2.0)
     return stretch * q[1:]
 

@@ -1,12 +1,13 @@
 """The Paden-Kahan subproblems 1 to 4: the angles of rotation about given axes that bring points where they should be.
 
-All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the rotation by t about
-k. Batches are broadcast, angles lie in (-pi, pi]. If no angle solves the problem, the answers are those that come
-nearest (least squares), and `exact` is False. An axis of length zero is refused.
+All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the
+rotation by t about k. Batches are broadcast, angles lie in (-pi, pi]. If no angle solves the
+problem, the answers are those that come nearest (least squares), and `exact` is False. An axis of
+length zero is refused.
 
-Sources: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation (1994), section 3.2, for 1 to 3;
-Elias and Wen, IK-Geo: unified robot inverse kinematics using subproblem decomposition (2022), for the order of
-arguments, for 4 and for least squares.
+Sources: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation (1994), section
+3.2, for 1 to 3; Elias and Wen, IK-Geo: unified robot inverse kinematics using subproblem
+decomposition (2022), for the order of arguments, for 4 and for least squares.
 """
 
 from dataclasses import dataclass
@@ -14,11 +15,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.arguments import broadcast, real_array, refuse_first
-from course_lib.rotations import exp_so3, length, matrix_to_quaternion, quaternion_to_matrix, rot_x, rot_y
+from course_lib.rotations import (
+    exp_so3,
+    length,
+    matrix_to_quaternion,
+    quaternion_to_matrix,
+    rot_x,
+    rot_y,
+)
 
 EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
 _ROUNDING = 1e-14  # what rounding may do to a length, as a share of the largest
-_TOUCH = 1e-7  # two answers nearer than this (radians) are one: the circles touch; the error of that is below 1e-14
+# two answers nearer than this (radians) are one: the circles touch; the error of that is below
+# 1e-14
+_TOUCH = 1e-7
 
 
 @dataclass(frozen=True)
@@ -34,7 +44,8 @@ class RotationAngles:
     exact : bool array (...)
         Whether the answers solve the problem; if not, they come nearest.
     free : bool array (...)
-        Whether infinitely many answers are equally good (a point on its axis, parallel axes); theta holds one of them.
+        Whether infinitely many answers are equally good (a point on its axis, parallel axes); theta
+        holds one of them.
     """
 
     theta: np.ndarray
@@ -73,9 +84,9 @@ def subproblem1(k, p, q):
 def subproblem2(k1, k2, p1, p2):
     """Return the angles that bring two points together: R(k1, theta1) p1 = R(k2, theta2) p2.
 
-    The points move on circles, which lie on one sphere if the points are equally far from the origin. Circles meet
-    twice, once or not at all. How far the points are from the origin does not change which angles bring them nearest,
-    so unit vectors are used.
+    The points move on circles, which lie on one sphere if the points are equally far from the
+    origin. Circles meet twice, once or not at all. How far the points are from the origin does not
+    change which angles bring them nearest, so unit vectors are used.
 
     Parameters
     ----------
@@ -109,7 +120,9 @@ def subproblem2(k1, k2, p1, p2):
     across = np.cross(n, k1)
     answers = []
     for side in (y, -y):
-        meeting = x[..., None] * across + side[..., None] * n  # from k1's axis, in the direction of the meeting point
+        meeting = (
+            x[..., None] * across + side[..., None] * n
+        )  # from k1's axis, in the direction of the meeting point
         theta1 = np.where(fixed1 | parallel, 0.0, _angle_about(k1, u1, meeting))
         onto = _rotate(k1, theta1, u1)
         theta2 = np.where(fixed2, 0.0, _angle_about(k2, u2, onto))
@@ -146,7 +159,9 @@ def subproblem3(k, p, q, d):
     radius1, radius2, height = length(np.cross(k, p)), length(np.cross(k, q)), _dot(k, p - q)
     nearest, farthest = height**2 + (radius1 - radius2) ** 2, height**2 + (radius1 + radius2) ** 2
     asked = np.maximum(d, 0.0)
-    theta, count, free = _either_side(k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked)
+    theta, count, free = _either_side(
+        k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked
+    )
     got = length(_rotate(k, theta[..., 0], p) - q)
     return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
 
@@ -182,7 +197,8 @@ def subproblem4(k, h, p, d):
 def euler_yxy(R):
     """Return both triples of angles with R = Ry(b1) Rx(b2) Ry(b3), by subproblems 2 and 1.
 
-    At b2 = 0 or pi only b1 + b3 or b1 - b3 matters: `free` is True there, and one triple is returned, with b1 = 0.
+    At b2 = 0 or pi only b1 + b3 or b1 - b3 matters: `free` is True there, and one triple is
+    returned, with b1 = 0.
 
     Parameters
     ----------
@@ -200,7 +216,9 @@ def euler_yxy(R):
     [[ 0.1     0.2     0.3   ]
      [-3.0416 -0.2    -2.8416]]
     """
-    R = quaternion_to_matrix(matrix_to_quaternion(R))  # refuses all but rotations, and rounds to the nearest
+    R = quaternion_to_matrix(
+        matrix_to_quaternion(R)
+    )  # refuses all but rotations, and rounds to the nearest
     ex, ey = np.eye(3)[:2]
     image = R[..., :, 1]  # of e_y: Ry(-b1) R e_y = Rx(b2) e_y
     found = subproblem2(ex, ey, ey, image)
@@ -214,20 +232,29 @@ def euler_yxy(R):
 
 def _arguments(**arguments):
     """Check vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
-    arrays = {name: real_array(value, name, () if name == "d" else (3,)) for name, value in arguments.items()}
-    batch = broadcast(**{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()})
+    arrays = {
+        name: real_array(value, name, () if name == "d" else (3,))
+        for name, value in arguments.items()
+    }
+    batch = broadcast(
+        **{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()}
+    )
     for name in [each for each in arrays if each.startswith("k")]:
         refuse_first(length(arrays[name]) == 0, name, "is zero: an axis needs a direction")
         arrays[name] = _unit(arrays[name])
-    return [np.broadcast_to(array, batch if name == "d" else (*batch, 3)) for name, array in arrays.items()]
+    return [
+        np.broadcast_to(array, batch if name == "d" else (*batch, 3))
+        for name, array in arrays.items()
+    ]
 
 
 def _meeting(heights, radii, cosine, sine):
     """Return where circles on the unit sphere meet, seen from the first one's axis.
 
-    x = (height2 - cosine height1) / sine lies in the plane of the axes, y >= 0 across it; y = 0 where they touch or
-    miss. A cosine near 1 is taken as 1 less a small number, so that its digits are kept; the signs flip axes and points
-    so that the cosines are positive. The smaller circle gives y most precisely.
+    x = (height2 - cosine height1) / sine lies in the plane of the axes, y >= 0 across it; y = 0
+    where they touch or miss. A cosine near 1 is taken as 1 less a small number, so that its digits
+    are kept; the signs flip axes and points so that the cosines are positive. The smaller circle
+    gives y most precisely.
     """
     sign1, sign2 = np.copysign(1.0, heights[0]), np.copysign(1.0, heights[0] * cosine)
     less, less1 = _less(np.abs(cosine), sine), _less(sign1 * heights[0], radii[0])
@@ -248,10 +275,10 @@ def _less(cosine, sine):
 def _either_side(k, p, q, over, under, rounding):
     """Return the two angles about k at equal distances from the one that aligns p with q.
 
-    They are theta (..., 2), how many differ, and whether all angles are as good.
-    From the aligning angle, a, to a + pi, the quantity asked for changes in proportion to sin^2((theta - a) / 2).
-    over: how far the asked value lies beyond the one at a. under: how far it falls short of the one at a + pi. Both
-    count as zero up to `rounding`.
+    They are theta (..., 2), how many differ, and whether all angles are as good. From the aligning
+    angle, a, to a + pi, the quantity asked for changes in proportion to sin^2((theta - a) / 2).
+    over: how far the asked value lies beyond the one at a. under: how far it falls short of the one
+    at a + pi. Both count as zero up to `rounding`.
     """
     free = _on_axis(k, p) | _on_axis(k, q)
     over, under = (np.where(part <= rounding, 0.0, part) for part in (over, under))

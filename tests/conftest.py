@@ -16,13 +16,22 @@ pytest.register_assert_rewrite("site_visits")  # so that it says what differs, a
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 
 # The same examples on every run and every machine: a test that fails is one that will fail again.
-settings.register_profile("course", derandomize=True, database=None, deadline=None, max_examples=100)
+settings.register_profile(
+    "course", derandomize=True, database=None, deadline=None, max_examples=100
+)
 settings.load_profile("course")
 
 
 BANK = Path(__file__).parent / "answers"
-collect_ignore = ["answers"]  # some are called test_..., as the exercises are in which a test is written
-ABOUT_AN_EXERCISE = ("test_bank.py", "test_exercise_cells.py", "test_mutants.py", "test_release_leaks.py")
+collect_ignore = [
+    "answers"
+]  # some are called test_..., as the exercises are in which a test is written
+ABOUT_AN_EXERCISE = (
+    "test_bank.py",
+    "test_exercise_cells.py",
+    "test_mutants.py",
+    "test_release_leaks.py",
+)
 ABOUT_A_NOTEBOOK = (*ABOUT_AN_EXERCISE, "test_notebooks.py", "test_release_runs.py")
 
 
@@ -35,20 +44,44 @@ def pytest_ignore_collect(collection_path):
         return name not in ABOUT_AN_EXERCISE or None
     if any(BANK.glob(f"*{only}*")):
         return not (name in ABOUT_A_NOTEBOOK or only in name) or None
-    return not (only in name or (name.endswith(".py") and only in collection_path.read_text(encoding="utf-8"))) or None
+    return (
+        not (
+            only in name
+            or (name.endswith(".py") and only in collection_path.read_text(encoding="utf-8"))
+        )
+        or None
+    )
 
 
-# What takes longest: it goes first, so that the processes that share the files end together. JupyterLab is waited for
-# most of the time, so others work meanwhile; files that need a browser follow each other, for it stays open.
-LONGEST = ["test_lab.py", "test_site_course.py", "test_mutants.py", "test_grade_hostile.py", "test_bank.py"]
+# What takes longest: it goes first, so that the processes that share the files end together.
+# JupyterLab is waited for most of the time, so others work meanwhile; files that need a browser
+# follow each other, for it stays open.
+LONGEST = [
+    "test_lab.py",
+    "test_site_course.py",
+    "test_mutants.py",
+    "test_grade_hostile.py",
+    "test_bank.py",
+]
 LONGEST += ["test_grade_submission.py", "test_release_runs.py", "05_panda_dh_ik.ipynb"]
 LONGEST += ["test_toys_page.py", "test_site.py", "test_site_answers.py"]
-LONGEST += ["test_grade_tests.py", "test_grade_cluster.py", "test_commands.py", "06_decomposition_ik.ipynb"]
+LONGEST += [
+    "test_grade_tests.py",
+    "test_grade_cluster.py",
+    "test_commands.py",
+    "06_decomposition_ik.ipynb",
+]
 LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade_layouts.py"]
-LONGEST += ["test_release_nbgrader.py", "test_grade_isolation.py", "test_notebook_runner.py", "test_grade_jobs.py"]
+LONGEST += [
+    "test_release_nbgrader.py",
+    "test_grade_isolation.py",
+    "test_notebook_runner.py",
+    "test_grade_jobs.py",
+]
 
 
-# Thousands of tests are collected and kept: searching for garbage among them would double the time that takes.
+# Thousands of tests are collected and kept: searching for garbage among them would double the time
+# that takes.
 gc.disable()
 
 
@@ -56,21 +89,33 @@ def pytest_collection_finish(session):
     """With ONLY=typo say what there is instead of pytest's "no tests ran"."""
     gc.freeze()
     gc.enable()
-    session.config.in_browser = {item.path for item in session.items if "browser" in getattr(item, "fixturenames", ())}
+    session.config.in_browser = {
+        item.path for item in session.items if "browser" in getattr(item, "fixturenames", ())
+    }
     only = os.environ.get("ONLY")
     if only and not session.items and not session.testsfailed:
         names = {path.stem for pattern in ("*", "*/*.py") for path in BANK.glob(pattern)}
         names |= {
-            path.stem for pattern in ("tests/*.py", "notebooks/*.ipynb") for path in BANK.parents[1].glob(pattern)
+            path.stem
+            for pattern in ("tests/*.py", "notebooks/*.ipynb")
+            for path in BANK.parents[1].glob(pattern)
         }
-        near = difflib.get_close_matches(only, sorted(names | {name.removeprefix("test_") for name in names}))
-        raise pytest.UsageError(f"Nothing has {only} in its name. Near it: {', '.join(near) or 'nothing'}.")
+        near = difflib.get_close_matches(
+            only, sorted(names | {name.removeprefix("test_") for name in names})
+        )
+        raise pytest.UsageError(
+            f"Nothing has {only} in its name. Near it: {', '.join(near) or 'nothing'}."
+        )
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers():
     """Half as many processes again as processors: a third of the time tests wait, for a sandbox, a kernel or a page."""
-    return None if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ else max(1, (os.cpu_count() or 1) * 3 // 2)
+    return (
+        None
+        if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ
+        else max(1, (os.cpu_count() or 1) * 3 // 2)
+    )
 
 
 def pytest_collection_modifyitems(items):
@@ -88,7 +133,9 @@ def pytest_runtest_protocol(item):
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "tools(*names): programs that the test needs; it sees no others (tools.py)")
+    config.addinivalue_line(
+        "markers", "tools(*names): programs that the test needs; it sees no others (tools.py)"
+    )
     config.machine = Machine()
     config.browser, config.to_close = None, ExitStack()
 
@@ -101,7 +148,9 @@ def pytest_unconfigure(config):
 def pytest_runtest_setup(item):
     """Before fixtures are made: those of a module see what its first test declares."""
     item.config.machine.show(item)
-    if item.path not in item.config.in_browser:  # while a browser is open, no other event loop can run
+    if (
+        item.path not in item.config.in_browser
+    ):  # while a browser is open, no other event loop can run
         item.config.to_close.close()
         item.config.browser = None
     elif item.config.browser:
@@ -115,8 +164,12 @@ def solutions():
     """The notebook's name -> the sources of its first code cell (imports) and of the authors' solutions."""
 
     def read(name):
-        cells = [c for c in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if c.cell_type == "code"]
-        return [cells[0].source] + [c.source for c in cells if c.metadata.get("nbgrader", {}).get("solution")]
+        cells = [
+            c for c in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if c.cell_type == "code"
+        ]
+        return [cells[0].source] + [
+            c.source for c in cells if c.metadata.get("nbgrader", {}).get("solution")
+        ]
 
     return read
 
@@ -198,8 +251,16 @@ def pytest_terminal_summary(terminalreporter):
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (
-        ("bank", "checks against answers", "right ones accepted,wrong ones refused,mistakes refused by name"),
-        ("mutants", "checks against mutants of the solutions", "mutants,tried,accepted,of these different"),
+        (
+            "bank",
+            "checks against answers",
+            "right ones accepted,wrong ones refused,mistakes refused by name",
+        ),
+        (
+            "mutants",
+            "checks against mutants of the solutions",
+            "mutants,tried,accepted,of these different",
+        ),
     ):
         rows = sorted({tuple(row) for name, row in recorded if name == kind})
         if rows:

@@ -16,10 +16,21 @@ PYTHONPATH='{folder}' exec '{python}' "$@"
 def copied(folder, *parts, notebooks="*"):
     """Copy course_lib, the notebooks whose names match, and further parts into a folder; return it."""
     books = [path for path in (ROOT / "notebooks").glob("0*.ipynb") if not path.match(notebooks)]
-    ignored = shutil.ignore_patterns(".ipynb_checkpoints", *(path.name for path in books))  # what is compiled stays so
-    for name in ("course_lib", "notebooks", "Makefile", "environment.txt", "pyproject.toml", *parts):
+    ignored = shutil.ignore_patterns(
+        ".ipynb_checkpoints", *(path.name for path in books)
+    )  # what is compiled stays so
+    for name in (
+        "course_lib",
+        "notebooks",
+        "Makefile",
+        "environment.txt",
+        "pyproject.toml",
+        *parts,
+    ):
         path = ROOT / name
-        shutil.copytree(path, folder / name, ignore=ignored) if path.is_dir() else shutil.copy(path, folder / name)
+        shutil.copytree(path, folder / name, ignore=ignored) if path.is_dir() else shutil.copy(
+            path, folder / name
+        )
     programs = folder / ".venv/bin"
     programs.mkdir(parents=True)
     (programs / "python").write_text(PYTHON.format(folder=folder, python=sys.executable))
@@ -32,14 +43,25 @@ def copied(folder, *parts, notebooks="*"):
 
 def count_as_set_up(folder):
     """Let make find the environment as it wants it, also after a change to pyproject.toml."""
-    written = [(folder / name).read_text(encoding="utf-8") for name in ("environment.txt", "pyproject.toml")]
-    (folder / ".venv/made-from").write_text("".join([f"{folder.resolve()}\n", *written]), encoding="utf-8")
+    written = [
+        (folder / name).read_text(encoding="utf-8")
+        for name in ("environment.txt", "pyproject.toml")
+    ]
+    (folder / ".venv/made-from").write_text(
+        "".join([f"{folder.resolve()}\n", *written]), encoding="utf-8"
+    )
 
 
 def run(folder, *command, **variables):
     """Run a command in the copy, without the settings of the make and pytest that run now; return its process."""
-    outside = {key: value for key, value in os.environ.items() if not key.startswith(("PYTEST", "MAKE", "ONLY"))}
-    return subprocess.run(command, cwd=folder, env=outside | variables, capture_output=True, text=True, timeout=3600)
+    outside = {
+        key: value
+        for key, value in os.environ.items()
+        if not key.startswith(("PYTEST", "MAKE", "ONLY"))
+    }
+    return subprocess.run(
+        command, cwd=folder, env=outside | variables, capture_output=True, text=True, timeout=3600
+    )
 
 
 def made(folder, *targets):

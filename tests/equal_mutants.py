@@ -1,8 +1,9 @@
 """Whether a mutant of a notebook's solution answers as the solution does, on more inputs than its check asks.
 
-The inputs are the exercise's cases with other seeds, and these cases with an argument changed, wherever the solution is
-right on them: the exercise's properties hold, and its library answers the same. A test is asked about the candidates of
-its exercise and about mutants of the function that it tests.
+The inputs are the exercise's cases with other seeds, and these cases with an argument changed,
+wherever the solution is right on them: the exercise's properties hold, and its library answers the
+same. A test is asked about the candidates of its exercise and about mutants of the function that it
+tests.
 """
 
 from dataclasses import replace
@@ -16,10 +17,15 @@ from course_lib.checks.write_test import Version, WriteTest
 
 SEEDS = range(100, 103)
 VARIED = 12
-MOST = 12  # inputs besides the cases of one seed; as many candidates of a test, besides its exercise's
+MOST = (
+    12  # inputs besides the cases of one seed; as many candidates of a test, besides its exercise's
+)
 
 # These have more than one right answer to an input: the properties of the exercise decide.
-SEVERAL = "slerp euler_yxy subproblem1 subproblem2 subproblem3 subproblem4 arm_angles six_axis_ik two_link_angles"
+SEVERAL = (
+    "slerp euler_yxy subproblem1 subproblem2 subproblem3 subproblem4 arm_angles six_axis_ik "
+    "two_link_angles"
+)
 SEVERAL += " singular_configurations panda_ik plan_pick random_rotations random_quaternions"
 SEVERAL += " split_branches read_ur5e"
 
@@ -28,7 +34,9 @@ class Solution:
     """The solution of an exercise: its source, among the names of a notebook and the sources of its other solutions."""
 
     def __init__(self, exercise, space, sources):
-        mistakes = type(exercise.mistakes)()  # none: what a wrong answer is called does not matter here
+        mistakes = type(
+            exercise.mistakes
+        )()  # none: what a wrong answer is called does not matter here
         self.exercise = replace(exercise, mistakes=mistakes, forbidden=(), broken=None)
         self.space, self.sources, self.own = space, sources, sources[exercise.name]
 
@@ -46,12 +54,16 @@ class Solution:
         if cases[0]:
             more = [case for seed in others for case in seed]
             pairs = rng.integers(len(more), size=(VARIED, 2))
-            more += [case for i, j in pairs if self._is_input(case := _varied(more[i], more[j], rng))]
+            more += [
+                case for i, j in pairs if self._is_input(case := _varied(more[i], more[j], rng))
+            ]
             cases += [more[i] for i in rng.permutation(len(more))[:MOST]]
         return cases, self._answers(self.own, cases)
 
     def _is_input(self, case):
-        expected = attempt(self.exercise.library, *case)  # None for most of the inputs that are none
+        expected = attempt(
+            self.exercise.library, *case
+        )  # None for most of the inputs that are none
         return expected is not None and self._is_right(self.own, [case], [expected])
 
     def _is_right(self, source, cases, expected):
@@ -79,20 +91,31 @@ class Solution:
         tested = self.exercise.name.removeprefix("test_")
         others = spread(mutants(self.sources[tested]), MOST) if tested in self.sources else []
         functions = [made(other.source, tested, self.space) for other in others]
-        either = [[Version("", function, right) for right in (True, False)] for function in functions]
+        either = [
+            [Version("", function, right) for right in (True, False)] for function in functions
+        ]
         student = self._student(self.own)
-        return self.exercise.versions + tuple(v for both in either for v in both if self._judges(student, [v]))
+        return self.exercise.versions + tuple(
+            v for both in either for v in both if self._judges(student, [v])
+        )
 
     def _judges(self, student, versions):
         """Return whether a student's test accepts the right versions, of which it needs one, and refuses the wrong."""
-        either = [next(v for v in self.exercise.versions if v.right is right) for right in (True, False)]
-        return judge(replace(self.exercise, versions=(*either, *versions)), student, seconds=60).state == RIGHT
+        either = [
+            next(v for v in self.exercise.versions if v.right is right) for right in (True, False)
+        ]
+        return (
+            judge(replace(self.exercise, versions=(*either, *versions)), student, seconds=60).state
+            == RIGHT
+        )
 
 
 def _varied(case, other, rng):
     """Return a case with one argument of another case, or with the numbers of one argument changed."""
     case, k, how = list(case), rng.integers(len(case)), rng.integers(3)
-    if how == 0 or not (isinstance(case[k], float | np.ndarray) and np.asarray(case[k]).dtype.kind == "f"):
+    if how == 0 or not (
+        isinstance(case[k], float | np.ndarray) and np.asarray(case[k]).dtype.kind == "f"
+    ):
         case[k] = other[k]
     elif how == 1:
         case[k] = case[k] * rng.uniform(0.3, 3)

@@ -13,7 +13,9 @@ class Film:
 
     def __init__(self, toy):
         self.course = toy.stored()["layout"]["meta"]["course"]
-        self.poses = rigid.transform(exp_so3(self.course["rotations"]), np.array(self.course["positions"]) / 1000)
+        self.poses = rigid.transform(
+            exp_so3(self.course["rotations"]), np.array(self.course["positions"]) / 1000
+        )
         self.local, self.of_body = _read(self.course["solid"])
         self.bodies = [self.local[self.of_body == k] for k in range(self.of_body.max() + 1)]
         self.paths = [np.array(points, float) for points, *_ in self.course["paths"]]

@@ -1,8 +1,8 @@
 """What stands for the grading of one submission where tests are about what happens around it.
 
-A submission is JSON that says what to do: {"points": [1, 0], "log": folder that gets a file for each call,
-"seconds": to take, "do": "raise", "end" (the process) or nothing, "texts": written answers, "more": names of exercises
-and questions in More}.
+A submission is JSON that says what to do: {"points": [1, 0], "log": folder that gets a file for
+each call, "seconds": to take, "do": "raise", "end" (the process) or nothing, "texts": written
+answers, "more": names of exercises and questions in More}.
 """
 
 import json
@@ -34,7 +34,9 @@ def grade(content, notebook, seed):
         raise ValueError("a grader has errors too")
     if orders.get("do") == "end":
         os._exit(1)
-    return result(orders.get("points", ()), orders.get("texts", ()), notebook, orders.get("more", ()))
+    return result(
+        orders.get("points", ()), orders.get("texts", ()), notebook, orders.get("more", ())
+    )
 
 
 def dask_setup(worker):
@@ -54,12 +56,18 @@ def result(points=(), texts=(), notebook="01_rotations", more=(), **changed):
     """A result as grade gives it: an exercise of 2 points for each of `points`, a question for each of `texts`."""
     exercises = [
         {"exercise": f"exercise_{i}", "points": p, "of": 2, "state": "right" if p else "wrong"}
-        | {"message": "" if p else "What should hold: it is a rotation.", "mistake": "" if p else "R^T is returned"}
+        | {
+            "message": "" if p else "What should hold: it is a rotation.",
+            "mistake": "" if p else "R^T is returned",
+        }
         for i, p in enumerate(points)
     ]
-    questions = [{"question": f"explain_{i}", "of": 2, "text": text} for i, text in enumerate(texts)]
+    questions = [
+        {"question": f"explain_{i}", "of": 2, "text": text} for i, text in enumerate(texts)
+    ]
     exercises, questions = (
-        [e | {"more": set(e.values()) & set(more) != set()} for e in x] for x in (exercises, questions)
+        [e | {"more": set(e.values()) & set(more) != set()} for e in x]
+        for x in (exercises, questions)
     )
     plain = {"notebook": notebook, "release": "0.1.0-abc", "problems": []}
     return plain | {"exercises": exercises, "questions": questions} | changed

@@ -1,7 +1,8 @@
 """What students are to find out themselves, and how a text is searched for it: for the zip and for the site.
 
-Code is compared as ast.unparse writes it, so that comments, quotes and line breaks do not matter, and names do; text
-as it stands. A solution counts as found where three of its lines in a row are, or all of them where it has fewer.
+Code is compared as ast.unparse writes it, so that comments, quotes and line breaks do not matter,
+and names do; text as it stands. A solution counts as found where three of its lines in a row are,
+or all of them where it has fewer.
 """
 
 import ast
@@ -66,4 +67,8 @@ def texts(name, content):
     sources = [text]
     if name.endswith(".ipynb"):
         sources += [cell["source"] for cell in nbformat.reads(text, 4).cells]
-    return [said for s in sources for said in ("\n".join(lines(s)), "\n".join(code(s)), " ".join(s.split()))]
+    return [
+        said
+        for s in sources
+        for said in ("\n".join(lines(s)), "\n".join(code(s)), " ".join(s.split()))
+    ]

@@ -22,7 +22,13 @@ OTHER_COMPARISON = {
     ast.Eq: [ast.NotEq],
     ast.In: [ast.NotIn],
 }
-PAIRS = [("sin", "cos"), ("arcsin", "arccos"), ("min", "max"), ("argmin", "argmax"), ("floor", "ceil")]
+PAIRS = [
+    ("sin", "cos"),
+    ("arcsin", "arccos"),
+    ("min", "max"),
+    ("argmin", "argmax"),
+    ("floor", "ceil"),
+]
 PAIRS += [("ones", "zeros"), ("any", "all"), ("hstack", "vstack")]
 OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
 EVEN = ("abs", "cos", "len", "norm", "zeros")  # which take no notice of the sign
@@ -56,7 +62,9 @@ def mutants(source):
                 seen.add(text)
                 line = _first_difference(original, text)
                 lines[line] = lines.get(line, 0) + 1
-                found.append(Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text))
+                found.append(
+                    Mutant(kind, line if lines[line] == 1 else f"{line} ({lines[line]})", text)
+                )
     return found
 
 
@@ -76,21 +84,33 @@ def spread(found, most):
         least_served = max(kinds, key=lambda kind: (shares[kind] < len(kinds[kind]), -shares[kind]))
         shares[least_served] += 1
     return [
-        each[k * len(each) // share] for kind, each in kinds.items() for share in [shares[kind]] for k in range(share)
+        each[k * len(each) // share]
+        for kind, each in kinds.items()
+        for share in [shares[kind]]
+        for k in range(share)
     ]
 
 
 def _first_difference(original, text):
     """The changed line."""
     old, new = original.splitlines(), text.splitlines()
-    at = next((k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]), len(new) - 1)
-    return f"without {old[at].strip()}" if len(old) != len(new) or new[at].strip() == "pass" else new[at].strip()
+    at = next(
+        (k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]),
+        len(new) - 1,
+    )
+    return (
+        f"without {old[at].strip()}"
+        if len(old) != len(new) or new[at].strip() == "pass"
+        else new[at].strip()
+    )
 
 
 def _places(parent, in_index=False):
     """Each (holder, key, parent, in_index): holder[key] is a node below the parent, within an index or not."""
     for field, value in ast.iter_fields(parent):
-        holder, keys = (value, range(len(value))) if isinstance(value, list) else (vars(parent), [field])
+        holder, keys = (
+            (value, range(len(value))) if isinstance(value, list) else (vars(parent), [field])
+        )
         inside = in_index or (isinstance(parent, ast.Subscript) and field == "slice")
         for key in keys:
             if isinstance(holder[key], ast.AST):
@@ -110,9 +130,15 @@ def _changes(node, parent, key, in_index):
         yield from (("condition", side) for side in node.values)
     if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.Add | ast.Sub):
         yield from (("factor", side) for side in (node.left, node.right))
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float) and _called(parent) != "default_rng":
+    if (
+        isinstance(node, ast.Constant)
+        and type(node.value) in (int, float)
+        and _called(parent) != "default_rng"
+    ):
         others = [node.value + 1] if in_index or node.value in (0, 1) else []
-        others += [node.value * 1.1] if abs(node.value) > 1e-3 and not in_index else []  # no tolerance
+        others += (
+            [node.value * 1.1] if abs(node.value) > 1e-3 and not in_index else []
+        )  # no tolerance
         others += [-node.value] if node.value and not in_index else []
         yield from (("constant", ast.parse(repr(other), mode="eval").body) for other in others)
     if isinstance(node, ast.UnaryOp):
@@ -161,18 +187,31 @@ def solved(name):
 
     A solution that calls another one gets the library's function instead, which is faster.
     """
-    cells = [cell for cell in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if cell.cell_type == "code"]
+    cells = [
+        cell
+        for cell in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells
+        if cell.cell_type == "code"
+    ]
     own = [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
     sources = {cell.metadata.nbgrader.grade_id: cell.source for cell in own}
-    given = [statement for cell in cells[1:] if cell not in own for statement in ast.parse(cell.source).body]
+    given = [
+        statement
+        for cell in cells[1:]
+        if cell not in own
+        for statement in ast.parse(cell.source).body
+    ]
     space = {"__name__": name, "passes": Passes()}
     with contextlib.chdir(NOTEBOOKS):  # where the notebooks find their data
         exec(cells[0].source, space)
-        wanted = set().union(*(_read(ast.parse(source).body[0]) for source in sources.values())) - set(space)
+        wanted = set().union(
+            *(_read(ast.parse(source).body[0]) for source in sources.values())
+        ) - set(space)
         for part in [*sources.values(), *map(ast.unparse, _needed(given, wanted, set(space)))]:
             exec(part, space)
     checks = importlib.import_module(f"course_lib.checks.{name.partition('_')[2]}").CHECKS
-    right = {check.exercise.name: check.exercise.library for check in checks if check.exercise.library}
+    right = {
+        check.exercise.name: check.exercise.library for check in checks if check.exercise.library
+    }
     return space | right, sources
 
 
@@ -199,7 +238,9 @@ def _defined(statement):
     if isinstance(statement, (ast.FunctionDef, ast.ClassDef)):
         return {statement.name}
     targets = statement.targets if isinstance(statement, ast.Assign) else []
-    return {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
+    return {
+        node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)
+    }
 
 
 class TooMany(Exception):
@@ -233,7 +274,8 @@ class _Counted(ast.NodeTransformer):
 def made(source, name, space):
     """Return the function of that name which the source defines, among the names of a notebook.
 
-    Each call counts its passes anew, and raises for an answer of more than a million entries, which is slow to write.
+    Each call counts its passes anew, and raises for an answer of more than a million entries, which
+    is slow to write.
     """
     own = dict(space)
     tree = ast.fix_missing_locations(_Counted().visit(ast.parse(source)))

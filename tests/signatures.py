@@ -61,7 +61,13 @@ _NO_ROTATION = (
     lambda R: 0 * R,
     lambda R: R + np.triu(np.full_like(R, 1e-5)),
 )
-_NO_POSE = (*map(_block, _NO_ROTATION), _with(1.00001, -1, -1), _with(0.0, -1, -1), _with(1e-5, -1, 0), np.zeros_like)
+_NO_POSE = (
+    *map(_block, _NO_ROTATION),
+    _with(1.00001, -1, -1),
+    _with(0.0, -1, -1),
+    _with(1e-5, -1, 0),
+    np.zeros_like,
+)
 _NOT_SKEW = (lambda W: W + np.eye(3), np.abs, lambda W: W + 1e-5 * np.ones((3, 3)))
 
 
@@ -91,16 +97,40 @@ _TOL = Other(lambda: 1e-6, (*_NO_NUMBER, -1e-300))
 _N = Other(lambda: 3, (*_NO_NUMBER, np.int64(-2), 10**30, 2**62, 3.0, np.float64(3), (2, 2)))
 _RNG = Other(
     lambda: np.random.default_rng(0),
-    (None, 0, "seed", np.random, np.random.RandomState(0), np.random.PCG64(0), np.random.default_rng),
+    (
+        None,
+        0,
+        "seed",
+        np.random,
+        np.random.RandomState(0),
+        np.random.PCG64(0),
+        np.random.default_rng,
+    ),
 )
 
 _MANY = Other(lambda: 3, (*_N.invalid, 0, 1))
 _SECONDS = Other(lambda: 0.3, (*_NO_NUMBER, 0))
-_PLANLESS = (None, 1, [1], ["ab"], [()], [((1, 0, 0),)], [((1, 0, 0), 1, 1)], [(None, 1)], [([1, [2]], 1)], [(1, 1)])
-_NO_DURATION = tuple([((1, 0, 0), 1), ((1, 0, 0), bad)] for bad in (-1e-300, np.nan, np.inf, None, "1", [1], True))
+_PLANLESS = (
+    None,
+    1,
+    [1],
+    ["ab"],
+    [()],
+    [((1, 0, 0),)],
+    [((1, 0, 0), 1, 1)],
+    [(None, 1)],
+    [([1, [2]], 1)],
+    [(1, 1)],
+)
+_NO_DURATION = tuple(
+    [((1, 0, 0), 1), ((1, 0, 0), bad)] for bad in (-1e-300, np.nan, np.inf, None, "1", [1], True)
+)
 _VELOCITIES = Other(lambda: [((1, 0, 2), 1), ((0, -1, 0), 0.5)], (*_PLANLESS, *_NO_DURATION))
 _ANY_PLAN = Other(lambda: [((1, 0, 2), 1), ((0, -1), 0.5)], (*_PLANLESS, *_NO_DURATION))
-_PLAN = Other(_VELOCITIES.valid, (*_VELOCITIES.invalid, [((1, 0), 1)], [((1, 0, np.nan), 1)], [(np.ones((2, 3)), 1)]))
+_PLAN = Other(
+    _VELOCITIES.valid,
+    (*_VELOCITIES.invalid, [((1, 0), 1)], [((1, 0, np.nan), 1)], [(np.ones((2, 3)), 1)]),
+)
 _SCALING = Other(lambda: planar.quintic_time_scaling, (None, "cubic", 3, np.ones(3), len))
 _ARM = Other(lambda: planar_arm([1, 2, 1, 0.5]), (None, 4, [1, 1], np.eye(4), planar_arm))
 
@@ -111,8 +141,12 @@ def _between(low, high, *spoil):
 
 _POSITIVE = _between(1, 2, np.zeros_like, np.negative)
 _TIME = _between(0, 1, lambda t: t - 1.001, lambda t: t + 2)
-_JOINTS = {k: Numbers((k,), _plain(k).sample, also=tuple((n,) for n in range(1, 8))) for k in (3, 4)}
-_SPEEDS = {n: Numbers((n,), _plain(n).sample, also=((),)) for n in (3, 4)}  # one zero stands for them all
+_JOINTS = {
+    k: Numbers((k,), _plain(k).sample, also=tuple((n,) for n in range(1, 8))) for k in (3, 4)
+}
+_SPEEDS = {
+    n: Numbers((n,), _plain(n).sample, also=((),)) for n in (3, 4)
+}  # one zero stands for them all
 _AXIS = Numbers((3,), _plain(3).sample, (np.zeros_like,))
 _ENDS = {name: _plain() for name in ("s0", "s1", "v0", "v1")}
 _REST = {"n": _MANY, "T": _SECONDS}
@@ -120,10 +154,18 @@ _REST = {"n": _MANY, "T": _SECONDS}
 
 def _damped(n):
     target = Numbers((n,), _plain(n).sample, also=((5 - n,),))
-    return {"arm": _ARM, "target": target, "q0": _plain(4), "alpha": _POSITIVE, "eps": _POSITIVE, "steps": _N}
+    return {
+        "arm": _ARM,
+        "target": target,
+        "q0": _plain(4),
+        "alpha": _POSITIVE,
+        "eps": _POSITIVE,
+        "steps": _N,
+    }
 
 
-# One entry for each public function; more than one set of arguments where it takes more than one shape.
+# One entry for each public function; more than one set of arguments where it takes more than one
+# shape.
 ARGUMENTS = {
     "hat": [{"w": _plain(3)}],
     "vee": [{"W": _SKEW}],
@@ -155,7 +197,16 @@ ARGUMENTS = {
     "cubic_time_scaling": [{"t": _TIME, "T": _POSITIVE, **_ENDS}],
     "quintic_time_scaling": [{"t": _TIME, "T": _POSITIVE, **_ENDS, "a0": _plain(), "a1": _plain()}],
     **{
-        name: [{"start": start, "goal": _plain(k), **_REST, "v_start": v, "v_goal": v, "scaling": _SCALING}]
+        name: [
+            {
+                "start": start,
+                "goal": _plain(k),
+                **_REST,
+                "v_start": v,
+                "v_goal": v,
+                "scaling": _SCALING,
+            }
+        ]
         for name, start, k, v in [
             ("interpolate_body", _plain(3), 3, _SPEEDS[3]),
             ("interpolate_arm", _JOINTS[4], 4, _SPEEDS[4]),
@@ -176,7 +227,8 @@ ARGUMENTS = {
     "pose_error": [{"T": _pose(3), "target": _pose(3)}],
 }
 
-# solve has tests of its own; the other two serve the library, for arguments that are looked at elsewhere.
+# solve has tests of its own; the other two serve the library, for arguments that are looked at
+# elsewhere.
 _TESTED_APART = {"solve", "length", "checked_pose"}
 
 FUNCTIONS = {
@@ -189,7 +241,9 @@ FUNCTIONS = {
     and name not in _TESTED_APART
 }
 
-CALLS = [(name, arguments) for name, sets in ARGUMENTS.items() for arguments in sets if name in FUNCTIONS]
+CALLS = [
+    (name, arguments) for name, sets in ARGUMENTS.items() for arguments in sets if name in FUNCTIONS
+]
 
 # The calls that take arrays, of which there may be batches.
 BATCHED = [call for call in CALLS if any(isinstance(kind, Numbers) for kind in call[1].values())]
@@ -198,21 +252,30 @@ BATCHED = [call for call in CALLS if any(isinstance(kind, Numbers) for kind in c
 def call_name(call):
     """Return the id of an entry of CALLS in pytest's output: "is_so(2, 2)"."""
     name, arguments = call
-    return name + "".join(str(kind.core) for kind in arguments.values() if isinstance(kind, Numbers))
+    return name + "".join(
+        str(kind.core) for kind in arguments.values() if isinstance(kind, Numbers)
+    )
 
 
 def valid_arguments(arguments, rng, batch=()):
     """Return {name: valid value} for one entry of ARGUMENTS."""
     return {
-        name: kind.sample(rng, batch) if isinstance(kind, Numbers) else kind.valid() for name, kind in arguments.items()
+        name: kind.sample(rng, batch) if isinstance(kind, Numbers) else kind.valid()
+        for name, kind in arguments.items()
     }
 
 
 def parts(answer):
     """Return the arrays that an answer consists of, by name: the fields of a RotationAngles, or the one array."""
-    return vars(answer) if isinstance(answer, subproblems.RotationAngles) else {"answer": np.asarray(answer)}
+    return (
+        vars(answer)
+        if isinstance(answer, subproblems.RotationAngles)
+        else {"answer": np.asarray(answer)}
+    )
 
 
 def expected_type(name, part):
     """Return the type of the entries of a part of what the function gives."""
-    return {"count": int, "exact": bool, "free": bool}.get(part, bool if name.startswith("is_") else float)
+    return {"count": int, "exact": bool, "free": bool}.get(
+        part, bool if name.startswith("is_") else float
+    )

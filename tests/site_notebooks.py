@@ -36,10 +36,27 @@ T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
 | $R$ | rotation |
 """
 # Tests look for its word in whole files: no random id of a cell holds it by chance.
-SOLUTION = f"def turn():\n    ### BEGIN SOLUTION\n    return 'gooseberry'  # {'and on ' * 40}\n    ### END SOLUTION"
-NBGRADER = {"schema_version": 3, "grade_id": "turn", "solution": True, "grade": False, "locked": False}
-MODEL_ANSWER = "**Model answer.** Its columns, $R e_i$, stay *orthogonal*.\n\n*Rubric (1): 1 for columns.*"
-EXPLAINED = {"schema_version": 3, "grade_id": "explain_turn", "solution": True, "grade": True, "locked": False}
+SOLUTION = (
+    f"def turn():\n    ### BEGIN SOLUTION\n    return 'gooseberry'  # {'and on ' * 40}\n    ### "
+    f"END SOLUTION"
+)
+NBGRADER = {
+    "schema_version": 3,
+    "grade_id": "turn",
+    "solution": True,
+    "grade": False,
+    "locked": False,
+}
+MODEL_ANSWER = (
+    "**Model answer.** Its columns, $R e_i$, stay *orthogonal*.\n\n*Rubric (1): 1 for columns.*"
+)
+EXPLAINED = {
+    "schema_version": 3,
+    "grade_id": "explain_turn",
+    "solution": True,
+    "grade": True,
+    "locked": False,
+}
 CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right: $R$</div>'
 TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
 MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"
@@ -56,12 +73,18 @@ def png() -> str:
 
 
 def cell(*outputs, source="pass", tags=(), **metadata):
-    return new_code_cell(source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata})
+    return new_code_cell(
+        source, outputs=list(outputs), execution_count=1, metadata={"tags": list(tags), **metadata}
+    )
 
 
 def caption_output(words):
     """What show() displays below a figure."""
-    return new_output("display_data", data={"text/markdown": words, "text/plain": words}, metadata={"caption": words})
+    return new_output(
+        "display_data",
+        data={"text/markdown": words, "text/plain": words},
+        metadata={"caption": words},
+    )
 
 
 def output(data, alt=None):

@@ -37,24 +37,33 @@ CONTRAST = """element => {
 @contextmanager
 def open_browser():
     with sync_playwright() as playwright:
-        # Machines without a graphics card draw 3D in software, which Chromium wants to be asked for.
+        # Machines without a graphics card draw 3D in software, which Chromium wants to be asked
+        # for.
         arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]
-        browser = playwright.chromium.launch(executable_path=os.environ["BROWSER_PATH"], args=arguments)
+        browser = playwright.chromium.launch(
+            executable_path=os.environ["BROWSER_PATH"], args=arguments
+        )
         yield browser
         browser.close()
 
 
-# Windows that no visit uses, of each browser. A new one starts a process that reads the first page's styles and scripts
-# afresh, which takes as long as all else; so a visit that ends leaves its window, emptied, to the next one.
+# Windows that no visit uses, of each browser. A new one starts a process that reads the first
+# page's styles and scripts afresh, which takes as long as all else; so a visit that ends leaves its
+# window, emptied, to the next one.
 FREE_WINDOWS = WeakKeyDictionary()
 
 
 class Visit:
     """A page that was opened offline, and what happened meanwhile."""
 
-    def __init__(self, browser, file, *, theme="light", width=1280, query="", without=None, **context):
+    def __init__(
+        self, browser, file, *, theme="light", width=1280, query="", without=None, **context
+    ):
         self.requests, self.complaints = [], []
-        look = {"color_scheme": theme, "reduced_motion": "reduce"}  # else the theme glides to what is scrolled to
+        look = {
+            "color_scheme": theme,
+            "reduced_motion": "reduce",
+        }  # else the theme glides to what is scrolled to
         size = {"width": width, "height": 844}
         self.free = FREE_WINDOWS.setdefault(browser, [])
         self.is_plain = not (without or context)
@@ -63,7 +72,9 @@ class Visit:
             self.page.emulate_media(media="null", **look)
             self.page.set_viewport_size(size)
         else:
-            self.page = browser.new_context(offline=True, viewport=size, **look, **context).new_page()
+            self.page = browser.new_context(
+                offline=True, viewport=size, **look, **context
+            ).new_page()
         self.context = self.page.context
         be_patient(browser)
         self.listeners = {
@@ -110,15 +121,18 @@ class Visit:
     def draw_figures(self):
         """Scroll to each toy; return how many there are."""
         boxes = self.page.locator(".toy-figure").all()
-        self.page.evaluate(OPEN.replace('"details"', '"section.more > details"'))  # what is folded is not near
+        self.page.evaluate(
+            OPEN.replace('"details"', '"section.more > details"')
+        )  # what is folded is not near
         for box in boxes:
             box.scroll_into_view_if_needed()
             box.locator(".course-toy").first.wait_for()
         return len(boxes)
 
 
-# Waits so many milliseconds of the page's own time, after what is begun is drawn; then what follows is drawn, too. A
-# busy machine makes it longer and changes no order: in a page timers end as they are due.
+# Waits so many milliseconds of the page's own time, after what is begun is drawn; then what follows
+# is drawn, too. A busy machine makes it longer and changes no order: in a page timers end as they
+# are due.
 SETTLED = """async (milliseconds) => {
   const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   await drawn();
@@ -178,7 +192,9 @@ def assert_readable(visit, notebook, width, rules=None):
     assert all(facts["groups"])
     assert visit.draw_figures() == len(facts["groups"])
     if notebook:
-        outputs = [o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])]
+        outputs = [
+            o for c in nbformat.read(notebook, as_version=4).cells for o in c.get("outputs", [])
+        ]
         assert len(facts["groups"]) == sum(TOY in o.get("data", {}) for o in outputs)
     assert [url for url in visit.requests if not url.startswith(("file:", "data:", "blob:"))] == []
     assert violations(visit, rules=rules) == []
@@ -186,9 +202,10 @@ def assert_readable(visit, notebook, width, rules=None):
     return facts
 
 
-# Contrast costs axe-core milliseconds for each text, and a page has ten thousand. So it looks at one text of each look:
-# the same tags, classes, colours and sizes from the text up to the page. Of the words in code and in formulas, which no
-# other rule looks at, the others are taken off the page, and so are the strokes of formulas.
+# Contrast costs axe-core milliseconds for each text, and a page has ten thousand. So it looks at
+# one text of each look: the same tags, classes, colours and sizes from the text up to the page. Of
+# the words in code and in formulas, which no other rule looks at, the others are taken off the
+# page, and so are the strokes of formulas.
 ONE_OF_EACH_LOOK = """() => {
   document.querySelectorAll(".math > svg[aria-hidden=true]").forEach((svg) => svg.replaceChildren());
   document.querySelectorAll("[data-first-of-its-look]").forEach((e) => e.removeAttribute("data-first-of-its-look"));
@@ -215,19 +232,29 @@ ONE_OF_EACH_LOOK = """() => {
   first.forEach((e) => e.setAttribute("data-first-of-its-look", ""));
   again.forEach((e) => e.replaceWith(e.textContent));  // afterwards, for each change costs the next look its styles
 }"""
-LOOKS_AT_THESE = 'axe.configure({ rules: [{ id: "color-contrast", selector: "[data-first-of-its-look]" }] });'
+LOOKS_AT_THESE = (
+    'axe.configure({ rules: [{ id: "color-contrast", selector: "[data-first-of-its-look]" }] });'
+)
 
 
 def violations(visit, within=None, rules=None):
     """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
 
-    rules: the names of the rules to apply, or None for all. A whole page serves only for other searches afterwards.
+    rules: the names of the rules to apply, or None for all. A whole page serves only for other
+    searches afterwards.
     """
     if within is None:
         visit.page.evaluate(OPEN)
         visit.page.evaluate(ONE_OF_EACH_LOOK)
-    # Without "preload", which would read the style sheets once more: a browser refuses that for files, and says so.
-    options = {"preload": False, "resultTypes": ["violations"]} | ({"runOnly": rules} if rules else {})
+    # Without "preload", which would read the style sheets once more: a browser refuses that for
+    # files, and says so.
+    options = {"preload": False, "resultTypes": ["violations"]} | (
+        {"runOnly": rules} if rules else {}
+    )
     axe = Axe() if within else Axe(f"{AXE_SCRIPT};\n{LOOKS_AT_THESE}")
     found = axe.run(visit.page, context=within, options=options).response["violations"]
-    return [(each["id"], node["target"], node["failureSummary"]) for each in found for node in each["nodes"]]
+    return [
+        (each["id"], node["target"], node["failureSummary"])
+        for each in found
+        for node in each["nodes"]
+    ]

@@ -7,14 +7,24 @@ from course_lib.arms import iiwa14, ur5e
 from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import ARM, all_solutions
 
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
-ROUND = (((0.5, 0, 0), 4), ((0.3, 0, 0.9), 3.5), ((0.5, 0, 0), 3), ((0.3, 0, -0.9), 2), ((0.4, 0, 0.45), 7))
+ROUND = (
+    ((0.5, 0, 0), 4),
+    ((0.3, 0, 0.9), 3.5),
+    ((0.5, 0, 0), 3),
+    ((0.3, 0, -0.9), 2),
+    ((0.4, 0, 0.45), 7),
+)
 Q6, Q7 = [0.3, -1.2, 1.5, -1.8, -1.5, 0.2], [0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1]
 READY = [0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4]
 AT = ARM.fk([0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 MODES = ("axis", "gimbals", "order", "velocity", "belt")
 PLAIN = ("iiwa_toy", "two_poses_toy", "circles_toy", "planar_arm_toy", "cells_toy")
-T_WM = rigid.transform(rotations.rot_z(0.7), [0.3, -0.05, 0.6])  # a mug, and two cameras that see it
-T_WC = rigid.transform(rotations.rot_x(np.pi) @ rotations.rot_z(0.3) @ rotations.rot_y(-0.45), [0.6, -0.1, 1.2])
+T_WM = rigid.transform(
+    rotations.rot_z(0.7), [0.3, -0.05, 0.6]
+)  # a mug, and two cameras that see it
+T_WC = rigid.transform(
+    rotations.rot_x(np.pi) @ rotations.rot_z(0.3) @ rotations.rot_y(-0.45), [0.6, -0.1, 1.2]
+)
 T_MC = rigid.transform(rotations.rot_z(0.4) @ rotations.rot_x(-2.0), [0.2, -0.41, 0.256])
 VIEWS = np.array([[1300, 0, 320], [0, 1300, 240], [0, 0, 1]]), T_MC, T_WC, T_WM
 TOYS = {name: getattr(figures, name) for name in PLAIN}
@@ -26,7 +36,9 @@ TOYS |= {
     "reach": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=Q6)),
     "eight": lambda: figures.alive(figures.reach(ARM, AT, q=all_solutions(AT))),
     "fly": lambda: figures.alive(figures.fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
-    "table": lambda: figures.alive(figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]),
+    "table": lambda: figures.alive(
+        figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]
+    ),
     "drive": lambda: figures.alive(figures.drive(ROUND)),
     "click": lambda: figures.alive(figures.click(*VIEWS)),
 }

@@ -46,7 +46,10 @@ def in_the_child(arguments, errors):
     """Run Sphinx; what it says goes to the file `errors`."""
     from sphinx.cmd.build import main
 
-    with open(errors, "w", encoding="utf-8") as file, open(os.devnull, "w", encoding="utf-8") as nowhere:
+    with (
+        open(errors, "w", encoding="utf-8") as file,
+        open(os.devnull, "w", encoding="utf-8") as nowhere,
+    ):
         os.dup2(file.fileno(), 2)
         os.dup2(nowhere.fileno(), 1)
         sys.exit(main(arguments))

@@ -50,8 +50,13 @@ def test_floats_go_in_as_real_symbols_of_their_names_and_whole_numbers_as_they_a
         lambda x: sp.MatMul(sp.Matrix([[sp.cos(x), 0], [1, x]]), sp.eye(2)),
         lambda x: np.array([[sp.cos(x), 0], [1, x]]),
         lambda x: [[sp.cos(x), 0.0], (1, x)],
-        lambda x: ([(sp.exp(sp.I * x) + sp.exp(-sp.I * x)) / 2, sp.Integer(0)], [sp.Rational(2, 2), x]),
-        lambda x: sp.Matrix([[sp.cos(sp.Symbol("y")), 0], [1, sp.Symbol("y")]]).subs(sp.Symbol("y"), x),
+        lambda x: (
+            [(sp.exp(sp.I * x) + sp.exp(-sp.I * x)) / 2, sp.Integer(0)],
+            [sp.Rational(2, 2), x],
+        ),
+        lambda x: sp.Matrix([[sp.cos(sp.Symbol("y")), 0], [1, sp.Symbol("y")]]).subs(
+            sp.Symbol("y"), x
+        ),
     ],
 )
 def test_an_answer_in_any_form_comes_back_as_its_numbers(function):
@@ -83,10 +88,14 @@ class Hostile:
     def _touched(self, *arguments, **named):
         raise AssertionError("asked what it is")
 
-    _sympy_ = _sympystr = __str__ = __repr__ = __float__ = __complex__ = __array__ = __iter__ = evalf = subs = _touched
+    _sympy_ = _sympystr = __str__ = __repr__ = __float__ = __complex__ = __array__ = __iter__ = (
+        evalf
+    ) = subs = _touched
 
 
-@pytest.mark.parametrize("wrap", [lambda thing: thing, lambda thing: [thing], lambda thing: ([1, thing],)])
+@pytest.mark.parametrize(
+    "wrap", [lambda thing: thing, lambda thing: [thing], lambda thing: ([1, thing],)]
+)
 def test_what_is_no_expression_is_not_asked_what_it_is(wrap):
     error = put(lambda x: wrap(Hostile()), x=0.5)["error"]
     assert (error["type"], error["message"]) == ("NotPlain", "a Hostile")
@@ -96,12 +105,16 @@ ENDLESS = []
 ENDLESS.append(ENDLESS)
 
 
-@pytest.mark.parametrize("thing", [sp.true, sp.Symbol, sp.S.EmptySet, sp.Eq(sp.Symbol("x"), 1), ENDLESS], ids=repr)
+@pytest.mark.parametrize(
+    "thing", [sp.true, sp.Symbol, sp.S.EmptySet, sp.Eq(sp.Symbol("x"), 1), ENDLESS], ids=repr
+)
 def test_what_is_neither_expression_nor_number_is_not_plain(thing):
     assert put(lambda x: [thing], x=0.5)["error"]["type"] == "NotPlain"
 
 
-@pytest.mark.parametrize("entry", [sp.Symbol("theta"), sp.Function("f")(1), 2 * sp.Symbol("theta", real=True)])
+@pytest.mark.parametrize(
+    "entry", [sp.Symbol("theta"), sp.Function("f")(1), 2 * sp.Symbol("theta", real=True)]
+)
 def test_what_stays_an_expression_is_no_number(entry):
     with pytest.raises(NoNumber, match=r"theta|f"):
         with_symbols(lambda theta: [theta, entry], ["theta"], [0.5])

@@ -28,7 +28,11 @@ def swing():
     arm = planar_arm([0.5, 0.4])
     parts = [*solids.shell(arm), Part(2, MUG_RED, ball([0.9, 0, 0.1], 0.06))]
     view, words = (0.01, -0.01, 1), "An arm swings."
-    return {TOY: film(parts, solids.link_poses(arm, TURNED), TIMES, words, name="moving", view=view).stored()}
+    return {
+        TOY: film(
+            parts, solids.link_poses(arm, TURNED), TIMES, words, name="moving", view=view
+        ).stored()
+    }
 
 
 @pytest.mark.tools("browser")
@@ -37,15 +41,23 @@ def swing():
      np.linspace(POSES[0], POSES[-1], 21)[:, :2]),
     (swing, CENTRES),
 ], ids=["in the plane", "in space"])  # fmt: skip
-def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, true, tmp_path, monkeypatch, capsys):
+def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(
+    movie, true, tmp_path, monkeypatch, capsys
+):
     write(tmp_path, "01.ipynb", cell(output(movie()), output({TOY: TURNING})))
     monkeypatch.setattr(animations, "FOLDER", tmp_path / "made")
     assert animations.main([tmp_path / "01.ipynb"]) == 0
     made = [str(tmp_path / "made/moving.gif")]
-    made += [str(tmp_path / "made/moving.mp4")] if shutil.which("ffmpeg") else ["No MP4: ffmpeg was not found."]
+    made += (
+        [str(tmp_path / "made/moving.mp4")]
+        if shutil.which("ffmpeg")
+        else ["No MP4: ffmpeg was not found."]
+    )
     assert capsys.readouterr() == ("\n".join(made) + "\n", "")
     with Image.open(made[0]) as gif:
-        pictures = [np.array(frame.convert("RGB")).astype(int) for frame in ImageSequence.Iterator(gif)]
+        pictures = [
+            np.array(frame.convert("RGB")).astype(int) for frame in ImageSequence.Iterator(gif)
+        ]
         assert gif.info["duration"] == 50
     is_red = [(picture[..., 0] > 110) & (picture[..., 1:] < 90).all(-1) for picture in pictures]
     red = np.array([np.argwhere(where).mean(0)[::-1] * [1, -1] for where in is_red])
@@ -56,7 +68,9 @@ def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(movie, t
     assert np.ptp(red, axis=0).max() > 100
 
 
-@pytest.mark.parametrize(("content", "message"), [("<<<<<<< half a merge", "cannot be read"), (None, "No animation")])
+@pytest.mark.parametrize(
+    ("content", "message"), [("<<<<<<< half a merge", "cannot be read"), (None, "No animation")]
+)
 def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
     write(tmp_path, "01.ipynb", cell(output({TOY: TURNING})))
     if content:

@@ -14,7 +14,11 @@ PI = np.pi
 def six_joints():
     """Return what an arm of six random joints is made from: directions (of any length), points and the end's home."""
     rng = np.random.default_rng(0)
-    return {"omega": rng.normal(size=(6, 3)), "points": rng.normal(size=(6, 3)), "home": pose_samples(3)(rng, ())}
+    return {
+        "omega": rng.normal(size=(6, 3)),
+        "points": rng.normal(size=(6, 3)),
+        "home": pose_samples(3)(rng, ()),
+    }
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +36,8 @@ def exponential(omega, point, angle):
     return scipy.linalg.expm(angle * twist_matrix(np.concatenate([omega, -np.cross(omega, point)])))
 
 
-# Where the frames are -------------------------------------------------------------------------------------------------
+# Where the frames are
+# -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lengths", [[1.0], [1, 1, 1, 1], [0.5, 2, 1.5], np.full(12, 0.1)], ids=str)
@@ -63,13 +68,16 @@ def test_fk_is_the_product_of_exponentials(arm):
         close(arm.fk(q), moved @ joints["home"], 1e-13)
 
 
-# How fast -------------------------------------------------------------------------------------------------------------
+# How fast
+# -------------------------------------------------------------------------------------------------------------
 
 
 def rate(function, q, i, h=1e-3):
     """Return how fast function(q) changes with q[i], by differences of fourth order."""
     e = h * np.eye(len(q))[i]
-    return (8 * (function(q + e) - function(q - e)) - (function(q + 2 * e) - function(q - 2 * e))) / (12 * h)
+    return (
+        8 * (function(q + e) - function(q - e)) - (function(q + 2 * e) - function(q - 2 * e))
+    ) / (12 * h)
 
 
 def twist_of(matrix):
@@ -90,7 +98,8 @@ def test_jacobians_against_differences(arm, which):
             close(arm.geometric_jacobian(q)[:, i], [*omega, *change[:3, 3]], 1e-9)
 
 
-# What an arm keeps ----------------------------------------------------------------------------------------------------
+# What an arm keeps
+# ----------------------------------------------------------------------------------------------------
 
 
 def test_an_arm_does_not_change():

@@ -9,15 +9,37 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from signatures import ARGUMENTS, CALLS, FUNCTIONS, Numbers, Other, call_name, expected_type, parts, valid_arguments
+from signatures import (
+    ARGUMENTS,
+    CALLS,
+    FUNCTIONS,
+    Numbers,
+    Other,
+    call_name,
+    expected_type,
+    parts,
+    valid_arguments,
+)
 
 from course_lib import cells, descents, ik, registration, trajectory
 from course_lib.arms import DHRow, SerialArm, panda, planar_arm
 from course_lib.grid_ik import GridIK, planar_forward
 
-ARRAYS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Numbers)]
-OTHERS = [(call, argument) for call in CALLS for argument, kind in call[1].items() if isinstance(kind, Other)]
-SPOILT = [(call, argument, i) for call, argument in ARRAYS for i in range(len(call[1][argument].spoil))]
+ARRAYS = [
+    (call, argument)
+    for call in CALLS
+    for argument, kind in call[1].items()
+    if isinstance(kind, Numbers)
+]
+OTHERS = [
+    (call, argument)
+    for call in CALLS
+    for argument, kind in call[1].items()
+    if isinstance(kind, Other)
+]
+SPOILT = [
+    (call, argument, i) for call, argument in ARRAYS for i in range(len(call[1][argument].spoil))
+]
 
 
 def case_name(value):
@@ -44,25 +66,48 @@ def shapes_taken(call, argument):
 
 
 def fits(shape, cores):
-    return any(len(shape) >= len(core) and shape[len(shape) - len(core) :] == core for core in cores)
+    return any(
+        len(shape) >= len(core) and shape[len(shape) - len(core) :] == core for core in cores
+    )
 
 
 def test_every_public_function_is_in_the_table():
-    signatures = {name: list(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()}
+    signatures = {
+        name: list(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()
+    }
     assert signatures == {name: list(sets[0]) for name, sets in ARGUMENTS.items()}
-    assert all(list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets)
+    assert all(
+        list(arguments) == list(sets[0]) for sets in ARGUMENTS.values() for arguments in sets
+    )
     for name, names in signatures.items():
-        listed = inspect.getdoc(FUNCTIONS[name]).partition("Parameters\n----------\n")[2].partition("\n\n")[0]
+        listed = (
+            inspect.getdoc(FUNCTIONS[name])
+            .partition("Parameters\n----------\n")[2]
+            .partition("\n\n")[0]
+        )
         described = re.findall(r"^(\w[\w, ]*?)(?: :|$)", listed, re.MULTILINE)
-        assert not listed or sorted(", ".join(described).split(", ")) == sorted(names), f"parameters of {name}"
+        assert not listed or sorted(", ".join(described).split(", ")) == sorted(names), (
+            f"parameters of {name}"
+        )
 
 
 @pytest.mark.parametrize(("call", "argument"), ARRAYS, ids=case_name)
 class TestEveryArray:
     def test_wrong_shape(self, call, argument):
         cores = shapes_taken(call, argument) | set(call[1][argument].also)
-        sizes = [(), (0,), *((n,) for n in range(1, 8)), *((m, n) for m in range(6) for n in range(6)), (6, 1), (1, 6)]
-        wrong = [shape for shape in [*sizes, (2, 0), (3, 3, 1), (4, 4, 1), (4, 6, 6)] if shape not in cores]
+        sizes = [
+            (),
+            (0,),
+            *((n,) for n in range(1, 8)),
+            *((m, n) for m in range(6) for n in range(6)),
+            (6, 1),
+            (1, 6),
+        ]
+        wrong = [
+            shape
+            for shape in [*sizes, (2, 0), (3, 3, 1), (4, 4, 1), (4, 6, 6)]
+            if shape not in cores
+        ]
         wrong = [shape for shape in wrong if not fits(shape, cores - {()} or cores)]
         assert wrong or cores == {()}
         for shape in wrong:
@@ -113,11 +158,14 @@ def test_the_first_batch_that_does_not_match_is_named(call, argument):
     batches = {**dict.fromkeys(kinds, ()), **dict.fromkeys(before, (2,)), argument: (3,)}
     rng = np.random.default_rng(6)
     arguments = {a: valid_arguments({a: kind}, rng, batches[a])[a] for a, kind in kinds.items()}
-    with pytest.raises(ValueError, match=rf"^{argument} must have a batch that .* \(2,\); it is \(3,\)$"):
+    with pytest.raises(
+        ValueError, match=rf"^{argument} must have a batch that .* \(2,\); it is \(3,\)$"
+    ):
         FUNCTIONS[name](**arguments)
 
 
-# Any value for any argument -------------------------------------------------------------------------------------------
+# Any value for any argument
+# -------------------------------------------------------------------------------------------
 
 
 class Unreadable:
@@ -138,12 +186,55 @@ class Unreadable:
     __hash__ = None
 
 
-NO_NUMBERS = [None, "x", "1", b"1", {}, {"a": 1}, [None], ["a"], [[1, 2], [3]], 10**400, 1j, len, object(), ...]
+NO_NUMBERS = [
+    None,
+    "x",
+    "1",
+    b"1",
+    {},
+    {"a": 1},
+    [None],
+    ["a"],
+    [[1, 2], [3]],
+    10**400,
+    1j,
+    len,
+    object(),
+    ...,
+]
 NO_NUMBERS += [Unreadable(), Decimal(1), iter([1.0, 2.0]), np.float64, lambda: 1, True, [True] * 3]
-NO_NUMBERS += [np.ma.array([1.0, 2, 3]), np.ma.array([1.0, 2, 3], mask=[0, 1, 0]), np.zeros(3, [("x", float)])]
-NO_NUMBERS += [np.ones(3, int).astype(kind) for kind in (str, complex, object, "datetime64[D]", "timedelta64[s]")]
-NO_NUMBERS += [planar_arm([1.0]), DHRow(0, 0, 0), [DHRow(1e200, 0, 0)], trajectory.Trajectory(None, None, None)]
-ODD = [(), [], [[]], -1, 0, 2, 1.5, math.nan, math.inf, 1e308, -1e308, 5e-324, range(3), np.longdouble(1), bytearray(3)]
+NO_NUMBERS += [
+    np.ma.array([1.0, 2, 3]),
+    np.ma.array([1.0, 2, 3], mask=[0, 1, 0]),
+    np.zeros(3, [("x", float)]),
+]
+NO_NUMBERS += [
+    np.ones(3, int).astype(kind)
+    for kind in (str, complex, object, "datetime64[D]", "timedelta64[s]")
+]
+NO_NUMBERS += [
+    planar_arm([1.0]),
+    DHRow(0, 0, 0),
+    [DHRow(1e200, 0, 0)],
+    trajectory.Trajectory(None, None, None),
+]
+ODD = [
+    (),
+    [],
+    [[]],
+    -1,
+    0,
+    2,
+    1.5,
+    math.nan,
+    math.inf,
+    1e308,
+    -1e308,
+    5e-324,
+    range(3),
+    np.longdouble(1),
+    bytearray(3),
+]
 SHAPES = [(0,), (3,), (4,), (6,), (7,), (3, 3), (4, 4), (0, 3), (5, 3), (2, 4, 4), (1,) * 40]
 ODD += map(np.ones, SHAPES)
 FACTORS = [0, 1e-320, 1e-200, 1e9, 1e200, math.nan, math.inf]
@@ -153,8 +244,16 @@ def spoilt(valid):
     """Return changed copies of a valid array: scaled, with another last entry, with one axis more, and transposed."""
     with np.errstate(all="ignore"):
         scaled = [valid * factor for factor in FACTORS]
-    entries = [np.append(valid.ravel()[:-1], entry).reshape(valid.shape) for entry in [math.nan, 1e308, -1e200, 0, 7]]
-    return [*scaled, *entries, valid[None], valid.T[::-1] if valid.ndim > 1 else valid.astype(np.float16)]
+    entries = [
+        np.append(valid.ravel()[:-1], entry).reshape(valid.shape)
+        for entry in [math.nan, 1e308, -1e200, 0, 7]
+    ]
+    return [
+        *scaled,
+        *entries,
+        valid[None],
+        valid.T[::-1] if valid.ndim > 1 else valid.astype(np.float16),
+    ]
 
 
 RNG, PANDA = np.random.default_rng(0), panda()
@@ -177,7 +276,11 @@ def by_sign(q):
 
 
 def branch_table(xy, q, number):
-    return cells.BranchTable(cells.quadratic_terms, lambda terms, q: np.ones((2, 7)), by_sign).fit(xy, q, number).size
+    return (
+        cells.BranchTable(cells.quadratic_terms, lambda terms, q: np.ones((2, 7)), by_sign)
+        .fit(xy, q, number)
+        .size
+    )
 
 
 def joint_cells(xy, q, lowest, highest, n):
@@ -188,7 +291,10 @@ def joint_cells(xy, q, lowest, highest, n):
 MORE = {
     "solve": (ik.solve, {**OF_ARM, "rng": RNG, "starts": 2}),
     "descend": (descents.descend, {**OF_ARM, "rules": RULES, "near": 0.1}),
-    "uncertainty": (registration.uncertainty, {"points": FIVE, "noise": 0.001, "weights": np.ones(5)}),
+    "uncertainty": (
+        registration.uncertainty,
+        {"points": FIVE, "noise": 0.001, "weights": np.ones(5)},
+    ),
     "register_points": (registration.register_points, POINTS),
     "planar_arm": (planar_arm, {"lengths": np.ones(2)}),
     "from_screws": (
@@ -197,22 +303,46 @@ MORE = {
     ),
     "from_dh": (
         SerialArm.from_dh,
-        {"rows": [DHRow(1, 1, 1)] * 2, "convention": "standard", "end": np.eye(4), "limits": LIMITS},
+        {
+            "rows": [DHRow(1, 1, 1)] * 2,
+            "convention": "standard",
+            "end": np.eye(4),
+            "limits": LIMITS,
+        },
     ),
     **{name: (getattr(PANDA, name), {"q": Q}) for name in ("fk", "frames", *JACOBIANS)},
-    "fit": (fit, {"xy": XY, "theta": THETA, "cells": (2, 2), "forward": planar_forward, "steps": 3, "tol": 1e-9}),
+    "fit": (
+        fit,
+        {
+            "xy": XY,
+            "theta": THETA,
+            "cells": (2, 2),
+            "forward": planar_forward,
+            "steps": 3,
+            "tol": 1e-9,
+        },
+    ),
     "predict": (GridIK((2, 2), planar_forward).fit(XY, THETA).predict, {"xy": XY}),
     "sagged": (cells.sagged, {"q": THETA}),
     "sent": (cells.sent, {"taken": THETA, "shoulder": np.ones(2) / 9, "belt": 0.1}),
     "measured": (cells.measured, {"q": THETA, "rng": RNG}),
     "numbered": (cells.numbered, {"index": np.ones((3, 2)), "n": 5}),
     "missing": (cells.missing, {"angles": THETA}),
-    "in_ranges": (cells.in_ranges, {"solutions": THETA, "lowest": np.zeros(2), "highest": np.ones(2)}),
+    "in_ranges": (
+        cells.in_ranges,
+        {"solutions": THETA, "lowest": np.zeros(2), "highest": np.ones(2)},
+    ),
     "BranchTable": (branch_table, {"xy": XY, "q": THETA, "number": THETA[:, 0] // 1}),
-    "JointCells": (joint_cells, {"xy": XY, "q": THETA, "lowest": np.full(2, -2.0), "highest": np.full(2, 3.0), "n": 3}),
+    "JointCells": (
+        joint_cells,
+        {"xy": XY, "q": THETA, "lowest": np.full(2, -2.0), "highest": np.full(2, 3.0), "n": 3},
+    ),
     "quadratic_terms": (cells.quadratic_terms, {"xy": XY}),
     "load": (trajectory.load, {"path": Path(__file__), "limits": LIMITS}),
-    "disagreement": (trajectory.disagreement, {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])}),
+    "disagreement": (
+        trajectory.disagreement,
+        {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])},
+    ),
 }
 LINE = np.outer(np.arange(5), [1.0, 2, 3]) + 1
 
@@ -226,12 +356,20 @@ OUTSIDE = [
     ("from_dh", {"convention": "craig"}, "convention"),
     ("from_dh", {"end": np.zeros((4, 4))}, "end"),
     ("solve", {"targets": [np.eye(4), np.diag([1.0, 1, -1, 1])]}, r"targets\[1\] "),
-    ("register_points", {"src": FIVE[:2], "dst": FIVE[:2], "weights": None}, "src must leave at least three points"),
+    (
+        "register_points",
+        {"src": FIVE[:2], "dst": FIVE[:2], "weights": None},
+        "src must leave at least three points",
+    ),
     ("register_points", {"src": LINE}, "src has its points on one line"),
     ("register_points", {"src": [FIVE, LINE]}, r"src\[1\] has its points on one line"),
     ("register_points", {"weights": [1, 1, 0, 0, 0]}, "weights must leave at least three points"),
     ("register_points", {"weights": [1, 1, 1, 1, -1]}, r"weights\[4\] must be zero or more"),
-    ("register_points", {"dst": FIVE[:4]}, r"dst must be an array of real numbers of shape \(..., 5, 3\)"),
+    (
+        "register_points",
+        {"dst": FIVE[:4]},
+        r"dst must be an array of real numbers of shape \(..., 5, 3\)",
+    ),
     ("uncertainty", {"points": LINE}, "points has its points on one line"),
     ("uncertainty", {"points": [FIVE, FIVE]}, "points must be .* shape"),
     ("fit", {"theta": THETA * 1e4}, r"theta\[0, 0\] must be at most 1000"),
@@ -240,21 +378,39 @@ OUTSIDE = [
     ("fit", {"cells": (3, 0)}, r"cells\[1\] must be a whole number from 1"),
     ("fit", {"forward": lambda theta: None}, "forward must be a function of angles"),
     ("fit", {"forward": lambda theta: (theta, theta)}, r"forward\(theta\)\[1\] must be an array"),
-    ("fit", {"forward": lambda q: planar_forward(np.rad2deg(q)), "cells": (3, 3)}, "forward must lead from"),
+    (
+        "fit",
+        {"forward": lambda q: planar_forward(np.rad2deg(q)), "cells": (3, 3)},
+        "forward must lead from",
+    ),
     ("fit", {"steps": 0}, "steps must be a whole number from 1"),
     ("fit", {"tol": -1}, "tol must be zero or more"),
 ]
 
 
-@pytest.mark.parametrize(("name", "change", "words"), OUTSIDE, ids=lambda part: part if isinstance(part, str) else None)
+@pytest.mark.parametrize(
+    ("name", "change", "words"), OUTSIDE, ids=lambda part: part if isinstance(part, str) else None
+)
 def test_more_outside_the_domain(name, change, words):
     function, valid = MORE[name]
     with pytest.raises(ValueError, match=f"^{words}"):
         function(**{**valid, **change})
 
 
-WITH_GAPS = ("predict", "sagged", "sent", "measured", "in_ranges")  # NaN is an answer that is missing
-ANY = [*((name, argument, (MORE[name][0], MORE[name][1])) for name in MORE for argument in MORE[name][1])]
+WITH_GAPS = (
+    "predict",
+    "sagged",
+    "sent",
+    "measured",
+    "in_ranges",
+)  # NaN is an answer that is missing
+ANY = [
+    *(
+        (name, argument, (MORE[name][0], MORE[name][1]))
+        for name in MORE
+        for argument in MORE[name][1]
+    )
+]
 ANY += [(call_name(call), argument, call) for call in CALLS for argument in call[1]]
 
 
@@ -266,20 +422,32 @@ def test_any_value_is_refused_by_name_or_answered(name, argument, call):
     takes_numbers = isinstance(valid[argument], np.ndarray | float)
     for value in [*NO_NUMBERS, *ODD, *(spoilt(np.array(valid[argument])) if takes_numbers else ())]:
         arguments = {**valid, argument: value}
-        arrays = {key: array.copy() for key, array in arguments.items() if isinstance(array, np.ndarray)}
+        arrays = {
+            key: array.copy() for key, array in arguments.items() if isinstance(array, np.ndarray)
+        }
         try:
             answer = function(**arguments)
         except Exception as raised:
-            if not (isinstance(raised, ValueError) and re.match(rf"({'|'.join(valid)})\b", str(raised))):
+            if not (
+                isinstance(raised, ValueError) and re.match(rf"({'|'.join(valid)})\b", str(raised))
+            ):
                 pytest.fail(f"{value!r}: {raised!r}")
         else:
             optional = value is None and not in_table
-            assert optional or not (takes_numbers and any(value is each for each in NO_NUMBERS)), repr(value)
+            assert optional or not (takes_numbers and any(value is each for each in NO_NUMBERS)), (
+                repr(value)
+            )
             answers = parts(answer) if in_table else getattr(answer, "__dict__", {"answer": answer})
-            floats = {key: part for key, part in answers.items() if np.asarray(part).dtype.kind == "f"}
-            assert name in WITH_GAPS or not any(np.isnan(part).any() for part in floats.values()), repr(value)
+            floats = {
+                key: part for key, part in answers.items() if np.asarray(part).dtype.kind == "f"
+            }
+            assert name in WITH_GAPS or not any(np.isnan(part).any() for part in floats.values()), (
+                repr(value)
+            )
             if in_table:
                 assert all(np.isfinite(part).all() for part in floats.values()), repr(value)
-                assert all(part.dtype == expected_type(call[0], key) for key, part in answers.items()), repr(value)
+                assert all(
+                    part.dtype == expected_type(call[0], key) for key, part in answers.items()
+                ), repr(value)
         for key, before in arrays.items():
             assert before.tobytes() == arguments[key].tobytes(), f"{value!r} changes {key}"

@@ -1,9 +1,10 @@
 """Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows no formula.
 
-tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called right_... are accepted:
-three at least, different in method or form. Those called wrong_... are refused; the first line of their docstring is a
-phrase of the name that the check gives the mistake, the type of the error they end in, or "unnamed" if no known mistake
-is to be claimed. The mistakes of the exercise itself, which stand below its check, are refused and named.
+tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called
+right_... are accepted: three at least, different in method or form. Those called wrong_... are
+refused; the first line of their docstring is a phrase of the name that the check gives the mistake,
+the type of the error they end in, or "unnamed" if no known mistake is to be claimed. The mistakes
+of the exercise itself, which stand below its check, are refused and named.
 
 SEEDS=50 in the environment tries fifty seeds of the cases instead of two.
 """
@@ -26,21 +27,33 @@ from course_lib.checks.naming import attempt, predict
 from course_lib.checks.notebook import describe
 
 BANK = Path(__file__).parent / "answers"
-FILES = sorted(BANK.glob("*/*.py"))  # by their names, so that nothing is imported that is not asked for
+FILES = sorted(
+    BANK.glob("*/*.py")
+)  # by their names, so that nothing is imported that is not asked for
 SEEDS = [PUBLIC_SEED, 7, *range(10_000, 10_000 + int(os.environ.get("SEEDS", 2)) - 2)]
-SLOW = ("panda_ik", "newton_ik", "plan_pick", "good_matches")  # whose wrong answers are asked one seed's cases
+SLOW = (
+    "panda_ik",
+    "newton_ik",
+    "plan_pick",
+    "good_matches",
+)  # whose wrong answers are asked one seed's cases
 MOST_LINES = 24  # of a message
 
-each_exercise = pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
+each_exercise = pytest.mark.parametrize(
+    "path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES]
+)
 
 
 @cache
 def exercise_of(path):
     """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be changed.
 
-    What its library and its mistakes answer to a case is computed once, for all the answers that are judged.
+    What its library and its mistakes answer to a case is computed once, for all the answers that
+    are judged.
     """
-    exercise = importlib.import_module(f"course_lib.checks.exercises.{path.parent.name}.{path.stem}").EXERCISE
+    exercise = importlib.import_module(
+        f"course_lib.checks.exercises.{path.parent.name}.{path.stem}"
+    ).EXERCISE
     if exercise.cases is None:
         return exercise
     mistakes = [copy.copy(mistake) for mistake in exercise.mistakes]
@@ -92,7 +105,9 @@ def answers(path):
     spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    return {name: value for name, value in vars(module).items() if name.startswith(("right_", "wrong_"))}
+    return {
+        name: value for name, value in vars(module).items() if name.startswith(("right_", "wrong_"))
+    }
 
 
 @cache
@@ -132,17 +147,27 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
     exercise, found = exercise_of(path), []
     for name, function in answers(path).items():
         for seed in SEEDS[:1] if path.stem in SLOW and name.startswith("wrong_") else SEEDS:
-            found += [f"seed {seed}: {c}" for c in complaints(name, function, verdict_on(path, name, seed))]
+            found += [
+                f"seed {seed}: {c}"
+                for c in complaints(name, function, verdict_on(path, name, seed))
+            ]
         if len(SEEDS) > 2 and name.startswith("right_"):
             found += complaints(name, function, review(exercise, Here(function)))
     met = [verdict_on(path, name).mistake for name in answers(path) if name.startswith("wrong_")]
-    never = [known.name for known in exercise.mistakes if known.seen and not known.answers and known not in met]
+    never = [
+        known.name
+        for known in exercise.mistakes
+        if known.seen and not known.answers and known not in met
+    ]
     found += [f'no answer is called "{name}", which no function predicts' for name in never]
     assert not found, "\n".join(found)
     right = sum(name.startswith("right_") for name in answers(path))
     counts = (right, len(answers(path)) - right, len(exercise.mistakes))
     record_property("bank", (path.parent.name, exercise.name, *map(str, counts)))
-    assert right >= 3, f"tests/answers/{path.parent.name}/{path.name} holds {right} answers right_...: three at least"
+    assert right >= 3, (
+        f"tests/answers/{path.parent.name}/{path.name} holds {right} answers right_...: three at "
+        f"least"
+    )
 
 
 def made_by(mistake, answer, exercise):
@@ -188,7 +213,9 @@ def test_each_mistake_is_refused_and_called_by_its_name(path):
 def test_the_library_s_answer_is_right(path):
     exercise = replace(exercise_of(path), forbidden=())
     if exercise.library is None:
-        assert hasattr(exercise, "versions"), "an exercise has the library's function, for check.<name>.use"
+        assert hasattr(exercise, "versions"), (
+            "an exercise has the library's function, for check.<name>.use"
+        )
         return
     for seed in SEEDS:
         verdict = judge(exercise, Here(exercise.library), seed)
@@ -200,13 +227,31 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
     exercise = replace(exercise_of(path), forbidden=())
     right = next(function for name, function in answers(path).items() if name.startswith("right_"))
     shapes = []
-    judge(exercise, Here(lambda *case: shapes.append(attempt(np.shape, right(*case)) or ())))  # () for a pair of arrays
+    judge(
+        exercise, Here(lambda *case: shapes.append(attempt(np.shape, right(*case)) or ()))
+    )  # () for a pair of arrays
     for number in (0.0, -1.0, 1e-320, 1e200, -1.7e308, 2**70):
         shape = iter(shapes)
-        verdict = judge(exercise, Here(lambda *case, number=number, shape=shape: np.full(next(shape), number)))
+        verdict = judge(
+            exercise, Here(lambda *case, number=number, shape=shape: np.full(next(shape), number))
+        )
         assert verdict.state == WRONG
         assert describe(verdict)
-    kinds = [None, "", "1", 10**400, [10**400, 1.0], [], [[]], [[], [1]], {}, {"R": 1}, [None], [[1, 2], [3]], 1j]
+    kinds = [
+        None,
+        "",
+        "1",
+        10**400,
+        [10**400, 1.0],
+        [],
+        [[]],
+        [[], [1]],
+        {},
+        {"R": 1},
+        [None],
+        [[1, 2], [3]],
+        1j,
+    ]
     for value in [*kinds, {1}, object, np.zeros((3000, 3000))]:
         verdict = judge(exercise, Here(lambda *case, value=value: value))
         assert verdict.state == WRONG

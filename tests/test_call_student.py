@@ -22,16 +22,25 @@ from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
 from course_lib.checks.notebook import describe
 from course_lib.checks.wire import Seed
 
-has_clock = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no clock of CPU time on this system")
+has_clock = pytest.mark.skipif(
+    not hasattr(signal, "setitimer"), reason="no clock of CPU time on this system"
+)
 
 
 def put(function, *cases, forbidden=(), seconds=5, exercise=""):
     """Put the cases to the function; return the answers, with the values read."""
-    asked = {"cases": [list(case) for case in cases], "forbidden": list(forbidden), "seconds": seconds}
+    asked = {
+        "cases": [list(case) for case in cases],
+        "forbidden": list(forbidden),
+        "seconds": seconds,
+    }
     asked |= {"through": "", "names": ["x", "y"], "exercise": exercise}
     answers = json.loads(call_student.reply(function, wire.write(asked)))["answers"]
     assert len(answers) == len(cases)
-    return [answer | ({"value": wire.from_json(answer["value"])} if "value" in answer else {}) for answer in answers]
+    return [
+        answer | ({"value": wire.from_json(answer["value"])} if "value" in answer else {})
+        for answer in answers
+    ]
 
 
 def the_error(function, *arguments, **options):
@@ -62,7 +71,9 @@ def test_a_right_answer_that_warns_is_right_with_a_note():
 @pytest.mark.parametrize("stubborn", [False, True])
 def test_an_endless_loop_ends_after_the_cpu_time_of_all_cases(stubborn):
     def endless(x):
-        for _ in range(3):  # a stubborn one that got this far would come to an end, and the test would fail
+        for _ in range(
+            3
+        ):  # a stubborn one that got this far would come to an end, and the test would fail
             with contextlib.suppress(Exception) if stubborn else contextlib.nullcontext():
                 while x:
                     x = -x
@@ -77,7 +88,9 @@ def test_an_endless_loop_ends_after_the_cpu_time_of_all_cases(stubborn):
 
 def test_off_the_main_thread_there_is_no_clock_and_every_case_is_asked_although_one_fails():
     answers = []
-    thread = threading.Thread(target=lambda: answers.extend(put(lambda x: 1 / x, [1.0], [0], [2.0])))
+    thread = threading.Thread(
+        target=lambda: answers.extend(put(lambda x: 1 / x, [1.0], [0], [2.0]))
+    )
     thread.start()
     thread.join()
     assert [answer.get("value") for answer in answers] == [1.0, None, 0.5]
@@ -156,7 +169,9 @@ def test_a_forbidden_name_is_refused_and_put_back(function):
 @pytest.mark.parametrize("function", [lambda w: check.exp_so3.library(w), lambda w: exp_used(w)])
 def test_what_the_check_has_of_the_library_is_refused_as_in_grading(function):
     assert the_error(function, np.zeros(3), exercise="exp_so3")["message"].endswith("exp_so3")
-    assert "value" in put(function, (np.zeros(3),), exercise="log_so3")[0]  # another exercise may call it
+    assert (
+        "value" in put(function, (np.zeros(3),), exercise="log_so3")[0]
+    )  # another exercise may call it
 
 
 def test_a_forbidden_name_is_put_back_although_the_function_is_interrupted():
@@ -208,9 +223,19 @@ def test_anything_that_can_be_called_is_judged_and_need_not_have_lines_of_its_ow
     [
         (lambda M, tol: M, ERROR, ["Calling nearest_so(M) raises TypeError", "'tol'"]),
         *((value, ERROR, ["not callable"]) for value in (3, "right", np.eye(3))),
-        (lambda M: sympy.Float(0.5), WRONG, ["Yours is a SymPy expression: float(...) makes a number of it."]),
-        (lambda M: np.zeros((3000, 3000)), WRONG, ["shape (3000, 3000), which is too large to be an answer"]),
-        pytest.param(_endless, ERROR, ["took more than 1 seconds of computing. Does a loop"], marks=has_clock),
+        (
+            lambda M: sympy.Float(0.5),
+            WRONG,
+            ["Yours is a SymPy expression: float(...) makes a number of it."],
+        ),
+        (
+            lambda M: np.zeros((3000, 3000)),
+            WRONG,
+            ["shape (3000, 3000), which is too large to be an answer"],
+        ),
+        pytest.param(
+            _endless, ERROR, ["took more than 1 seconds of computing. Does a loop"], marks=has_clock
+        ),
     ],
 )
 def test_what_cannot_be_an_answer_is_explained(function, state, words):
@@ -271,7 +296,10 @@ def test_settings_of_numpy_are_put_back_and_pictures_of_the_function_are_closed(
 
 
 def test_a_line_of_another_cell_is_said_to_be_there():
-    cells = {"one": "def helper(M):\n    return M.nothing\n", "two": "def nearest_so(M):\n    return helper(M)\n"}
+    cells = {
+        "one": "def helper(M):\n    return M.nothing\n",
+        "two": "def nearest_so(M):\n    return helper(M)\n",
+    }
     space = {}
     for name, source in cells.items():
         exec(compile(source, f"<{name}>", "exec"), space)

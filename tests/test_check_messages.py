@@ -28,7 +28,9 @@ def shown(monkeypatch):
 def words(bundle):
     """Return the one text that a bundle shows, in whatever form; a folded part has a heading in HTML."""
     assert set(bundle) == {"text/plain", "text/html"}
-    unfolded = re.sub("<details><summary>Input.*?</summary>|</details>(?=[^<])", "\n", bundle["text/html"])
+    unfolded = re.sub(
+        "<details><summary>Input.*?</summary>|</details>(?=[^<])", "\n", bundle["text/html"]
+    )
     assert html.unescape(re.sub("<[^>]*>", "", unfolded)) == bundle["text/plain"]
     return bundle["text/plain"]
 
@@ -48,9 +50,13 @@ def test_a_right_answer_is_one_line(shown):
 
 def test_of_a_long_array_the_first_wrong_item_is_shown(shown):
     rows = Property("the rows are 0, 1, 2 ...", lambda value, n: np.array_equal(value, _rows(n)))
-    exercise = Exercise("rows", 1, ("n",), lambda rng: [(9,)], numbers(lambda n: (n, 6)), (rows,), (), library=_rows)
+    exercise = Exercise(
+        "rows", 1, ("n",), lambda rng: [(9,)], numbers(lambda n: (n, 6)), (rows,), (), library=_rows
+    )
     Check(exercise)(lambda n: _rows(n) + (np.arange(n) == 4)[:, None])
-    assert re.search(r"an array of shape \(9, 6\) whose item 4 is\n +\[5 5 5 5 5 5\]", words(shown[0]))
+    assert re.search(
+        r"an array of shape \(9, 6\) whose item 4 is\n +\[5 5 5 5 5 5\]", words(shown[0])
+    )
 
 
 def _rows(n):
@@ -60,7 +66,13 @@ def _rows(n):
 def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(shown):
     Check(NEAREST_SO)(reflections_stay)
     (text,) = map(words, shown)
-    order = ["✗ nearest_so: not right yet", "It looks as if ", "What should hold: ", "For M = ", "your answer is "]
+    order = [
+        "✗ nearest_so: not right yet",
+        "It looks as if ",
+        "What should hold: ",
+        "For M = ",
+        "your answer is ",
+    ]
     positions = [text.index(part) for part in order]
     assert positions == sorted(positions)
     assert "<div" not in text
@@ -80,9 +92,13 @@ def test_arguments_and_answer_stand_side_by_side_and_are_folded_if_they_need_man
 
 
 def test_a_pair_is_shown_as_it_was_returned_and_without_the_part_that_is_right():
-    verdict = Verdict(DOUBLE, WRONG, "it is a pair.", case=(np.zeros(1),), answer=(np.eye(2), np.ones(2)))
+    verdict = Verdict(
+        DOUBLE, WRONG, "it is a pair.", case=(np.zeros(1),), answer=(np.eye(2), np.ones(2))
+    )
     assert "your answer is [[1 0]    and [1 1]" in describe(verdict)
-    half_right = replace(verdict, exercise=replace(DOUBLE, library=lambda x: (np.eye(2), np.zeros(2))))
+    half_right = replace(
+        verdict, exercise=replace(DOUBLE, library=lambda x: (np.eye(2), np.zeros(2)))
+    )
     assert "your answer is [1 1]" in describe(half_right)
 
 
@@ -103,7 +119,9 @@ def test_markup_in_a_message_is_shown_as_it_is(shown):
         ("Write inverse here.", "it calls inverse, which is not written yet"),
     ],
 )
-def test_an_exercise_not_attempted_has_a_state_of_its_own_and_names_an_unwritten_one(shown, message, said):
+def test_an_exercise_not_attempted_has_a_state_of_its_own_and_names_an_unwritten_one(
+    shown, message, said
+):
     def unwritten(M):
         raise NotImplementedError(message)
 
@@ -115,7 +133,9 @@ def test_an_exercise_not_attempted_has_a_state_of_its_own_and_names_an_unwritten
 
 
 def test_a_tiny_argument_is_not_shown_as_zero():
-    verdict = Verdict(DOUBLE, WRONG, "it is twice x.", case=(np.array([3e-13, 0.0]),), answer=np.zeros(2))
+    verdict = Verdict(
+        DOUBLE, WRONG, "it is twice x.", case=(np.array([3e-13, 0.0]),), answer=np.zeros(2)
+    )
     assert re.search(r"For x = \[.*e-13.*\]", describe(verdict))
 
 
@@ -159,13 +179,17 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
 
 
 def test_progress_tells_the_two_sittings_apart_and_where_the_second_begins(shown):
-    progress = Progress([Check(NEAREST_SO), Check(DOUBLE), Check(IS_SMALL)], stop=("nearest_so", "A test"))
+    progress = Progress(
+        [Check(NEAREST_SO), Check(DOUBLE), Check(IS_SMALL)], stop=("nearest_so", "A test")
+    )
     progress()
     assert words(shown[-1]).splitlines()[2] == "Second sitting, from the section “A test”:"
     assert words(shown[-1]).endswith("Next: nearest_so")
     progress.checks[0](right)
     progress()
-    assert words(shown[-1]).endswith("Next: double\nYou can stop here; next time begin at “A test”.")
+    assert words(shown[-1]).endswith(
+        "Next: double\nYou can stop here; next time begin at “A test”."
+    )
     progress.checks[2](lambda x, tol: True)
     progress()
     assert words(shown[-1]).endswith("Next: double"), "the second sitting is begun"
@@ -194,7 +218,9 @@ def test_use_takes_the_library_s_function_until_the_student_s_is_right(shown):
     each = Check(NEAREST_SO)
     used = each.use(right)
     assert (used.func, used.whose) == (rotations.nearest_so, "the library's")
-    assert words(shown[-1]) == "nearest_so from here on: the library's, until yours passes its check"
+    assert (
+        words(shown[-1]) == "nearest_so from here on: the library's, until yours passes its check"
+    )
     each(reflections_stay)
     assert each.use(reflections_stay).whose == "the library's"
     each(right)
@@ -238,8 +264,14 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
             lambda M: panda().home[-1, :2, :2].__imatmul__(M),
             "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
         ),
-        (lambda M: 1 / 0, "something is divided by zero, or the result, nan or infinity, is used further"),
-        (lambda M: np.atleast_2d(M[0])[1], "an array has another shape than this line takes it to have"),
+        (
+            lambda M: 1 / 0,
+            "something is divided by zero, or the result, nan or infinity, is used further",
+        ),
+        (
+            lambda M: np.atleast_2d(M[0])[1],
+            "an array has another shape than this line takes it to have",
+        ),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):
@@ -255,7 +287,11 @@ def test_a_check_says_how_to_call_it():
     ("arguments", "said"),
     [
         ((), "Pass the function to its check: check.nearest_so(nearest_so)."),
-        ((np.eye(3),), "without brackets behind its name: check.nearest_so(nearest_so). What came is of type ndarray."),
+        (
+            (np.eye(3),),
+            "without brackets behind its name: check.nearest_so(nearest_so). What came is of type "
+            "ndarray.",
+        ),
         (("nearest_so",), "What came is of type str."),
         ((right, np.eye(3)), "without brackets behind its name"),
     ],
@@ -284,12 +320,19 @@ def test_a_wrong_helper_is_named_in_the_notebook(shown):
     assert "Your double, which it calls, is not right yet." in words(shown[-1])
 
 
-ORDER = Prediction("order", "b", {"a": "No: the right factor acts first.", "b": "Yes: Rx acts first."})
+ORDER = Prediction(
+    "order", "b", {"a": "No: the right factor acts first.", "b": "Yes: Rx acts first."}
+)
 
 
 def test_a_prediction_answers_each_choice(shown):
     predict = Predict(ORDER)
-    for choice, said in (("b", "✓ b: Yes"), (" A", "✗ a: No"), ("z", "○ Choose one of a, b."), (3, "○ Choose one of")):
+    for choice, said in (
+        ("b", "✓ b: Yes"),
+        (" A", "✗ a: No"),
+        ("z", "○ Choose one of a, b."),
+        (3, "○ Choose one of"),
+    ):
         predict.predict(choice)
         assert words(shown[-1]).startswith(said)
     assert predict.choice == "a"
@@ -298,7 +341,9 @@ def test_a_prediction_answers_each_choice(shown):
 def test_an_unmade_prediction_shows_its_choices_and_folds_their_answers(shown):
     Predict(ORDER).predict()
     choices = 'check.order.predict("a") or check.order.predict("b")'
-    assert re.fullmatch("○ No choice yet.* before you read on: " + re.escape(choices), shown[-1]["text/plain"])
+    assert re.fullmatch(
+        "○ No choice yet.* before you read on: " + re.escape(choices), shown[-1]["text/plain"]
+    )
     assert shown[-1]["text/html"].count("<details>") == 2
     assert "right acts first" not in shown[-1]["text/plain"]
 

@@ -1,6 +1,7 @@
 """Every command runs: make's targets, each on something small, in a copy of the project.
 
-The guide for instructors runs make student, grade and html (test_guide_for_instructors.py), test_lab.py make lab.
+The guide for instructors runs make student, grade and html (test_guide_for_instructors.py),
+test_lab.py make lab.
 """
 
 import os
@@ -20,11 +21,15 @@ from course_lib.figures.display import TOY
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
-    return copied(tmp_path_factory.mktemp("a course é"), "README.md", "tests", ".ci", notebooks="01*")
+    return copied(
+        tmp_path_factory.mktemp("a course é"), "README.md", "tests", ".ci", notebooks="01*"
+    )
 
 
 def test_make_alone_lists_every_target_on_a_line(course):
-    (targets,) = re.findall(r"^\.PHONY: help environment (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    (targets,) = re.findall(
+        r"^\.PHONY: help environment (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE
+    )
     lines = made(course).splitlines()
     assert [line.split()[:2] for line in lines] == [["make", name] for name in targets.split()]
     assert all(len(line.split()) > 3 for line in lines)
@@ -53,7 +58,10 @@ def test_make_data_gives_what_is_stored(course):
     file = course / "notebooks/data/iiwa_trajectory.csv"
     file.write_text(file.read_text())  # of its own, should copies be links
     made(course, "data")
-    again, before = (np.loadtxt(path, delimiter=",", skiprows=1) for path in (file, ROOT / file.relative_to(course)))
+    again, before = (
+        np.loadtxt(path, delimiter=",", skiprows=1)
+        for path in (file, ROOT / file.relative_to(course))
+    )
     np.testing.assert_allclose(again, before, rtol=0, atol=2e-10)
     assert "-0.0000000000" not in file.read_text()
 
@@ -75,7 +83,10 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
 def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
     path, whole = "notebooks/01_small.ipynb", course / "notebooks/01_rotations.ipynb"
     whole.rename(course / whole.name)  # its pages take time
-    first, second = new_markdown_cell("# Small\n\nSee [there](#Further)."), new_markdown_cell("## Further\n\nWords.")
+    first, second = (
+        new_markdown_cell("# Small\n\nSee [there](#Further)."),
+        new_markdown_cell("## Further\n\nWords."),
+    )
     write(course / "notebooks", "01_small.ipynb", first, cell(output({"text/html": "x"})), second)
     assert "Wrote build/course.pdf" in made(course, "pdf")
     content = (course / "build/course.pdf").read_bytes()
@@ -97,9 +108,14 @@ def test_the_benchmark_compares_what_is_installed(course):
 
 def test_the_lock_is_what_make_lock_writes(course):
     done = run(course, "make", "lock")
-    if re.search("could not be downloaded|certificate was not accepted", done.stderr) and "CI" not in os.environ:
+    if (
+        re.search("could not be downloaded|certificate was not accepted", done.stderr)
+        and "CI" not in os.environ
+    ):
         pytest.skip("there is no network, or none that is trusted")
-    assert (course / "environment.txt").read_text() == (ROOT / "environment.txt").read_text(), "run make lock"
+    assert (course / "environment.txt").read_text() == (ROOT / "environment.txt").read_text(), (
+        "run make lock"
+    )
     assert "environment.txt stays as it is." in done.stdout
 
 
@@ -123,7 +139,9 @@ def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, 
         assert done.stdout.splitlines() == ["make environment in CI=true", "make test in CI=true"]
     else:
         assert done.returncode == 1
-        assert re.search(r"could not be installed: .*\. Install them as root: apt install ", done.stderr)
+        assert re.search(
+            r"could not be installed: .*\. Install them as root: apt install ", done.stderr
+        )
         assert chromium == "there" or "chromium" in done.stderr
 
 
@@ -133,7 +151,11 @@ def test_make_clean_leaves_the_environment(course):
     for name in ("questions.csv", "seed", "totals.csv", "results/1.json"):
         (course / "build/grades" / name).write_text("1")
     assert "build/grades/questions.csv and seed stay" in made(course, "clean")
-    assert sorted(p.name for p in (course / "build").rglob("*")) == ["grades", "questions.csv", "seed"]
+    assert sorted(p.name for p in (course / "build").rglob("*")) == [
+        "grades",
+        "questions.csv",
+        "seed",
+    ]
     (course / "build/grades/questions.csv").unlink()
     (course / "build/grades/seed").unlink()
     made(course, "clean")

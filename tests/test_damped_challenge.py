@@ -35,7 +35,12 @@ def test_a_rule_hears_of_each_step_its_number_its_distances_and_what_it_used():
     assert heard[0][2] == heard[1][1]
 
 
-@pytest.mark.parametrize("answer", [None, 0.2, (0.2,), (np.nan, 2.0), (0.2, np.inf), (1.0, 0.0), ("a", "b")])
+@pytest.mark.parametrize(
+    "answer", [None, 0.2, (0.2,), (np.nan, 2.0), (0.2, np.inf), (1.0, 0.0), ("a", "b")]
+)
 def test_a_rule_that_returns_something_else_is_told_what_it_should_return(answer):
-    with pytest.raises(ValueError, match="rule must return two finite numbers, alpha and an eps above 0; it returned"):
+    with pytest.raises(
+        ValueError,
+        match="rule must return two finite numbers, alpha and an eps above 0; it returned",
+    ):
         mean_steps(lambda *tried: answer, damped_step)

@@ -20,7 +20,10 @@ def as_it_is(q):
 
 def test_the_distance_is_that_of_seven_numbers_whatever_the_sign_of_a_quaternion():
     random = np.random.default_rng(0)
-    A, B = (rigid.transform(rotations.random_rotations(200, random), random.normal(size=(200, 3))) for _ in range(2))
+    A, B = (
+        rigid.transform(rotations.random_rotations(200, random), random.normal(size=(200, 3)))
+        for _ in range(2)
+    )
     a, b = (rotations.matrix_to_quaternion(T[:, :3, :3]) for T in (A, B))
     p = np.linalg.norm(A[:, :3, 3] - B[:, :3, 3], axis=1)
     nearer = np.minimum(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1))
@@ -28,7 +31,9 @@ def test_the_distance_is_that_of_seven_numbers_whatever_the_sign_of_a_quaternion
 
 
 def test_a_descent_counts_its_steps_and_stops_at_the_distance_asked_for():
-    reached, taken = descents.descend(PANDA, TARGETS, READY, (ik.pose_error, damped, as_it_is), 50, 0.02)
+    reached, taken = descents.descend(
+        PANDA, TARGETS, READY, (ik.pose_error, damped, as_it_is), 50, 0.02
+    )
     assert reached.all()
     for target, steps in zip(TARGETS[:5], taken, strict=False):
         q, distances = READY[None], []
@@ -53,7 +58,14 @@ def test_the_rule_for_the_limits_is_applied_after_each_step():
         seen.append(q)
         return np.clip(q, *PANDA.limits.T)
 
-    descents.descend(PANDA, TARGETS[:1], READY, (ik.pose_error, lambda J, e, far: 0 * J[:, 0] + 9, inside), 3, 0.02)
+    descents.descend(
+        PANDA,
+        TARGETS[:1],
+        READY,
+        (ik.pose_error, lambda J, e, far: 0 * J[:, 0] + 9, inside),
+        3,
+        0.02,
+    )
     assert np.array_equal(seen[1], np.clip(seen[0], *PANDA.limits.T) + 9)
 
 
@@ -61,5 +73,7 @@ def test_each_target_may_have_a_start_of_its_own():
     rules = ik.pose_error, damped, as_it_is
     starts = np.array([READY, READY + 0.1])
     together = descents.descend(PANDA, TARGETS[:2], starts, rules, 20, 1e-3)[1]
-    alone = [descents.descend(PANDA, TARGETS[[k]], starts[k], rules, 20, 1e-3)[1][0] for k in range(2)]
+    alone = [
+        descents.descend(PANDA, TARGETS[[k]], starts[k], rules, 20, 1e-3)[1][0] for k in range(2)
+    ]
     assert together.tolist() == alone

@@ -8,7 +8,21 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-TOOLS = ["cat", "cmp", "cp", "diff", "dirname", "grep", "head", "make", "mkdir", "mv", "rm", "sh", "tail"]  # no Python
+TOOLS = [
+    "cat",
+    "cmp",
+    "cp",
+    "diff",
+    "dirname",
+    "grep",
+    "head",
+    "make",
+    "mkdir",
+    "mv",
+    "rm",
+    "sh",
+    "tail",
+]  # no Python
 STAND_IN = """#!/bin/sh
 echo "${0##*/} $*" >>"$CALLS"
 case "$*" in *"${AT:-nothing}"*) printf '%s\\n' "$SAYS" >&2; exit 1 ;; esac
@@ -37,7 +51,9 @@ def make(tmp_path):
     def make(*targets, folder="course é", **variables):
         variables |= {"PATH": str(programs), "CALLS": str(tmp_path / "calls")}
         (tmp_path / "calls").write_text("")
-        done = subprocess.run(["make", *targets], cwd=tmp_path / folder, env=variables, capture_output=True, text=True)
+        done = subprocess.run(
+            ["make", *targets], cwd=tmp_path / folder, env=variables, capture_output=True, text=True
+        )
         return done, (tmp_path / "calls").read_text()
 
     make.course, make.bin = course, programs
@@ -54,7 +70,10 @@ def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with
     make.course.rename(make.course.with_name("moved"))
     shutil.copy(make.bin / "python3", make.bin / "uv")
     called = make("environment", folder="moved")[1]
-    assert re.search(r"uv venv --python python3 \.venv\nuv pip install --compile-bytecode .*-r environment.txt", called)
+    assert re.search(
+        r"uv venv --python python3 \.venv\nuv pip install --compile-bytecode .*-r environment.txt",
+        called,
+    )
     assert "-m pip" not in called
 
 
@@ -77,6 +96,9 @@ def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at
 def test_a_lock_that_fails_leaves_the_old_one(make):
     shutil.copy(make.bin / "python3", make.bin / "uv")
     assert "stays as it is" in make("lock")[0].stdout
-    assert "The packages could not" in make("lock", AT="compile", SAYS="error: Failed to fetch")[0].stderr
+    assert (
+        "The packages could not"
+        in make("lock", AT="compile", SAYS="error: Failed to fetch")[0].stderr
+    )
     assert "> scipy==1.17.1" in make("lock", ADDS="scipy==1.17.1")[0].stdout
     assert (make.course / "environment.txt").read_text() == "# the lock\nscipy==1.17.1\n"

@@ -48,11 +48,28 @@ ANSWERS += [{"value": "nonsense", "changed": []}, {"value": RIGHT_VALUE["value"]
 ANSWERS += [RIGHT_VALUE | {"changed": changed} for changed in ([99], ["M"], [0.0, 0.0], 1)]
 ANSWERS += [RIGHT_VALUE | {"warning": [0.0, 0.0]}]
 ANSWERS += [{"error": error} for error in (None, "right", {}, {"type": "right"})]
-ANSWERS += [{"error": {"type": [0.0, 0.0], "message": [], "line": {}, "source": None, "state": "right"}}]
-ANSWERS += [{"error": {"type": "x" * 10**6, "message": "x" * 10**6, "line": 0, "source": "x" * 10**6}}]
-FORGED = [None, "", "null", "[]", "1", "[" * 5000, wire.write("right"), wire.write([]), wire.write(np.zeros(N))]
+ANSWERS += [
+    {"error": {"type": [0.0, 0.0], "message": [], "line": {}, "source": None, "state": "right"}}
+]
+ANSWERS += [
+    {"error": {"type": "x" * 10**6, "message": "x" * 10**6, "line": 0, "source": "x" * 10**6}}
+]
+FORGED = [
+    None,
+    "",
+    "null",
+    "[]",
+    "1",
+    "[" * 5000,
+    wire.write("right"),
+    wire.write([]),
+    wire.write(np.zeros(N)),
+]
 FORGED += [json.dumps({i: {} for i in range(N)}), json.dumps({"answers": "x" * N, "calls": []})]
-FORGED += [json.dumps({"answers": [{"value": 1, "changed": []}] * N, "calls": 7}), *map(_all, ANSWERS)]
+FORGED += [
+    json.dumps({"answers": [{"value": 1, "changed": []}] * N, "calls": 7}),
+    *map(_all, ANSWERS),
+]
 
 
 @pytest.mark.parametrize("text", FORGED, ids=lambda text: repr(text)[:80])
@@ -85,7 +102,9 @@ def test_code_that_forgets_its_return_can_be_the_bug_that_is_still_there():
 
 
 def _thorough(log):
-    turns = [rotations.exp_so3(np.array(w)) for w in ([0.1, 0.2, 0.3], [0, 0, np.pi], [1.5, -1.2, 0.8])]
+    turns = [
+        rotations.exp_so3(np.array(w)) for w in ([0.1, 0.2, 0.3], [0, 0, np.pi], [1.5, -1.2, 0.8])
+    ]
     return all(np.allclose(rotations.exp_so3(log(R)), R) for R in turns)
 
 
@@ -106,7 +125,9 @@ def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
 def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
     verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
     assert (verdict.state, verdict.points) == (WRONG, 1)
-    assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(verdict)
+    assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(
+        verdict
+    )
 
 
 def test_a_test_with_asserts_refuses_by_raising():
@@ -147,7 +168,9 @@ def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, tim
 
     verdict = judge(TEST_LOG, Here(tries))
     assert verdict.state == state
-    assert (state == RIGHT) != ("took more than 100 calls of the function that it tests" in describe(verdict))
+    assert (state == RIGHT) != (
+        "took more than 100 calls of the function that it tests" in describe(verdict)
+    )
 
 
 def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
@@ -155,14 +178,18 @@ def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
         return log._number in numbers
 
     for seed in range(3):  # the best choice of numbers for one seed is not for the next
-        order = [case.version.right for (case,) in TEST_LOG.questions(np.random.default_rng(seed))[0]]
+        order = [
+            case.version.right for (case,) in TEST_LOG.questions(np.random.default_rng(seed))[0]
+        ]
         numbers = {k for k, is_right in enumerate(order) if is_right}
         assert judge(TEST_LOG, Here(by_number), seed).state == RIGHT
         assert judge(TEST_LOG, Here(by_number), seed + 100).state == WRONG
 
 
 def _request(candidate, *arguments):
-    return json.dumps({"candidate": candidate, "arguments": [wire.to_json(argument) for argument in arguments]})
+    return json.dumps(
+        {"candidate": candidate, "arguments": [wire.to_json(argument) for argument in arguments]}
+    )
 
 
 BAD = [np.zeros((3, 4)), np.full((3, 3), np.nan), np.eye(3).astype(complex), np.eye(60), 10**6]
@@ -202,13 +229,19 @@ SHIFTED = replace(
         (lambda x: shifted(x)[:, [1, 0, 2]], "the columns of the answer are in another order"),
         (lambda x: shifted(x) * [1, 1, -1], "the third column of the answer has the wrong sign"),
         (lambda x: shifted(x) * [[1], [-1]], "the second row of the answer has the wrong sign"),
-        (lambda x: shifted(x) * [[1, -1, 1], [1, 1, 1]], "entry [0, 1] of the answer has the wrong sign"),
+        (
+            lambda x: shifted(x) * [[1, -1, 1], [1, 1, 1]],
+            "entry [0, 1] of the answer has the wrong sign",
+        ),
         (lambda x: shifted(x)[[1, 1]], "each item is the last one"),
         (lambda x: shifted(x) ** 2, "the answer is the square of what it should be"),
         (lambda x: np.nan_to_num(shifted(x)), "0 stands where nan is asked for"),
         (lambda x: SHIFT, "the answer is the same for every input"),
         (lambda x: np.round(shifted(x), 3), "the answer is rounded to 3 digits"),
-        (lambda x: np.arcsin(np.sin(shifted(x))), "an angle comes from arcsin, which knows half of the circle only"),
+        (
+            lambda x: np.arcsin(np.sin(shifted(x))),
+            "an angle comes from arcsin, which knows half of the circle only",
+        ),
         (lambda x: x - SHIFT, "the change of x has the opposite sign"),
         (lambda x: shifted(x) + x**3, None),
     ],
@@ -226,7 +259,11 @@ NOT_MIXED = Mistake("y[0] is not x[0] - x[1]", "Look.")
 MIXED = replace(
     SHIFTED,
     cases=lambda rng: [([1, 2, 4],), *((rng.uniform(1, 2, 3),) for _ in range(3))],
-    properties=(Property("x is mixed", lambda y, x: np.allclose(y, _mixed(x)), mistake=lambda y, x: NOT_MIXED),),
+    properties=(
+        Property(
+            "x is mixed", lambda y, x: np.allclose(y, _mixed(x)), mistake=lambda y, x: NOT_MIXED
+        ),
+    ),
     library=_mixed,
 )
 
@@ -237,7 +274,10 @@ MIXED = replace(
         (lambda x: _mixed(x * np.array([1, -1, 1])), "entry [1] of x has the wrong sign"),
         (lambda x: _mixed(x * np.array([0, 1, 1])), "entry [0] of x is not used"),
         (lambda x: _mixed([x[1], x[2], x[0]]), "the entries of x are in another order"),
-        (lambda x: np.trunc(_mixed(x)) if isinstance(x, list) else _mixed(x), "digits after the point are cut off"),
+        (
+            lambda x: np.trunc(_mixed(x)) if isinstance(x, list) else _mixed(x),
+            "digits after the point are cut off",
+        ),
         (lambda x: _mixed(x) ** 3, "y[0] is not x[0] - x[1]"),
     ],
 )
@@ -246,7 +286,11 @@ def test_a_changed_argument_is_named_and_else_what_the_property_says(answer, nam
 
 
 def test_a_change_returned_without_what_it_changes_is_called_so():
-    exercise = replace(SHIFTED, library=lambda x: x + x**2, properties=(Property("", lambda y, x: np.allclose(y, x)),))
+    exercise = replace(
+        SHIFTED,
+        library=lambda x: x + x**2,
+        properties=(Property("", lambda y, x: np.allclose(y, x)),),
+    )
     assert judge(exercise, Here(lambda x: x**2)).mistake.name == "only the change of x is returned"
 
 

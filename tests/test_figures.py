@@ -142,7 +142,11 @@ def test_every_picture_says_what_its_data_say(made):
         assert words in picture.alt + picture.caption, function.__name__
         assert len(picture.alt) > 50
         assert picture.alt.endswith(".")
-        assert picture.caption.endswith(".") or function.__name__.endswith("movie") or "?" in picture.caption
+        assert (
+            picture.caption.endswith(".")
+            or function.__name__.endswith("movie")
+            or "?" in picture.caption
+        )
 
 
 def test_pictures_are_shown_with_their_words_and_plots_have_the_same_bytes_again(made, outputs):
@@ -150,12 +154,16 @@ def test_pictures_are_shown_with_their_words_and_plots_have_the_same_bytes_again
         assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == made[i].alt
         function, arguments, _ = PICTURES[i]
         assert set(output.data) == {"image/png", "text/plain"}
-        assert shown(function(*arguments)).data["image/png"] == output.data["image/png"], function.__name__
+        assert shown(function(*arguments)).data["image/png"] == output.data["image/png"], (
+            function.__name__
+        )
         assert b"Software" not in output.data["image/png"], "the version that drew it"
 
 
 def test_plots_name_every_axis(made):
-    shown_by = [(p.fig, f) for p, (f, *_) in zip(made, PICTURES, strict=True) if isinstance(p, Picture)]
+    shown_by = [
+        (p.fig, f) for p, (f, *_) in zip(made, PICTURES, strict=True) if isinstance(p, Picture)
+    ]
     plots = [fig for fig, f in shown_by if isinstance(fig, Figure) and f != three_views]
     for fig in plots:
         for ax in fig.axes:
@@ -167,9 +175,14 @@ def test_plots_name_every_axis(made):
 
 def test_the_last_bits_of_a_machine_do_not_reach_the_file(made):
     for (function, arguments, _), picture in zip(PICTURES, made, strict=True):
-        shaken = [a * (1 + 1e-15) if isinstance(a, np.ndarray) and a.dtype == float else a for a in arguments]
+        shaken = [
+            a * (1 + 1e-15) if isinstance(a, np.ndarray) and a.dtype == float else a
+            for a in arguments
+        ]
         if isinstance(picture, Toy):
-            assert json.dumps(picture.stored()) == json.dumps(function(*shaken).stored()), function.__name__
+            assert json.dumps(picture.stored()) == json.dumps(function(*shaken).stored()), (
+                function.__name__
+            )
 
 
 # ---- show ----
@@ -177,7 +190,13 @@ def test_the_last_bits_of_a_machine_do_not_reach_the_file(made):
 
 def test_pages_may_cut_panels_apart_that_are_side_by_side():
     fig, (left, right) = plane_figure(8, 3, 2)
-    right.set(ylabel="y (m)", xlim=(-2, 2), ylim=(-2, 2), aspect="equal", title="A title as wide as its panel is")
+    right.set(
+        ylabel="y (m)",
+        xlim=(-2, 2),
+        ylim=(-2, 2),
+        aspect="equal",
+        title="A title as wide as its panel is",
+    )
     left.set_title("Another one, which is about as wide")
     (cut,) = shown(Picture(fig, ALT)).metadata["image/png"]["cuts"]
     assert 768 * left.get_position().x1 < cut < 768 * right.get_position().x0
@@ -196,7 +215,9 @@ def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words
     words = "It rises by $\\pi$."
     with mock.patch("IPython.display.display") as display:
         show(Picture(Figure(), "Words that are replaced", "Others"), alt=ALT, caption=words)
-    (data, figure), (_, caption) = ((*call.args, call.kwargs["metadata"]) for call in display.call_args_list)
+    (data, figure), (_, caption) = (
+        (*call.args, call.kwargs["metadata"]) for call in display.call_args_list
+    )
     assert data["text/plain"] == ALT
     assert "caption" not in figure
     assert caption == {"caption": words}

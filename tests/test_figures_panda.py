@@ -24,9 +24,16 @@ def pick():
     """A gripper above the table, closing; a mug beside it, below a camera."""
     frames = T_W0 @ ARM.frames(Q)
     grippers = frames[:, -1] @ IN_FLANGE
-    mugs = rigid.transform(rotations.rot_z(np.linspace(0, 2, 4)), np.linspace([0.2, 0, 0.6], [0.3, 0.3, 0.6], 4))
+    mugs = rigid.transform(
+        rotations.rot_z(np.linspace(0, 2, 4)), np.linspace([0.2, 0, 0.6], [0.3, 0.3, 0.6], 4)
+    )
     openings = np.array([0.08, 0.08, 0.07, 0.07])
-    return figures.pick(frames, grippers, openings, mugs, TIMES, BASE, CAMERA), grippers, openings, mugs
+    return (
+        figures.pick(frames, grippers, openings, mugs, TIMES, BASE, CAMERA),
+        grippers,
+        openings,
+        mugs,
+    )
 
 
 def bodies_of(frames):
@@ -39,14 +46,30 @@ def test_both_conventions_are_drawn_on_one_arm_with_arrows_along_their_axes_and_
     film = Film(figures.conventions(frames[:-1], frames[1:], BASE))
     stands = solids.Model.of(solids.shell(ARM)).placed(bodies_of(frames)) - BASE
     offsets = film.poses[0, :, :3, 3]
-    np.testing.assert_allclose(film.pale(), np.concatenate([stands + offset for offset in offsets]), atol=2e-4)
+    np.testing.assert_allclose(
+        film.pale(), np.concatenate([stands + offset for offset in offsets]), atol=2e-4
+    )
     for shown_frames, offset in zip((frames[:-1], frames[1:]), offsets, strict=True):
         for T in shown_frames:
             for k in range(3):
                 tip = T[:3, 3] + 0.13 * T[:3, k] - BASE + offset
                 assert np.linalg.norm(film.at(0) - tip, axis=1).min() < 2e-3
     names = [word for word, *_ in film.course["words"]]
-    assert names == ["1, 2", "3", "4", "5, 6", "7", "modified", "1", "2", "3", "4, 5", "6", "7", "standard"]
+    assert names == [
+        "1, 2",
+        "3",
+        "4",
+        "5, 6",
+        "7",
+        "modified",
+        "1",
+        "2",
+        "3",
+        "4, 5",
+        "6",
+        "7",
+        "standard",
+    ]
 
 
 def test_fingers_are_as_far_apart_as_the_gripper_is_open():
@@ -56,7 +79,9 @@ def test_fingers_are_as_far_apart_as_the_gripper_is_open():
     for i, (T, opening) in enumerate(zip(grippers, openings, strict=True)):
         at = film.at(i)
         left, right = (((at[film.of_body == k] - T[:3, 3]) @ T[:3, :3])[:, 1] for k in (9, 10))
-        assert min(right) - max(left) == np.clip(min(right) - max(left), opening - 2e-3, opening + 2e-3)
+        assert min(right) - max(left) == np.clip(
+            min(right) - max(left), opening - 2e-3, opening + 2e-3
+        )
         assert abs(min(right) + max(left)) < 1e-3, "in the middle"
 
 

@@ -100,15 +100,25 @@ def test_a_film_shows_its_whole_path_and_all_of_it_is_in_the_window(number, trac
     (path, colour, dash), *others = film["still"]
     assert_allclose(path, track, atol=ROUNDED)
     assert (colour, dash) == (BLUE, [7, 5])
-    seen = np.concatenate([np.reshape(each, (-1, 2)) for each in (*film["shapes"], *(points for points, *_ in others))])
+    seen = np.concatenate(
+        [
+            np.reshape(each, (-1, 2))
+            for each in (*film["shapes"], *(points for points, *_ in others))
+        ]
+    )
     room = film["half"] * np.array([1, film["proportion"]])
     assert (np.abs(seen - film["centre"]) < room).all()
 
 
 def test_the_body_stands_at_each_pose_with_its_nose_ahead():
     for corners, (x, y, theta) in zip(FILMS[0].meta["shapes"][0], POSES, strict=True):
-        ahead, left = np.array([np.cos(theta), np.sin(theta)]), np.array([-np.sin(theta), np.cos(theta)])
-        assert_allclose(corners, [x, y] + CORNERS[:, :1] * ahead + CORNERS[:, 1:] * left, atol=ROUNDED)
+        ahead, left = (
+            np.array([np.cos(theta), np.sin(theta)]),
+            np.array([-np.sin(theta), np.cos(theta)]),
+        )
+        assert_allclose(
+            corners, [x, y] + CORNERS[:, :1] * ahead + CORNERS[:, 1:] * left, atol=ROUNDED
+        )
         nose = np.array(corners)[np.argmax((corners - np.array([x, y])) @ ahead)]
         assert_allclose(nose, [x, y] + 1.4 * ahead, atol=ROUNDED)
         assert_allclose(nb2.outline([x, y, theta]), corners, atol=1e-9)

@@ -21,7 +21,9 @@ RNG = np.random.default_rng(7)
 
 def random_arm(n, rng):
     omega, points = rng.normal(size=(n, 3)), np.cumsum(rng.normal(scale=0.3, size=(n, 3)), 0)
-    return SerialArm.from_screws(omega, points, rigid.transform(random_rotations(1, rng)[0], points[-1] + 0.2))
+    return SerialArm.from_screws(
+        omega, points, rigid.transform(random_rotations(1, rng)[0], points[-1] + 0.2)
+    )
 
 
 ARMS = NAMED | {
@@ -70,8 +72,11 @@ def test_meshes_are_closed_and_their_faces_point_outwards():
         meshes.capsule([0, 0, 0], [1, 2, 3], 0.3), meshes.mug(),
     ]  # fmt: skip
     for mesh in every:
-        # A closed surface bounds a volume, which does not depend on where it stands: the divergence theorem.
-        volumes = [_volume(mesh.moved(rigid.transform(np.eye(3), p))) for p in ([0, 0, 0], [3, -2, 1])]
+        # A closed surface bounds a volume, which does not depend on where it stands: the divergence
+        # theorem.
+        volumes = [
+            _volume(mesh.moved(rigid.transform(np.eye(3), p))) for p in ([0, 0, 0], [3, -2, 1])
+        ]
         assert volumes[0] == pytest.approx(volumes[1], rel=1e-9)
         assert volumes[0] > 0
 
@@ -87,9 +92,17 @@ def _volume(mesh):
 def test_a_film_contains_the_poses_at_twenty_times_a_second_and_little_more():
     arm, times = iiwa14(), np.linspace(0, 4, 401)
     q = np.linspace(-0.5, 1, 401)[:, None] * np.ones(7)
-    film = Film(made := make_film(solids.shell(arm), solids.link_poses(arm, q), times, "An arm swings.", name="a"))
+    film = Film(
+        made := make_film(
+            solids.shell(arm), solids.link_poses(arm, q), times, "An arm swings.", name="a"
+        )
+    )
     assert_allclose(film.course["times"], times[::5], atol=1e-4)
     assert_allclose(film.poses, solids.link_poses(arm, q[::5]), atol=6e-5)
-    assert_allclose(film.at(40), solids.Model.of(solids.shell(arm)).placed(solids.link_poses(arm, q[200])), atol=2e-4)
+    assert_allclose(
+        film.at(40),
+        solids.Model.of(solids.shell(arm)).placed(solids.link_poses(arm, q[200])),
+        atol=2e-4,
+    )
     assert film.course["movie"] == "a"
     assert len(json.dumps(made.stored())) < 120_000

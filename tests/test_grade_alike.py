@@ -23,7 +23,9 @@ def nearest_so(M):
         raise ValueError("no rotation")
     return total
 """
-DISGUISED = OWN.replace("left", "a").replace("right", "b").replace("stretch", "s").replace("total", "R")
+DISGUISED = (
+    OWN.replace("left", "a").replace("right", "b").replace("stretch", "s").replace("total", "R")
+)
 DISGUISED = DISGUISED.replace("  # one rank after the other", "").replace("no rotation", "error")
 OTHER = """
 def nearest_so(M):
@@ -44,7 +46,9 @@ def named(*works):
 
 
 def test_a_disguised_copy_is_found_wherever_it_stands_and_an_honest_answer_is_not():
-    assert named(work("anna", "x = 1", OWN), work("bo", DISGUISED, "y = 2"), work("cy", OTHER)) == [("anna", "bo")]
+    assert named(work("anna", "x = 1", OWN), work("bo", DISGUISED, "y = 2"), work("cy", OTHER)) == [
+        ("anna", "bo")
+    ]
 
 
 def test_what_many_students_have_comes_from_the_task(monkeypatch):
@@ -58,7 +62,13 @@ def test_code_of_the_release_and_the_library_makes_no_pair_and_copies_of_it_are_
     given = json.loads((ROOT / f"notebooks/{NOTEBOOK}.ipynb").read_text())["cells"]
     cells = ["".join(cell["source"]) for cell in given if cell["cell_type"] == "code"]
     library = (ROOT / "course_lib/rotations.py").read_text()
-    everyone = [work("anna", *cells), work("bo", *cells), work("cy", library), work("di", library), work("eve", OTHER)]
+    everyone = [
+        work("anna", *cells),
+        work("bo", *cells),
+        work("cy", library),
+        work("di", library),
+        work("eve", OTHER),
+    ]
     assert named(*everyone) == []
     found = {(student, source) for student, _, source, _ in copies(everyone)}
     assert {(s, f"the solutions of {NOTEBOOK}") for s in ("anna", "bo")} <= found
@@ -73,8 +83,13 @@ def test_earlier_years_are_compared_and_not_with_each_other(tmp_path, place):
         path.parent.mkdir(parents=True)
         path.write_bytes(book(OWN))
     earlier = earlier_works(tmp_path)
-    assert sorted(named(work("anna", DISGUISED), work("uma", OTHER), *earlier)) == [("anna", "uma"), ("anna", "viv")]
-    assert f"anna and uma ({'2025' if place else tmp_path.name})" in alike_page([work("anna", DISGUISED), *earlier])
+    assert sorted(named(work("anna", DISGUISED), work("uma", OTHER), *earlier)) == [
+        ("anna", "uma"),
+        ("anna", "viv"),
+    ]
+    assert f"anna and uma ({'2025' if place else tmp_path.name})" in alike_page(
+        [work("anna", DISGUISED), *earlier]
+    )
 
 
 def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monkeypatch):
@@ -93,7 +108,9 @@ def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monk
 
 
 def test_the_page_marks_what_both_have_escapes_it_and_gives_no_verdict():
-    page = alike_page([work("<b>anna", OWN), work("bo", DISGUISED.replace("error", "</pre><script>"))])
+    page = alike_page(
+        [work("<b>anna", OWN), work("bo", DISGUISED.replace("error", "</pre><script>"))]
+    )
     assert "&lt;b&gt;anna and bo" in page
     assert "<script>" not in page
     assert page.count("<mark>") == page.count("</mark>") == 2

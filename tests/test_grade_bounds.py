@@ -25,14 +25,24 @@ def busy(seconds):
 
 ENDS = [
     (lambda: 1 / 0, {}, "ZeroDivisionError: division by zero"),
-    (lambda: busy(time.process_time() + 100), {"cpu_seconds": 1}, "more than 1 seconds of computing"),
-    (lambda: len(bytearray(2 * 10**9)), {"memory": 10**9}, "MemoryError|process that graded it ended"),
+    (
+        lambda: busy(time.process_time() + 100),
+        {"cpu_seconds": 1},
+        "more than 1 seconds of computing",
+    ),
+    (
+        lambda: len(bytearray(2 * 10**9)),
+        {"memory": 10**9},
+        "MemoryError|process that graded it ended",
+    ),
     (lambda: os.kill(os.getpid(), signal.SIGTERM), {}, r"ended \(exit status -15\)"),
     (lambda: time.sleep(100), {"clock_seconds": 1}, "not done after 1 seconds"),
 ]
 
 
-@pytest.mark.parametrize(("function", "bounds", "words"), ENDS, ids=["raises", "cpu", "memory", "killed", "clock"])
+@pytest.mark.parametrize(
+    ("function", "bounds", "words"), ENDS, ids=["raises", "cpu", "memory", "killed", "clock"]
+)
 def test_the_end_of_the_process_is_reported(function, bounds, words):
     with pytest.raises((OutOfBounds, RuntimeError), match=words):
         call_bounded(function, **bounds)
@@ -44,7 +54,11 @@ LONG_NUMBER = "9" * 5000
 
 
 def test_a_notebook_with_numbers_of_any_length_is_read():
-    text = book("x = 1", metadata={"x": "NUMBER"}).decode().replace('"NUMBER"', f"[{LONG_NUMBER}, 0.{LONG_NUMBER}]")
+    text = (
+        book("x = 1", metadata={"x": "NUMBER"})
+        .decode()
+        .replace('"NUMBER"', f"[{LONG_NUMBER}, 0.{LONG_NUMBER}]")
+    )
     assert code(read(text.encode())[0]) == ["x = 1"]
 
 
@@ -58,7 +72,19 @@ def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed():
 
 
 @pytest.mark.parametrize(
-    "unit", ["import x ", "x=", "\n", " ", "import ", "helper ", "for helper ", "\t\n", "def helperx ", "=helper "]
+    "unit",
+    [
+        "import x ",
+        "x=",
+        "\n",
+        " ",
+        "import ",
+        "helper ",
+        "for helper ",
+        "\t\n",
+        "def helperx ",
+        "=helper ",
+    ],
 )
 def test_a_search_for_names_in_a_text_of_any_kind_ends(unit):
     call_bounded(defines, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=5)
@@ -106,18 +132,26 @@ CLAIMS = {
     "a shape of large numbers": lambda count: answers(count, array([10**300] * 5000)),
     "nested": lambda count: answers(count, "[" * 50_000 + "]" * 50_000),
     "lists in lists": lambda count: answers(count, '{"list": [' * 11 + "1" + "]}" * 11),
-    "lists of long numbers": lambda count: answers(count, '{"list": [' + ",".join(["9" * 4000] * 50) + "]}"),
+    "lists of long numbers": lambda count: answers(
+        count, '{"list": [' + ",".join(["9" * 4000] * 50) + "]}"
+    ),
     "positions": lambda count: (
         '{"answers": [' + ",".join(['{"value": 1, "changed": [1e308]}'] * count) + '], "calls": []}'
     ),
-    "calls": lambda count: answers(count, "1").replace('"calls": []', '"calls": [' + "9" * 4000 + "]"),
+    "calls": lambda count: answers(count, "1").replace(
+        '"calls": []', '"calls": [' + "9" * 4000 + "]"
+    ),
 }
 
 
 @pytest.mark.parametrize("claim", CLAIMS)
 def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
     run = submission.Run([], SHORT, SEED, (), None)
-    for exercise in (each for each in submission.courses()[NAME].exercises if each.name in ("is_valid", "nearest_so")):
+    for exercise in (
+        each
+        for each in submission.courses()[NAME].exercises
+        if each.name in ("is_valid", "nearest_so")
+    ):
         begin = time.process_time()
         outcome = submission.ask(run, submission.Student(Claims(CLAIMS[claim]), run, exercise), {})
         assert outcome.verdict.points < exercise.points or claim == "lists in lists"

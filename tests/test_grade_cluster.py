@@ -32,16 +32,31 @@ def dask(tmp_path):
         def start(address="", *options, **changed):
             number, kind = len(os.listdir(tmp_path)), "worker" if address else "scheduler"
             log = tmp_path / f"{number}-{kind}.log"
-            command = [sys.executable, "-m", f"distributed.cli.dask_{kind}", *filter(None, [address])]
+            command = [
+                sys.executable,
+                "-m",
+                f"distributed.cli.dask_{kind}",
+                *filter(None, [address]),
+            ]
             command += ["--no-dashboard", "--host", "127.0.0.1", *options]
-            command += ["--nthreads", "1", "--local-directory", str(tmp_path / "space")] if address else ["--port", "0"]
+            command += (
+                ["--nthreads", "1", "--local-directory", str(tmp_path / "space")]
+                if address
+                else ["--port", "0"]
+            )
             with log.open("w") as said:
-                process = subprocess.Popen(command, stdout=said, stderr=said, env=os.environ | changed, cwd=tmp_path)
+                process = subprocess.Popen(
+                    command, stdout=said, stderr=said, env=os.environ | changed, cwd=tmp_path
+                )
             started.callback(process.wait)
             started.callback(process.terminate)
             process.log = log
             if not address:
-                line = wait_for(lambda: [line for line in log.read_text().splitlines() if "Scheduler at:" in line])
+                line = wait_for(
+                    lambda: [
+                        line for line in log.read_text().splitlines() if "Scheduler at:" in line
+                    ]
+                )
                 process.address = line[0].split()[-1]
             return process
 
@@ -53,7 +68,15 @@ class Run(threading.Thread):
 
     def __init__(self, place, address, output="out"):
         super().__init__()
-        self._options = [str(place / "in"), "--output", str(place / output), "--seed", SEED, "--cluster", address]
+        self._options = [
+            str(place / "in"),
+            "--output",
+            str(place / output),
+            "--seed",
+            SEED,
+            "--cluster",
+            address,
+        ]
         self.start()
 
     def run(self):
@@ -62,7 +85,9 @@ class Run(threading.Thread):
 
 def written(folder):
     """All that a run writes."""
-    return {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    return {
+        path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+    }
 
 
 def grading(worker):
@@ -71,12 +96,18 @@ def grading(worker):
     with suppress(psutil.NoSuchProcess, IndexError):  # one ends meanwhile
         for process in below:
             parents = process.parents()
-            if process.name() == "bwrap" and parents[0].name() != "bwrap" and parents[2].pid == worker.pid:
+            if (
+                process.name() == "bwrap"
+                and parents[0].name() != "bwrap"
+                and parents[2].pid == worker.pid
+            ):
                 return below
     return None
 
 
-def test_workers_that_are_killed_old_late_or_without_bubblewrap(dask, tmp_path, solutions, isolated, capsys):
+def test_workers_that_are_killed_old_late_or_without_bubblewrap(
+    dask, tmp_path, solutions, isolated, capsys
+):
     """The real grader on real workers gives the same bytes as on one machine, and no log shows the seed."""
     first, right = answers(solutions)
     for student, content in {"a": book(first, right["nearest_so"]), "b": b"no JSON"}.items():
@@ -96,17 +127,38 @@ def test_workers_that_are_killed_old_late_or_without_bubblewrap(dask, tmp_path, 
     said = capsys.readouterr().out
     assert said.count(" ended: its submission goes to another.\n") == 1
     assert "grades nothing: its course is another version.\n" in said
-    assert "grades nothing: Submissions cannot be kept apart from this machine, so none was run" in said
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "alone"), "--seed", SEED, "--jobs", "1"]) == 0
+    assert (
+        "grades nothing: Submissions cannot be kept apart from this machine, so none was run"
+        in said
+    )
+    assert (
+        main(
+            [
+                str(tmp_path / "in"),
+                "--output",
+                str(tmp_path / "alone"),
+                "--seed",
+                SEED,
+                "--jobs",
+                "1",
+            ]
+        )
+        == 0
+    )
     assert written(tmp_path / "out") == written(tmp_path / "alone")
-    assert b"a,01_rotations,core,nearest_so,3,3,right" in written(tmp_path / "out")[Path("grades.csv")]
+    assert (
+        b"a,01_rotations,core,nearest_so,3,3,right" in written(tmp_path / "out")[Path("grades.csv")]
+    )
     late.terminate()
     late.wait()
     assert SEED not in "".join(path.read_text() for path in tmp_path.glob("*.log"))
 
 
 def fill(place, **orders):
-    """Write submissions of five students, each with a log of its own gradings. orders: more of some of them."""
+    """Write submissions of five students, each with a log of its own gradings.
+
+    orders: more of some of them.
+    """
     for student in "abcde":
         log = place / f"log-{student}"
         log.mkdir(exist_ok=True)
@@ -119,7 +171,9 @@ def graded(place):
     return {student: len(os.listdir(place / f"log-{student}")) for student in "abcde"}
 
 
-def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_graded_once(dask, tmp_path, capsys):
+def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_graded_once(
+    dask, tmp_path, capsys
+):
     fill(tmp_path, b={"do": "end"}, d={"do": "raise"})
     address = dask().address
     worker = dask(address, "--preload", str(STAND_IN))  # which a nanny starts again
@@ -130,7 +184,8 @@ def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_gra
     lines = (tmp_path / "out/grades.csv").read_text().splitlines()
     why = "It could not be graded: 3 workers ended while they graded it."
     assert [line for line in lines if "not graded" in line] == [
-        f"{student},01_rotations,,,0,,not graded,{student}_01_rotations.ipynb: {why}," for student in "bd"
+        f"{student},01_rotations,,,0,,not graded,{student}_01_rotations.ipynb: {why},"
+        for student in "bd"
     ]
     assert sum("exercise_0,2,2,right" in line for line in lines) == 3
     assert "Compute Failed" in worker.log.read_text()
@@ -160,7 +215,9 @@ def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(dask
     assert graded(tmp_path) == {"a": 1, "b": 1, "c": 2, "d": 1, "e": 1}
 
 
-def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(dask, tmp_path, capsys, monkeypatch):
+def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(
+    dask, tmp_path, capsys, monkeypatch
+):
     fill(tmp_path)
     monkeypatch.setattr("course_lib.pack.grade.cluster.PATIENCE", 0)
     hand_in(tmp_path / "other", "course_lib/__init__.py").write_text("")
@@ -170,7 +227,16 @@ def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(dask,
     run = Run(tmp_path, scheduler.address)
     run.join()
     said = capsys.readouterr().err
-    assert f"Grading stopped. No worker of {scheduler.address} could grade for 0 seconds. tcp://" in said
-    assert said.endswith("lacks this course (ModuleNotFoundError: No module named 'course_lib.pack').\n")
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--cluster", "tls//x"]) == 1
-    assert "Grading stopped. CLUSTER=tls//x: the scheduler does not answer" in capsys.readouterr().err
+    assert (
+        f"Grading stopped. No worker of {scheduler.address} could grade for 0 seconds. tcp://"
+        in said
+    )
+    assert said.endswith(
+        "lacks this course (ModuleNotFoundError: No module named 'course_lib.pack').\n"
+    )
+    assert (
+        main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--cluster", "tls//x"]) == 1
+    )
+    assert (
+        "Grading stopped. CLUSTER=tls//x: the scheduler does not answer" in capsys.readouterr().err
+    )

@@ -17,7 +17,15 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import collect, zips
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import Refused, Submission, file_names, find, printable, read, split
+from course_lib.pack.grade.collect import (
+    Refused,
+    Submission,
+    file_names,
+    find,
+    printable,
+    read,
+    split,
+)
 from course_lib.pack.grade.gradebook import Roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
@@ -30,7 +38,11 @@ def write(folder, *names, text="{}"):
 
 
 def found(folder, platform=""):
-    return [(each.student, each.notebook) for each in find(folder, NOTEBOOKS, platform) if not each.refused]
+    return [
+        (each.student, each.notebook)
+        for each in find(folder, NOTEBOOKS, platform)
+        if not each.refused
+    ]
 
 
 def refused(folder):
@@ -39,7 +51,9 @@ def refused(folder):
 
 def test_a_student_has_a_bounded_number_of_notebooks_graded(tmp_path, monkeypatch):
     monkeypatch.setattr(collect, "MAX_GRADED", 2)
-    write(tmp_path, *(f"{student}/{name}.ipynb" for student in ("anna", "ben") for name in NOTEBOOKS))
+    write(
+        tmp_path, *(f"{student}/{name}.ipynb" for student in ("anna", "ben") for name in NOTEBOOKS)
+    )
     assert len(found(tmp_path)) == 4
     assert set(refused(tmp_path).values()) == {"Only 2 notebooks of a student are graded."}
 
@@ -71,11 +85,15 @@ def test_a_name_is_split_into_student_and_notebook(stem):
 
 
 def test_both_layouts_are_read(tmp_path):
-    write(tmp_path, "anna_b/hw_1_01_rotations.ipynb", "anna_b/hw_2_02_rigid_motion (1).ipynb")  # numbers of her own
+    write(
+        tmp_path, "anna_b/hw_1_01_rotations.ipynb", "anna_b/hw_2_02_rigid_motion (1).ipynb"
+    )  # numbers of her own
     write(tmp_path, "Zoë Ü_01_rotations.ipynb")
     write(tmp_path, "carl/hand-in/notebooks/anything.ipynb", "dora_my work.ipynb")
     both = [("anna_b", "01_rotations"), ("anna_b", "02_rigid_motion"), ("Zoë Ü", "01_rotations")]
-    assert sorted(found(tmp_path)) == sorted([*both, ("carl", "anything"), ("dora_my work", "dora_my work")])
+    assert sorted(found(tmp_path)) == sorted(
+        [*both, ("carl", "anything"), ("dora_my work", "dora_my work")]
+    )
 
 
 CANVAS = {
@@ -83,14 +101,29 @@ CANVAS = {
     "doejane_LATE_1234_5679_01_rotations-1.ipynb": ("doejane_1234", "01_rotations", "1234", True),
     "o_neill_77_88_my work.ipynb": ("o_neill_77", "my work", "77", False),
     "anon_Xy3zQ_5680_01_rotations.ipynb": ("anon_Xy3zQ", "01_rotations", "anon_Xy3zQ", False),
-    "LATE_anon_Xy3zQ_5681_02_rigid_motion.ipynb": ("anon_Xy3zQ", "02_rigid_motion", "anon_Xy3zQ", True),
+    "LATE_anon_Xy3zQ_5681_02_rigid_motion.ipynb": (
+        "anon_Xy3zQ",
+        "02_rigid_motion",
+        "anon_Xy3zQ",
+        True,
+    ),
     "mallory_5_6_doejane_1234_5678_01_rotations.ipynb": ("mallory_5", "01_rotations", "5", False),
 }
 MOODLE = {
-    "Zoë Ünal_42_assignsubmission_file_/01_rotations.ipynb": ("Zoë Ünal", "01_rotations", "42", False),
+    "Zoë Ünal_42_assignsubmission_file_/01_rotations.ipynb": (
+        "Zoë Ünal",
+        "01_rotations",
+        "42",
+        False,
+    ),
     "李 小龍_43_assignsubmission_file/x/Untitled.ipynb": ("李 小龍", "Untitled", "43", False),
     "Al Bo_44_assignsubmission_file_01_rotations.ipynb": ("Al Bo", "01_rotations", "44", False),
-    "Participant_45_assignsubmission_file_01_rotations.ipynb": ("Participant 45", "01_rotations", "45", False),
+    "Participant_45_assignsubmission_file_01_rotations.ipynb": (
+        "Participant 45",
+        "01_rotations",
+        "45",
+        False,
+    ),
 }
 
 
@@ -101,14 +134,23 @@ TYPED = {  # into the platform, which is no refusal
 
 
 @pytest.mark.parametrize(("platform", "exported"), [("canvas", CANVAS), ("moodle", MOODLE)])
-def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(platform, exported, tmp_path):
+def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(
+    platform, exported, tmp_path
+):
     write(tmp_path / "in", *exported, *TYPED[platform], "roster.csv")
-    seen = [each for each in find(tmp_path / "in", NOTEBOOKS, platform) if each.place != "roster.csv"]
-    assert {each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen} == exported
+    seen = [
+        each for each in find(tmp_path / "in", NOTEBOOKS, platform) if each.place != "roster.csv"
+    ]
+    assert {
+        each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen
+    } == exported
     assert collect.platform_of(tmp_path / "in") == platform, "so that the instructor is asked"
     for named in (platform, ""):
         (inner,) = find(tmp_path, NOTEBOOKS, named)
-        assert "export of a class: put its files directly into the folder of submissions" in inner.refused
+        assert (
+            "export of a class: put its files directly into the folder of submissions"
+            in inner.refused
+        )
     write(tmp_path / "in", "Bo/01_rotations.ipynb")
     assert collect.platform_of(tmp_path / "in") == ""
     assert {each.platform_id for each in find(tmp_path / "in", NOTEBOOKS)} == {""}
@@ -116,14 +158,22 @@ def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(
 
 def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
     write(tmp_path, "doejane_1234_5678_x/01_rotations.ipynb", "bo_1235_98_01_rotations.ipynb")
-    assert found(tmp_path, "canvas") == [("bo_1235", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
-    assert found(tmp_path, "none") == [("bo_1235_98", "01_rotations"), ("doejane_1234_5678_x", "01_rotations")]
+    assert found(tmp_path, "canvas") == [
+        ("bo_1235", "01_rotations"),
+        ("doejane_1234_5678_x", "01_rotations"),
+    ]
+    assert found(tmp_path, "none") == [
+        ("bo_1235_98", "01_rotations"),
+        ("doejane_1234_5678_x", "01_rotations"),
+    ]
 
 
 def test_two_students_of_one_name_in_an_export_of_moodles_stay_two(tmp_path):
     for number, name in [(1, "01_rotations"), (2, "01_rotations"), (3, "02_rigid_motion")]:
         write(tmp_path, f"Jane Doe_{number}_assignsubmission_file_/{name}.ipynb")
-        write(tmp_path, f"Al Bo_{number + 10}_assignsubmission_file_/{name}.ipynb") if number > 1 else None
+        write(
+            tmp_path, f"Al Bo_{number + 10}_assignsubmission_file_/{name}.ipynb"
+        ) if number > 1 else None
     students = sorted(student for student, _ in found(tmp_path, "moodle"))
     assert students == ["Al Bo", "Al Bo", "Jane Doe 1", "Jane Doe 2", "Jane Doe 3"]
 
@@ -135,9 +185,18 @@ def test_two_spellings_of_one_name_are_one_student(tmp_path):
 
 
 def test_files_that_programs_leave_behind_are_ignored(tmp_path):
-    write(tmp_path, "anna/.ipynb_checkpoints/01_rotations-checkpoint.ipynb", "anna/01_rotations.ipynb", ".DS_Store")
-    write(tmp_path, "__MACOSX/anna/01_rotations.ipynb", "anna/._01_rotations.ipynb", "anna/numpy.py")
-    write(tmp_path, "eve/.work/01_rotations.ipynb", ".hidden/01_rotations.ipynb")  # which may be a student's
+    write(
+        tmp_path,
+        "anna/.ipynb_checkpoints/01_rotations-checkpoint.ipynb",
+        "anna/01_rotations.ipynb",
+        ".DS_Store",
+    )
+    write(
+        tmp_path, "__MACOSX/anna/01_rotations.ipynb", "anna/._01_rotations.ipynb", "anna/numpy.py"
+    )
+    write(
+        tmp_path, "eve/.work/01_rotations.ipynb", ".hidden/01_rotations.ipynb"
+    )  # which may be a student's
     assert found(tmp_path) == [(name, "01_rotations") for name in (".hidden", "anna", "eve")]
     assert refused(tmp_path) == {}
 
@@ -184,15 +243,30 @@ submission_5003:
 def test_gradescope_names_each_student_of_a_hand_in_and_its_time(tmp_path, place):
     """The export as its readers describe it (ucbds-infra/otter-grader, otter/grade/metadata.py, GradescopeParser)."""
     for number in (5001, 5002, 5003):
-        write(tmp_path / "in", f"{place}submission_{number}/01_rotations.ipynb", text='{"points": [2, 2]}')
+        write(
+            tmp_path / "in",
+            f"{place}submission_{number}/01_rotations.ipynb",
+            text='{"points": [2, 2]}',
+        )
     (tmp_path / "in" / place / "submission_metadata.yml").write_text(GRADESCOPE, encoding="utf-8")
     found = {each.student: each for each in find(tmp_path / "in", NOTEBOOKS)}
     assert list(found) == ["Zoë O'Neill", "Pair One", "Pair Two", "submission_5003"]
     assert [each.platform_id for each in found.values()] == ["301", "302", "", ""]
-    times = [datetime.fromtimestamp(found[name].modified, UTC) for name in ("Zoë O'Neill", "Pair Two")]
-    assert times == [datetime(2026, 11, 30, 17, 0, 12, 123456, UTC), datetime(2026, 12, 1, 17, tzinfo=UTC)]
+    times = [
+        datetime.fromtimestamp(found[name].modified, UTC) for name in ("Zoë O'Neill", "Pair Two")
+    ]
+    assert times == [
+        datetime(2026, 11, 30, 17, 0, 12, 123456, UTC),
+        datetime(2026, 12, 1, 17, tzinfo=UTC),
+    ]
     late = ["--deadline", "2026-11-30T18:00+00:00", "--late", "10%", "--times", "files"]
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", *late], grade=grade) == 0
+    assert (
+        main(
+            [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", *late],
+            grade=grade,
+        )
+        == 0
+    )
     with (tmp_path / "out/totals.csv").open(encoding="utf-8-sig") as file:
         points = {row["student"]: row["total"] for row in csv.DictReader(file)}
     assert [points[name] for name in ("Zoë O'Neill", "Pair One", "Pair Two")] == ["4", "3.6", "3.6"]
@@ -207,8 +281,16 @@ def test_a_students_file_is_not_taken_for_gradescopes_list(tmp_path):
 def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_path):
     """A group's number is its own; the default group has none (moodle/moodle, mod/assign/classes/downloader.php)."""
     file = "assignsubmission_file"
-    write(tmp_path, f"Team A_12_{file}/01_rotations.ipynb", f"Default group_{file}/sub/01_rotations.ipynb")
-    write(tmp_path, "Default group_assignsubmission_onlinetext/onlinetext.html", f"Team B_{file}_02_rigid_motion.ipynb")
+    write(
+        tmp_path,
+        f"Team A_12_{file}/01_rotations.ipynb",
+        f"Default group_{file}/sub/01_rotations.ipynb",
+    )
+    write(
+        tmp_path,
+        "Default group_assignsubmission_onlinetext/onlinetext.html",
+        f"Team B_{file}_02_rigid_motion.ipynb",
+    )
     found = {(each.student, each.platform_id) for each in find(tmp_path, NOTEBOOKS, "moodle")}
     assert found == {("Team A", "12"), ("Default group", ""), ("Team B", "")}
 
@@ -224,13 +306,26 @@ def test_the_folders_of_nbgrader_and_the_zips_of_otter_are_read(tmp_path):
 
     By ucbds-infra/otter-grader, otter/check/notebook.py, Notebook.export: <notebook>_<time>.zip.
     """
-    write(tmp_path, "hacker/ps1/01_rotations.ipynb", "hacker/ps1/timestamp.txt", "hacker/ps2/02_rigid_motion.ipynb")
+    write(
+        tmp_path,
+        "hacker/ps1/01_rotations.ipynb",
+        "hacker/ps1/timestamp.txt",
+        "hacker/ps2/02_rigid_motion.ipynb",
+    )
     (tmp_path / "bitdiddle").mkdir()
-    with zipfile.ZipFile(tmp_path / "bitdiddle/01_rotations_2026_11_30T17_00_12_123456.zip", "w") as archive:
+    with zipfile.ZipFile(
+        tmp_path / "bitdiddle/01_rotations_2026_11_30T17_00_12_123456.zip", "w"
+    ) as archive:
         for name in ("01_rotations.ipynb", ".OTTER_LOG", "01_rotations.pdf", "__zip_filename__"):
             archive.writestr(name, "{}")
-    found = sorted((each.student, each.notebook, each.refused) for each in find(tmp_path, NOTEBOOKS))
-    work = [("bitdiddle", "01_rotations"), ("hacker", "01_rotations"), ("hacker", "02_rigid_motion")]
+    found = sorted(
+        (each.student, each.notebook, each.refused) for each in find(tmp_path, NOTEBOOKS)
+    )
+    work = [
+        ("bitdiddle", "01_rotations"),
+        ("hacker", "01_rotations"),
+        ("hacker", "02_rigid_motion"),
+    ]
     assert found == [(*each, "") for each in work]
 
 
@@ -247,7 +342,13 @@ def test_links_are_refused_and_not_followed(tmp_path):
     (tmp_path / "emil_01_rotations.ipynb").symlink_to("/nowhere")
     assert found(tmp_path) == [("anna", "01_rotations")]
     reasons = refused(tmp_path)
-    links = ["bob/01_rotations.ipynb", "bob/all", "carl_01_rotations.ipynb", "dora", "emil_01_rotations.ipynb"]
+    links = [
+        "bob/01_rotations.ipynb",
+        "bob/all",
+        "carl_01_rotations.ipynb",
+        "dora",
+        "emil_01_rotations.ipynb",
+    ]
     assert sorted(reasons) == links
     assert all("link" in reason for reason in reasons.values())
     who = {each.student for each in find(tmp_path, NOTEBOOKS)}
@@ -296,7 +397,11 @@ def zipped(path, files, method=zipfile.ZIP_DEFLATED):
 
 
 def test_notebooks_in_a_zip_are_read_where_they_are(tmp_path):
-    work = {"hw/01_rotations.ipynb": "one", "__MACOSX/hw/._01_rotations.ipynb": "x", "hw/report.pdf": "x"}
+    work = {
+        "hw/01_rotations.ipynb": "one",
+        "__MACOSX/hw/._01_rotations.ipynb": "x",
+        "hw/report.pdf": "x",
+    }
     zipped(tmp_path / "anna_my work.zip", work | {"02_rigid_motion.ipynb": "two"})
     zipped(tmp_path / "bo/all.zip", work)
     zipped(tmp_path / "cy_01_rotations.zip", {"../../etc/Untitled.ipynb": "three"})
@@ -316,8 +421,14 @@ def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monk
     zipped(tmp_path / "bomb.zip", {"01_rotations.ipynb": bytes(50_000_000)})
     zipped(tmp_path / "strange.zip", {"01_rotations.ipynb": "{}"}, zipfile.ZIP_LZMA)
     zipped(tmp_path / "none.zip", {"report.pdf": "x"})
-    zipped(tmp_path / "class.zip", {"doe_123_456_01_rotations.ipynb": "", "roe_124_457_01_rotations.ipynb": ""})
-    zipped(tmp_path / "moodle.zip", {f"Al {n}_4{n}_assignsubmission_file/01_rotations.ipynb": "" for n in range(2)})
+    zipped(
+        tmp_path / "class.zip",
+        {"doe_123_456_01_rotations.ipynb": "", "roe_124_457_01_rotations.ipynb": ""},
+    )
+    zipped(
+        tmp_path / "moodle.zip",
+        {f"Al {n}_4{n}_assignsubmission_file/01_rotations.ipynb": "" for n in range(2)},
+    )
     zipped(tmp_path / "gradescope.zip", {"assignment_9_export/submission_1/01_rotations.ipynb": ""})
     (tmp_path / "broken.zip").write_bytes(b"PK\x03\x04")
     write(tmp_path, "innocent_01_rotations.ipynb")
@@ -327,8 +438,15 @@ def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monk
             read(each)
         except Refused as reason:
             said[each.student] = str(reason)
-    words = {"many": "more than 100", "bomb": "far larger", "strange": "ordinary zip", "broken": "cannot be opened"}
-    words |= dict.fromkeys(("class", "moodle", "gradescope"), "export of a class: unpack it into the folder")
+    words = {
+        "many": "more than 100",
+        "bomb": "far larger",
+        "strange": "ordinary zip",
+        "broken": "cannot be opened",
+    }
+    words |= dict.fromkeys(
+        ("class", "moodle", "gradescope"), "export of a class: unpack it into the folder"
+    )
     words["none"] = "not a notebook in the zip"
     assert said.keys() == words.keys()
     for student, expected in words.items():
@@ -337,7 +455,22 @@ def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monk
 
 # ---- names of files ----
 
-UNSAFE = ["..", ".", "", "../../etc", "a/b", "a\\b", "a\x00b", "/", "~", "con", "AUX.txt", "Anna", "anna", "x" * 300]
+UNSAFE = [
+    "..",
+    ".",
+    "",
+    "../../etc",
+    "a/b",
+    "a\\b",
+    "a\x00b",
+    "/",
+    "~",
+    "con",
+    "AUX.txt",
+    "Anna",
+    "anna",
+    "x" * 300,
+]
 UNSAFE += ["é" * 200, "a\nb", "<b>", "name.", " name", "-rf", "Zoë Ünal", "C:\\x", "\ud800"]
 
 
@@ -354,7 +487,8 @@ def test_a_students_name_is_never_used_as_a_path(tmp_path):
     assert names["Zoë Ünal"] == "Zoë Ünal"
 
 
-# ---- folders that hold anything: each student has a line, and no student's files affect another's ----
+# ---- folders that hold anything: each student has a line, and no student's files affect another's
+# ----
 
 
 @pytest.fixture
@@ -365,8 +499,13 @@ def handed_in(tmp_path):
 
 def test_deeply_nested_folders_affect_only_their_student(handed_in):
     hand_in(handed_in, f"mallory/{'d/' * collect.MAX_DEPTH}01_rotations.ipynb")
-    said = f"It holds folders nested more than {collect.MAX_DEPTH} deep: those were not looked into."
-    assert {each.student: each.refused for each in find(handed_in, NOTEBOOKS)} == {"innocent": "", "mallory": said}
+    said = (
+        f"It holds folders nested more than {collect.MAX_DEPTH} deep: those were not looked into."
+    )
+    assert {each.student: each.refused for each in find(handed_in, NOTEBOOKS)} == {
+        "innocent": "",
+        "mallory": said,
+    }
 
 
 def test_a_folder_with_too_many_files_is_searched_in_part(handed_in, monkeypatch):
@@ -377,11 +516,18 @@ def test_a_folder_with_too_many_files_is_searched_in_part(handed_in, monkeypatch
         hand_in(handed_in / "eve", f"{i}/01_rotations.ipynb")
     said = {each.student: each.refused for each in find(handed_in, NOTEBOOKS)}
     assert said["mallory"] == "It holds more than 200 files: the others were not looked at."
-    assert len([each for each in find(handed_in, NOTEBOOKS) if each.student == "eve"]) <= collect.MAX_LISTED + 1
+    assert (
+        len([each for each in find(handed_in, NOTEBOOKS) if each.student == "eve"])
+        <= collect.MAX_LISTED + 1
+    )
 
 
 def test_unreadable_files_are_reported_in_the_student_s_line(handed_in, monkeypatch):
-    for name in ("locked/inner/01_rotations.ipynb", "gone/01_rotations.ipynb", "odd/01_rotations.ipynb"):
+    for name in (
+        "locked/inner/01_rotations.ipynb",
+        "gone/01_rotations.ipynb",
+        "odd/01_rotations.ipynb",
+    ):
         hand_in(handed_in, name)
     scandir = os.scandir
 
@@ -410,7 +556,10 @@ def test_anything_in_a_folder_affects_no_other_student(handed_in):
         os.symlink(".", path / "loop")
         os.symlink("/etc", path / "etc.ipynb")
         os.symlink("/nowhere", path / "nowhere")
-        with contextlib.chdir(path), socket.socket(socket.AF_UNIX) as one:  # the name of a socket must be short
+        with (
+            contextlib.chdir(path),
+            socket.socket(socket.AF_UNIX) as one,
+        ):  # the name of a socket must be short
             one.bind("socket.ipynb")
         (path / "empty.ipynb").write_bytes(b"")
     out = handed_in.parent / "out"

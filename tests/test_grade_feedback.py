@@ -21,8 +21,25 @@ from course_lib.pack.grade.marks import key
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import graded_files
 
-EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m {brace}"
-TAGS = {"html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "p", "strong", "a", "pre"}
+EVIL = (
+    "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m "
+    "{brace}"
+)
+TAGS = {
+    "html",
+    "head",
+    "meta",
+    "title",
+    "style",
+    "body",
+    "main",
+    "h1",
+    "h2",
+    "p",
+    "strong",
+    "a",
+    "pre",
+}
 TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "span", "i"}
 
 
@@ -44,7 +61,9 @@ class Read(HTMLParser):
 
 
 def of(student, points=(), texts=(), place=None, notebook="01_rotations", **changed):
-    submission = Submission(student, notebook, place or f"{student}/{notebook}.ipynb", Path("nowhere"))
+    submission = Submission(
+        student, notebook, place or f"{student}/{notebook}.ipynb", Path("nowhere")
+    )
     return submission, result(points, texts, notebook, **changed)
 
 
@@ -54,7 +73,9 @@ def one(*outcome, rows=()):
 
 
 def evil_one():
-    submission, evil = of(EVIL, [2, 0], [EVIL], place=EVIL, notebook=EVIL, release=EVIL, problems=[EVIL])
+    submission, evil = of(
+        EVIL, [2, 0], [EVIL], place=EVIL, notebook=EVIL, release=EVIL, problems=[EVIL]
+    )
     evil["exercises"][1] |= {"message": EVIL, "mistake": EVIL, "exercise": EVIL}
     return submission, evil
 
@@ -64,7 +85,9 @@ def assert_inert(text):
     read = Read(text)
     assert read.tags <= TAGS
     assert "<script>alert(1)</script>" in read.text
-    assert not any(name.startswith("on") or name in ("src", "srcset", "action") for name, _ in read.attributes)
+    assert not any(
+        name.startswith("on") or name in ("src", "srcset", "action") for name, _ in read.attributes
+    )
     assert all(value.startswith("#") for name, value in read.attributes if name == "href")
     assert not re.search(r"@import|url\(", text)
     assert ("content", "default-src 'none'; style-src 'unsafe-inline'") in read.attributes
@@ -85,12 +108,31 @@ def test_both_pages_escape_all_text_from_a_submission():
 def test_feedback_shows_points_messages_marks_and_comments():
     submission, its = of("zoe", [2, 0, 0], ["because"])
     its["exercises"][2] |= {"state": NOT_ATTEMPTED, "message": ""}
-    its["questions"].append({"question": "explain_frame", "of": 2, "text": "so", "task": "**B.** Which frame's?"})
-    rows = {key("zoe", "01_rotations", "explain_frame", "so"): {"mark": "1.5", "comment": "Nearly: which axis?"}}
+    its["questions"].append(
+        {"question": "explain_frame", "of": 2, "text": "so", "task": "**B.** Which frame's?"}
+    )
+    rows = {
+        key("zoe", "01_rotations", "explain_frame", "so"): {
+            "mark": "1.5",
+            "comment": "Nearly: which axis?",
+        }
+    }
     read = Read(feedback_page(one(submission, its, rows=rows)))
     for words in (
-        *("3.5 of 10 points, 1 written answer", "zoe", "What should hold: it is a rotation.", "because", "✓ right"),
-        *("✗ wrong", "○ not attempted", "to be read", "release 0.1.0-abc", "zoe/01_rotations.ipynb"),
+        *(
+            "3.5 of 10 points, 1 written answer",
+            "zoe",
+            "What should hold: it is a rotation.",
+            "because",
+            "✓ right",
+        ),
+        *(
+            "✗ wrong",
+            "○ not attempted",
+            "to be read",
+            "release 0.1.0-abc",
+            "zoe/01_rotations.ipynb",
+        ),
         *("explain_frame (B): read, 1.5 of 2", "Which frame's?", "Nearly: which axis?"),
     ):
         assert words in read.text
@@ -104,8 +146,22 @@ def test_feedback_has_a_group_for_the_core_and_one_for_more_with_subtotals_and_t
     its = of("zoe", [2, 2, 0], ["because"], more=["exercise_1", "exercise_2"])
     for weight, words in [
         (1, ("4 of 8 points", "Core: 2 of 4 points", "More: 2 of 4 points")),
-        (0.25, ("2.5 of 5 points", "Core: 2 of 4 points", "More: 2 of 4 points, which count 0.25 times: 0.5 of 1")),
-        (0, ("2 of 4 points", "Core: 2 of 4 points", "More: 2 of 4 points, which count 0 times: 0 of 0")),
+        (
+            0.25,
+            (
+                "2.5 of 5 points",
+                "Core: 2 of 4 points",
+                "More: 2 of 4 points, which count 0.25 times: 0.5 of 1",
+            ),
+        ),
+        (
+            0,
+            (
+                "2 of 4 points",
+                "Core: 2 of 4 points",
+                "More: 2 of 4 points, which count 0 times: 0 of 0",
+            ),
+        ),
     ]:
         (each,) = graded_files([its], {}, weight=weight)
         page = feedback_page(each)
@@ -128,16 +184,23 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
             of("..", [2]),
             of("anna", [2], notebook="../../x"),
             of("", place="roster.csv"),
-            (of("bob")[0], ungraded_result(of("bob")[0], "It is a link to another file.", "refused")),
+            (
+                of("bob")[0],
+                ungraded_result(of("bob")[0], "It is a link to another file.", "refused"),
+            ),
         ],
         {},
     )
     folder = tmp_path / "out" / "feedback"
     write_feedback(folder, everything)
-    written = sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file())
+    written = sorted(
+        path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()
+    )
     assert len(written) == 6
     assert all(path.startswith("out/feedback/") and path.count("/") == 3 for path in written)
-    assert {"out/feedback/zoe/01_rotations.html", "out/feedback/zoe/02_rigid_motion.html"} <= set(written)
+    assert {"out/feedback/zoe/01_rotations.html", "out/feedback/zoe/02_rigid_motion.html"} <= set(
+        written
+    )
     assert "<strong>2 of 2 points" in (folder / "zoe/01_rotations.html").read_text()
     assert "It is a link" in (folder / "bob/01_rotations.html").read_text()
 
@@ -148,7 +211,8 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
 def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp_path):
     """Parts of a path before the last: a name without underscores, the participant's number, the plugin's two words.
 
-    So is_valid_filename_for_import in moodle/moodle, mod/assign/feedback/file/importziplib.php, splits them.
+    So is_valid_filename_for_import in moodle/moodle, mod/assign/feedback/file/importziplib.php,
+    splits them.
     """
     outcomes = []
     for number, notebook in [(42, "01_rotations"), (43, "01_rotations"), (77, "02_rigid_motion")]:
@@ -160,11 +224,15 @@ def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp
     first = (tmp_path / "moodle/01_rotations.zip").read_bytes()
     with zipfile.ZipFile(tmp_path / "moodle/01_rotations.zip") as archive:
         folders, pages = zip(*(name.split("/") for name in archive.namelist()), strict=True)
-        assert [folder.split("_")[1:4] for folder in folders] == [[n, "assignsubmission", "file"] for n in ("42", "43")]
+        assert [folder.split("_")[1:4] for folder in folders] == [
+            [n, "assignsubmission", "file"] for n in ("42", "43")
+        ]
         assert set(pages) == {"feedback_01_rotations.html"}
         assert b"2 of 2 points" in archive.read(archive.namelist()[0])
     assert (tmp_path / "moodle/02_rigid_motion.zip").exists()
-    write_feedback(tmp_path, graded_files([(replace(submission, notebook=""), result([], notebook=""))], {}))
+    write_feedback(
+        tmp_path, graded_files([(replace(submission, notebook=""), result([], notebook=""))], {})
+    )
     assert {path.name for path in (tmp_path / "moodle").iterdir()} == {"other files.zip"}
     write_feedback(tmp_path, graded_files(outcomes[:2], {}))
     assert {path.name for path in (tmp_path / "moodle").iterdir()} == {"01_rotations.zip"}
@@ -183,7 +251,10 @@ def a_class():
 def rows(page, title):
     """The cells of a section's table, without its head, and the widths of its bars."""
     section = page.partition(f"<h2>{title}</h2>")[2].partition("<h2>")[0]
-    found = [re.findall(r"<td>(.*?)</td>", line) for line in section.partition("<tbody>")[2].split("</tr>")[:-1]]
+    found = [
+        re.findall(r"<td>(.*?)</td>", line)
+        for line in section.partition("<tbody>")[2].split("</tr>")[:-1]
+    ]
     return [[*cells, re.findall(r"width:([\d.]+)rem", bar)] for *cells, bar in found]
 
 
@@ -191,7 +262,11 @@ def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
     page = class_page(a_class())
     read = Read(page)
     points = rows(page, "Distribution of the points")
-    assert points[5] == ["50 to 60 %", "6", ["8.00"]]  # four of eight points; two are for the answer not read
+    assert points[5] == [
+        "50 to 60 %",
+        "6",
+        ["8.00"],
+    ]  # four of eight points; two are for the answer not read
     assert sum(int(count) for _, count, _ in points) == 12
     hardest = rows(page, "Hardest exercises")
     assert hardest[0][:5] == ["01_rotations: exercise_1", "3", "9", "0", "0"]
@@ -253,8 +328,14 @@ def test_the_class_page_counts_ungraded_files_separately():
     for exercise in broken[1]["exercises"]:
         exercise["state"] = UNREADABLE
     refused = of("s5")[0]
-    outcomes += [broken, (refused, ungraded_result(refused, "It is a link to another file.", "refused"))]
+    outcomes += [
+        broken,
+        (refused, ungraded_result(refused, "It is a link to another file.", "refused")),
+    ]
     read = Read(class_page(graded_files(outcomes, {})))
-    said = "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (not in the means below)"
+    said = (
+        "6 students, 4 notebooks graded, 2 more handed in but refused or unreadable (not in the "
+        "means below)"
+    )
     assert said in read.text
     assert "01_rotations6 4 4.0 4 4".replace(" ", "") in "".join(read.text.split())

@@ -17,7 +17,10 @@ from course_lib.pack.grade.tables import Totals
 
 POINTS = Totals(
     of={"01_rotations": 12, "02_rigid_motion": 15},
-    students={"doejane_1234": {"01_rotations": 7.5}, "al": {"01_rotations": 12, "02_rigid_motion": 0}},
+    students={
+        "doejane_1234": {"01_rotations": 7.5},
+        "al": {"01_rotations": 12, "02_rigid_motion": 0},
+    },
     waiting={"doejane_1234": 0, "al": 0},
     user_ids={"doejane_1234": "1234"},
 )
@@ -52,7 +55,15 @@ def test_canvas_takes_its_five_columns_and_a_row_of_points(roster):
     text, missing, _ = gradebook_text("canvas", POINTS, roster(CANVAS))
     assert missing == []
     assert rows(text) == [
-        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "01_rotations", "02_rigid_motion"],
+        [
+            "Student",
+            "ID",
+            "SIS User ID",
+            "SIS Login ID",
+            "Section",
+            "01_rotations",
+            "02_rigid_motion",
+        ],
         ["    Points Possible", "", "", "", "", "12", "15"],
         ["Bo, Al", "1235", "u-2", "al", "Kinematics", "12", "0"],
         ["Doe, Jane", "1234", "u-1", "jane", "Kinematics", "7.5", ""],
@@ -87,7 +98,9 @@ def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_the
     assert found.find("doe jane")[0]["ID number"] == "1234"
     assert found.find("Jane") == []
     two = found.find("Al Bo"), found.find("Al Bo 42")
-    assert [len(rows) for rows in two] == [2, 2], "two students whose names differ in an accent only"
+    assert [len(rows) for rows in two] == [2, 2], (
+        "two students whose names differ in an accent only"
+    )
 
 
 def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
@@ -100,18 +113,30 @@ def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(ros
     hand_in(tmp_path / "in", "Jane Doe_1235_assignsubmission_file_/01_rotations.ipynb", points=[2])
     (tmp_path / "moodle.csv").write_text(MOODLE)
     out = written(tmp_path, "--lms", "moodle", "--roster", str(tmp_path / "moodle.csv"))
-    assert rows((out / "moodle.csv").read_text("utf-8"))[1:] == [["", "1234", "jane@example.org", "Jane", "Doe", "2"]]
+    assert rows((out / "moodle.csv").read_text("utf-8"))[1:] == [
+        ["", "1234", "jane@example.org", "Jane", "Doe", "2"]
+    ]
 
 
 def test_each_member_of_a_group_has_a_line_with_the_points_of_the_group(roster):
-    members = roster("student,First name,Last name,Email address\nTeam A,Jane,Doe,jane@x\nTeam A,Al,Bo,al@x\n")
-    text, missing, shared = gradebook_text("moodle", Totals({"01": 10}, {"Team A": {"01": 9}}), members)
-    assert [row[2:] for row in rows(text)[1:]] == [["al@x", "Al", "Bo", "9"], ["jane@x", "Jane", "Doe", "9"]]
+    members = roster(
+        "student,First name,Last name,Email address\nTeam A,Jane,Doe,jane@x\nTeam A,Al,Bo,al@x\n"
+    )
+    text, missing, shared = gradebook_text(
+        "moodle", Totals({"01": 10}, {"Team A": {"01": 9}}), members
+    )
+    assert [row[2:] for row in rows(text)[1:]] == [
+        ["al@x", "Al", "Bo", "9"],
+        ["jane@x", "Jane", "Doe", "9"],
+    ]
     assert (missing, shared) == ([], [])
 
 
 def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
-    both = Totals(POINTS.of, {"jane": {"01_rotations": 9}, "Doe Jane": {"01_rotations": 3, "02_rigid_motion": 1}})
+    both = Totals(
+        POINTS.of,
+        {"jane": {"01_rotations": 9}, "Doe Jane": {"01_rotations": 3, "02_rigid_motion": 1}},
+    )
     text, missing, shared = gradebook_text("canvas", both, roster(CANVAS))
     assert rows(text)[2:] == [["Doe, Jane", "1234", "u-1", "jane", "Kinematics", "9", "1"]]
     assert (missing, shared) == ([], [["jane", "Doe Jane"]])
@@ -128,8 +153,15 @@ def test_other_names_of_the_columns_are_known(roster):
     """Gradescope's roster, Moodle's before `Last name`, one that tells Excel the separator, and Canvas's two names."""
     for head in ("First name,Surname,Email address", "sep=,\nFirst Name,Last Name,Email"):
         (row,) = roster(f"{head}\nJane,Doe,jane@x\n")
-        assert [row[name] for name in ("First name", "Last name", "Email address")] == ["Jane", "Doe", "jane@x"]
-    (row,) = roster("LastName,FirstName,ID,SIS Login ID,Section\n    Points Possible,,,,\nDoe,Jane,1234,jane,A\n")
+        assert [row[name] for name in ("First name", "Last name", "Email address")] == [
+            "Jane",
+            "Doe",
+            "jane@x",
+        ]
+    (row,) = roster(
+        "LastName,FirstName,ID,SIS Login ID,Section\n    Points "
+        "Possible,,,,\nDoe,Jane,1234,jane,A\n"
+    )
     assert Roster([row]).find("jane doe") == [row]
     assert row["Student"] == "Doe, Jane"
 
@@ -153,15 +185,27 @@ def test_a_file_that_cannot_be_used_as_a_roster_is_refused_and_not_ignored(roste
 
 def test_begun_days_count_from_the_moment_after_the_deadline():
     deadline = Deadline(1000 * DAY, percent=20)
-    assert [begun_days(seconds) for seconds in (0, 1, DAY, DAY + 1, 9 * DAY, None)] == [0, 1, 1, 2, 9, 1]
+    assert [begun_days(seconds) for seconds in (0, 1, DAY, DAY + 1, 9 * DAY, None)] == [
+        0,
+        1,
+        1,
+        2,
+        9,
+        1,
+    ]
     assert [deadline.share_left(seconds) for seconds in (0, 1, 5 * DAY, 9 * DAY)] == [1, 0.8, 0, 0]
 
 
 def test_the_deadline_names_its_time_zone(monkeypatch):
-    for zone, said in {"Asia/Kolkata": "IST (UTC+0530)", "America/New_York": "EST (UTC-0500)"}.items():
+    for zone, said in {
+        "Asia/Kolkata": "IST (UTC+0530)",
+        "America/New_York": "EST (UTC-0500)",
+    }.items():
         monkeypatch.setenv("TZ", zone)
         time.tzset()
-        assert f"Monday, 30 November 2026, 18:00:00 {said}" in str(read_deadline("2026-11-30 18:00", ""))
+        assert f"Monday, 30 November 2026, 18:00:00 {said}" in str(
+            read_deadline("2026-11-30 18:00", "")
+        )
     monkeypatch.undo()
     time.tzset()
 
@@ -173,16 +217,31 @@ def test_a_date_counts_to_its_end_and_a_time_to_the_second():
         ("2026-11-30T18:00+00:00", datetime.fromisoformat("2026-11-30T18:00+00:00")),
     ]:
         assert read_deadline(typed, "").when == moment.timestamp()
-    for rule, percent in {"none": 0, "10": 10, "2.5%": 2.5, "10% a day": 10, "10 % per day": 10}.items():
+    for rule, percent in {
+        "none": 0,
+        "10": 10,
+        "2.5%": 2.5,
+        "10% a day": 10,
+        "10 % per day": 10,
+    }.items():
         assert read_deadline("2026-11-30", rule).percent == percent
 
 
 @pytest.mark.parametrize(
     ("when", "rule"),
-    [("soon", ""), ("2026-13-01", ""), ("0001-01-01", ""), ("2026-11-30", "x"), ("2026-11-30", "101"), ("", "10")],
+    [
+        ("soon", ""),
+        ("2026-13-01", ""),
+        ("0001-01-01", ""),
+        ("2026-11-30", "x"),
+        ("2026-11-30", "101"),
+        ("", "10"),
+    ],
 )
 def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
-    with pytest.raises(GradingStopped, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "):
+    with pytest.raises(
+        GradingStopped, match=f"DEADLINE={when} " if rule == "" else f"LATE={rule} "
+    ):
         read_deadline(when, rule)
 
 
@@ -190,7 +249,13 @@ def test_an_invalid_deadline_is_quoted_as_it_was_typed(when, rule):
 
 
 def written(folder, *options):
-    assert main([str(folder / "in"), "--output", str(folder / "out"), "--jobs", "1", *options], grade=grade) == 0
+    assert (
+        main(
+            [str(folder / "in"), "--output", str(folder / "out"), "--jobs", "1", *options],
+            grade=grade,
+        )
+        == 0
+    )
     return folder / "out"
 
 
@@ -199,7 +264,9 @@ ON_MOODLE = ("--lms", "moodle", *DEADLINE)
 
 
 def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
-    late = hand_in(tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""])
+    late = hand_in(
+        tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""]
+    )
     hand_in(tmp_path / "in", "bo_1235_98_01_rotations.ipynb", points=[2, 2])
     deadline = datetime(2026, 11, 30, 18).timestamp()
     for path in (tmp_path / "in").iterdir():
@@ -215,7 +282,10 @@ def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, c
     assert {path.name: path.stat().st_mtime_ns for path in (out / "results").iterdir()} == first
     assert '"Doe, Jane",1234,u-1,jane,Kinematics,3.2' in (out / "canvas.csv").read_text()
     assert '"Bo, Al",1235,u-2,al,Kinematics,4' in (out / "canvas.csv").read_text()
-    assert "late,Handed in 2 days late. 20 % of its points are taken off." in (out / "grades.csv").read_text()
+    assert (
+        "late,Handed in 2 days late. 20 % of its points are taken off."
+        in (out / "grades.csv").read_text()
+    )
     page = (out / "feedback/doejane_1234/01_rotations.html").read_text()
     assert "<strong>3.2 of 6 points</strong>" in page
     assert "Handed in 2 days late. 20 % of its points are taken off." in page
@@ -231,15 +301,25 @@ def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp
     for name in ("doejane_LATE_1234_99", "bo_1235_98", "eve_LATE_1236_97"):
         path = hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2, 2])
         os.utime(path, (4e9, 4e9))
-    (tmp_path / "more.csv").write_text("student,notebook,deadline\n1236,01_rotations,2026-12-04\nUma Ab,,2026-12-01\n")
+    (tmp_path / "more.csv").write_text(
+        "student,notebook,deadline\n1236,01_rotations,2026-12-04\nUma Ab,,2026-12-01\n"
+    )
     assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
-    asked = "The names look as Canvas exports them: add LMS=canvas, or LMS=none if they are the students' own."
+    asked = (
+        "The names look as Canvas exports them: add LMS=canvas, or LMS=none if they are the "
+        "students' own."
+    )
     assert capsys.readouterr().err == f"Grading stopped. {asked}\n"
-    out = written(tmp_path, "--lms", "canvas", *DEADLINE, "--extensions", str(tmp_path / "more.csv"))
+    out = written(
+        tmp_path, "--lms", "canvas", *DEADLINE, "--extensions", str(tmp_path / "more.csv")
+    )
     assert totals_in(out) == {"bo_1235": "4", "doejane_1234": "3.6", "eve_1236": "4"}
     said = capsys.readouterr().out
     assert "Marked LATE by the platform: 1, which count as one day late" in said
-    assert "With an extension: 1 notebook. Their marks LATE do not count, because no time is known: eve_1236." in said
+    assert (
+        "With an extension: 1 notebook. Their marks LATE do not count, because no time is known: "
+        "eve_1236." in said
+    )
     assert "Nobody of this name, whom EXTENSIONS= names, handed in: ab uma." in said
 
 
@@ -256,7 +336,10 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
     """The columns and texts that mod/assign/gradingtable.php writes (col_recordid, col_status, col_timesubmitted)."""
     for name in ("Jane Doe_42", "Al Bö_43", "Eve Ce_44"):
         hand_in(tmp_path / "in", f"{name}_assignsubmission_file/01_rotations.ipynb", points=[2, 2])
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *ON_MOODLE], grade=grade) == 1
+    assert (
+        main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *ON_MOODLE], grade=grade)
+        == 1
+    )
     assert "The zips of Moodle and Canvas carry no times." in capsys.readouterr().err
     (tmp_path / "worksheets").mkdir()
     (tmp_path / "worksheets/1.csv").write_text(WORKSHEET)
@@ -267,7 +350,12 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
     assert "Without a time in TIMES=: 1 notebook, for example of Eve Ce." in said
     (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;2026-11-30 18:05\n")
     more = "--extensions", str(tmp_path / "more.csv")
-    assert totals_in(written(tmp_path, *ON_MOODLE, *more, "--times", str(tmp_path / "worksheets")))["Jane Doe"] == "4"
+    assert (
+        totals_in(written(tmp_path, *ON_MOODLE, *more, "--times", str(tmp_path / "worksheets")))[
+            "Jane Doe"
+        ]
+        == "4"
+    )
     (tmp_path / "more.csv").write_text("student;deadline\nDoe, Jane;soon\n")
     assert main([str(tmp_path / "in"), *ON_MOODLE, *more, "--times", "files"], grade=grade) == 1
     assert "soon, for Doe, Jane, is not a time" in capsys.readouterr().err
@@ -282,20 +370,29 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, none."),
         (("--notebooks", "07"), "NOTEBOOKS=07 is not a list of numbers such as 01,02."),
         (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
-        (("--lms", "moodle", "--roster", "/nowhere.csv"), "/nowhere.csv cannot be read: No such file or directory."),
+        (
+            ("--lms", "moodle", "--roster", "/nowhere.csv"),
+            "/nowhere.csv cannot be read: No such file or directory.",
+        ),
         (("--more", "2"), "MORE=2 is neither a number from 0 to 1, nor yes or no."),
         (("--more", "nan"), "MORE=nan is neither a number from 0 to 1, nor yes or no."),
         (("--times", "files"), "TIMES=files has no meaning without DEADLINE=."),
     ],
 )
-def test_settings_that_cannot_be_used_stop_before_anything_is_graded(tmp_path, capsys, options, said):
+def test_settings_that_cannot_be_used_stop_before_anything_is_graded(
+    tmp_path, capsys, options, said
+):
     hand_in(tmp_path / "in", "anna_01_rotations.ipynb", points=[2])
-    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *options], grade=grade) == 1
+    assert (
+        main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *options], grade=grade) == 1
+    )
     assert capsys.readouterr().err == f"Grading stopped. {said}\n"
     assert not (tmp_path / "out").exists()
 
 
-def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_left_out(tmp_path, capsys):
+def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_left_out(
+    tmp_path, capsys
+):
     for name in ("01_rotations", "02_rigid_motion", "06_decomposition_ik"):
         hand_in(tmp_path / "in", f"Doe Jane/{name}.ipynb", points=[0, 2])
     (tmp_path / "roster.csv").write_text(f'{CANVAS}"Student, Test",1236,,{"0a" * 20},Kinematics,\n')
@@ -309,12 +406,22 @@ def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_le
     assert "06_decomposition_ik" not in page
 
 
-def test_students_without_a_line_of_the_roster_with_several_and_those_who_share_one_are_named(tmp_path, capsys):
+def test_students_without_a_line_of_the_roster_with_several_and_those_who_share_one_are_named(
+    tmp_path, capsys
+):
     for name in ("eve", "jane", "Doe Jane", "Li Xiang"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
-    (tmp_path / "roster.csv").write_text(CANVAS + '"Xiang, Li",1236,u-3,li,K,\n"Xiang, Li",1237,u-4,xi,K,\n')
+    (tmp_path / "roster.csv").write_text(
+        CANVAS + '"Xiang, Li",1236,u-3,li,K,\n"Xiang, Li",1237,u-4,xi,K,\n'
+    )
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
     said = capsys.readouterr().out
     names = "Li Xiang (2 lines of the roster fit), eve"
-    assert f"Not in {out / 'canvas.csv'}, because no line of the roster fits, or several: {names}." in said
-    assert "One student of the roster, whose better points of each notebook count: Doe Jane, jane." in said
+    assert (
+        f"Not in {out / 'canvas.csv'}, because no line of the roster fits, or several: {names}."
+        in said
+    )
+    assert (
+        "One student of the roster, whose better points of each notebook count: Doe Jane, jane."
+        in said
+    )

@@ -9,7 +9,18 @@ from types import SimpleNamespace
 
 import pytest
 from grade_stand_in import hand_in
-from hostile.build import FULL, NAME, SEED, SHORT, answers, book, few_exercises, left_over, points, processes
+from hostile.build import (
+    FULL,
+    NAME,
+    SEED,
+    SHORT,
+    answers,
+    book,
+    few_exercises,
+    left_over,
+    points,
+    processes,
+)
 
 from course_lib.pack.grade import isolation
 from course_lib.pack.grade.__main__ import main
@@ -94,10 +105,20 @@ def asking(name, lines):
 @pytest.fixture(scope="module")
 def found(isolated, solutions):
     """What the functions of one submission find out, as text."""
-    asked = {"nearest_so": SEES, "is_valid": WRITES, "matrix_to_quaternion": CALLS, "nearest_se": STARTS}
+    asked = {
+        "nearest_so": SEES,
+        "is_valid": WRITES,
+        "matrix_to_quaternion": CALLS,
+        "nearest_se": STARTS,
+    }
     with pytest.MonkeyPatch.context() as patch:
         few_exercises(patch)
-        result = grade(book(answers(solutions)[0], *(asking(*each) for each in asked.items())), NAME, SEED, SHORT)
+        result = grade(
+            book(answers(solutions)[0], *(asking(*each) for each in asked.items())),
+            NAME,
+            SEED,
+            SHORT,
+        )
     return {asked[row["exercise"]]: row["message"] for row in result["exercises"]}
 
 
@@ -135,15 +156,23 @@ found = [path for path in found if path.endswith(("totals.csv", "solution.ipynb"
 def test_the_project_is_hidden_where_it_lies_in_a_folder_that_is_shown(few, tmp_path):
     """With submissions and grades in it: what covers the outer folder must not stand in the way of the inner one."""
     place = tmp_path / "site-packages/project"
-    shutil.copytree(ROOT / "course_lib", place / "course_lib", ignore=shutil.ignore_patterns("site", "__pycache__"))
-    shutil.copytree(ROOT / "notebooks", place / "notebooks", ignore=shutil.ignore_patterns("*.png", ".*"))
+    shutil.copytree(
+        ROOT / "course_lib",
+        place / "course_lib",
+        ignore=shutil.ignore_patterns("site", "__pycache__"),
+    )
+    shutil.copytree(
+        ROOT / "notebooks", place / "notebooks", ignore=shutil.ignore_patterns("*.png", ".*")
+    )
     for name in ("in/solution.ipynb", "out/totals.csv", "course_lib/judge.py"):
         (place / name).parent.mkdir(exist_ok=True)
         (place / name).write_text("{}")
     (tmp_path / "book.ipynb").write_bytes(book(few[0], asking("nearest_so", LOOKS)))
     code = GRADE.format(root=str(place), book=str(tmp_path / "book.ipynb"))
     code = f"import sys\nsys.path[:0] = [{str(place)!r}, {str(place.parent)!r}]\n{code}"
-    done = subprocess.run([sys.executable, "-c", code], cwd=place, capture_output=True, text=True, timeout=3600)
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=place, capture_output=True, text=True, timeout=3600
+    )
     assert "raises ValueError: []\n" in done.stdout, done.stdout + done.stderr
 
 
@@ -154,28 +183,51 @@ FORBIDDEN = f"bwrap: No permissions to create a new namespace, see {'/a/long/pat
 
 
 @pytest.mark.parametrize("installed", [False, True])
-def test_nothing_is_graded_and_one_paragraph_says_what_to_do(installed, tmp_path, capsys, monkeypatch):
+def test_nothing_is_graded_and_one_paragraph_says_what_to_do(
+    installed, tmp_path, capsys, monkeypatch
+):
     hand_in(tmp_path / "in", "anna_01_rotations.ipynb")
     command = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
-    words = {"macOS", "WSL", "container", "ISOLATION=none", "apparmor_restrict", "is not installed: `sudo apt"}
+    words = {
+        "macOS",
+        "WSL",
+        "container",
+        "ISOLATION=none",
+        "apparmor_restrict",
+        "is not installed: `sudo apt",
+    }
     if installed:
         (tmp_path / "bwrap").write_text(f"#!/bin/sh\necho '{FORBIDDEN}' >&2\nexit 1\n")
         (tmp_path / "bwrap").chmod(0o755)
         monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
-        words = words - {"is not installed: `sudo apt"} | {f"does not let it work: {FORBIDDEN}. Ubuntu"}
+        words = words - {"is not installed: `sudo apt"} | {
+            f"does not let it work: {FORBIDDEN}. Ubuntu"
+        }
     isolation._tried.cache_clear()
     assert main(command) == 1
     isolation._tried.cache_clear()
     said = capsys.readouterr().err
-    assert said.startswith("Grading stopped. Submissions cannot be kept apart from this machine, so none was run")
+    assert said.startswith(
+        "Grading stopped. Submissions cannot be kept apart from this machine, so none was run"
+    )
     assert said.count("\n") == 1
     assert [each for each in words if each not in said] == []
     assert not list((tmp_path / "out").glob("results/*"))
 
 
-def test_isolation_none_is_refused_to_root_and_grades_for_others(tmp_path, capsys, monkeypatch, solutions):
+def test_isolation_none_is_refused_to_root_and_grades_for_others(
+    tmp_path, capsys, monkeypatch, solutions
+):
     hand_in(tmp_path / "in", "anna_01_rotations.ipynb")
-    command = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1", "--isolation", "none"]
+    command = [
+        str(tmp_path / "in"),
+        "--output",
+        str(tmp_path / "out"),
+        "--jobs",
+        "1",
+        "--isolation",
+        "none",
+    ]
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     assert main(command) == 1
     assert "you are root: be another user" in capsys.readouterr().err
@@ -183,19 +235,33 @@ def test_isolation_none_is_refused_to_root_and_grades_for_others(tmp_path, capsy
     few_exercises(monkeypatch)
     first, right = answers(solutions)
     before = processes()
-    loop = "import os\nif os.fork() == 0:\n    os.setsid()\n    while True: pass\ndef nearest_so(M):\n    while 1: pass"
-    assert points(grade(book(first, *right.values(), loop), NAME, SEED, SHORT, wanted="none")) == FULL - 3
+    loop = (
+        "import os\nif os.fork() == 0:\n    os.setsid()\n    while True: pass\ndef "
+        "nearest_so(M):\n    while 1: pass"
+    )
+    assert (
+        points(grade(book(first, *right.values(), loop), NAME, SEED, SHORT, wanted="none"))
+        == FULL - 3
+    )
     assert not left_over(before)
 
 
-@pytest.mark.parametrize(("computes", "share", "ends"), [(0.0005, 1, True), (0.05, 1, False), (0.0005, 0.01, False)])
-def test_a_hundredth_of_a_processor_counts_as_progress_of_the_time_that_is_free(computes, share, ends):
+@pytest.mark.parametrize(
+    ("computes", "share", "ends"), [(0.0005, 1, True), (0.05, 1, False), (0.0005, 0.01, False)]
+)
+def test_a_hundredth_of_a_processor_counts_as_progress_of_the_time_that_is_free(
+    computes, share, ends
+):
     one = SimpleNamespace(looks=0, computed=0.0, free=0.0, asleep=0.0)
     watch = Watch(one, asleep=1000, cpu=1000, idle=60)
 
     def a_while():
         for _ in range(500):
-            one.looks, one.free, one.computed = one.looks + 1, one.free + share, one.computed + computes
+            one.looks, one.free, one.computed = (
+                one.looks + 1,
+                one.free + share,
+                one.computed + computes,
+            )
             watch.look()
 
     if ends:
@@ -211,6 +277,10 @@ def test_a_hundredth_of_a_processor_counts_as_progress_of_the_time_that_is_free(
 
 def test_python_named_by_a_path_from_another_folder_is_found(isolated, tmp_path):
     relative = os.path.relpath(sys.executable, tmp_path)
-    asked = [relative, "-c", "from course_lib.pack.grade import isolation; print(isolation.problem() or 'works')"]
+    asked = [
+        relative,
+        "-c",
+        "from course_lib.pack.grade import isolation; print(isolation.problem() or 'works')",
+    ]
     done = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout == "works\n"

@@ -43,7 +43,12 @@ def fill(place, count=6, **orders):
     for i in range(count):
         texts = [f"because {i}"]
         hand_in(
-            place / "in", f"s{i}_01_rotations.ipynb", points=[2, i % 3], texts=texts, log=str(place / "log"), **orders
+            place / "in",
+            f"s{i}_01_rotations.ipynb",
+            points=[2, i % 3],
+            texts=texts,
+            log=str(place / "log"),
+            **orders,
         )
 
 
@@ -69,13 +74,24 @@ def test_files_that_were_graded_are_not_graded_again(place):
 
 def test_files_of_equal_content_are_graded_once(place):
     for student in "abc":
-        hand_in(place / "in", f"{student}_01_rotations.ipynb", points=[2], seconds=0.2, log=str(place / "log"))
+        hand_in(
+            place / "in",
+            f"{student}_01_rotations.ipynb",
+            points=[2],
+            seconds=0.2,
+            log=str(place / "log"),
+        )
     assert run(place, "--jobs", "4") == 0
     assert calls(place) == 1
-    assert [tables(place)[0].count(f"{each},01_rotations,core,exercise_0,2,2".encode()) for each in "abc"] == [1] * 3
+    assert [
+        tables(place)[0].count(f"{each},01_rotations,core,exercise_0,2,2".encode())
+        for each in "abc"
+    ] == [1] * 3
 
 
-def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_again(place, monkeypatch):
+def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_again(
+    place, monkeypatch
+):
     fill(place, 3)
     run(place, "--jobs", "1")
     first = tables(place)
@@ -106,9 +122,17 @@ def test_parts_of_a_class_graded_apart_with_one_seed_are_copied_together(place):
 
 def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
     fill(place, 8, seconds=0.4)
-    command = [sys.executable, str(ROOT / "tests/grade_stand_in.py"), str(place / "in"), "--output", str(place / "out")]
+    command = [
+        sys.executable,
+        str(ROOT / "tests/grade_stand_in.py"),
+        str(place / "in"),
+        "--output",
+        str(place / "out"),
+    ]
     with subprocess.Popen([*command, "--jobs", "2"], stderr=subprocess.DEVNULL) as process:
-        wait_for(lambda: len(list(place.glob("out/results/*.json"))) >= 3 or process.poll() is not None)
+        wait_for(
+            lambda: len(list(place.glob("out/results/*.json"))) >= 3 or process.poll() is not None
+        )
         assert process.poll() is None, "it ended before it could be killed"
         process.kill()
     assert not (place / "out/grades.csv").exists()
@@ -128,7 +152,9 @@ def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
 
 def written(folder):
     """All that a run writes: tables, results, the class page, the feedback; not the seed, which may have been given."""
-    paths = [path for path in folder.rglob("*") if path.is_file() and path.name not in ("seed", ".lock")]
+    paths = [
+        path for path in folder.rglob("*") if path.is_file() and path.name not in ("seed", ".lock")
+    ]
     return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
 
 
@@ -188,9 +214,14 @@ def test_marks_typed_during_a_run_are_kept(place):
 
 SENTENCES = {
     "There is no folder": lambda place: shutil.rmtree(place / "in"),
-    "is a file: name the folder that contains it": lambda place: (place / "in").rmdir() or (place / "in").touch(),
+    "is a file: name the folder that contains it": lambda place: (
+        (place / "in").rmdir() or (place / "in").touch()
+    ),
     "There is nothing in": lambda place: None,
-    "does not hold a whole number": lambda place: (fill(place, 1), hand_in(place / "out", "seed", seed="x")),
+    "does not hold a whole number": lambda place: (
+        fill(place, 1),
+        hand_in(place / "out", "seed", seed="x"),
+    ),
     "no longer has the columns": lambda place: (
         fill(place, 1),
         hand_in(place / "out", "questions.csv").write_text("a;b\n1;2\n"),
@@ -224,7 +255,13 @@ def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys
         return grade(content, notebook, seed) | {"release": json.loads(content)["release"]}
 
     for i in range(3):
-        hand_in(place / "in", f"s{i}_01_rotations.ipynb", points=[1], release="0.2" if i else "0.1", texts=["so"][i:])
+        hand_in(
+            place / "in",
+            f"s{i}_01_rotations.ipynb",
+            points=[1],
+            release="0.2" if i else "0.1",
+            texts=["so"][i:],
+        )
     for i in range(12):
         (place / "in" / f"t{i:02}.docx").write_text("no notebook")
     run(place, "--jobs", "1", grade=of_its_release)

@@ -41,8 +41,13 @@ def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
 
 @pytest.mark.parametrize("name", courses())
 def test_whatever_a_notebook_imports_from_the_course_is_there_when_it_is_graded(name, solutions):
-    modules = {path.removesuffix("/__init__.py").removesuffix(".py").replace("/", ".") for path in _files(frozenset())}
-    imported = [node for node in ast.walk(ast.parse(solutions(name)[0])) if isinstance(node, ast.ImportFrom)]
+    modules = {
+        path.removesuffix("/__init__.py").removesuffix(".py").replace("/", ".")
+        for path in _files(frozenset())
+    }
+    imported = [
+        node for node in ast.walk(ast.parse(solutions(name)[0])) if isinstance(node, ast.ImportFrom)
+    ]
     assert {node.module for node in imported if node.module.startswith("course_lib")} <= modules
 
 
@@ -50,8 +55,12 @@ def test_the_students_copy_as_released_is_not_attempted_yet():
     text = students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, "0.1.0-abcd")
     result = grade(text.encode(), NAME, SEED)
     bugs = {each.name for each in courses()[NAME].exercises if each.broken}
-    assert {name for name, state in states(result).items() if state == "the bug is still there"} == bugs
-    assert {state for name, state in states(result).items() if name not in bugs} == {"not attempted yet"}
+    assert {
+        name for name, state in states(result).items() if state == "the bug is still there"
+    } == bugs
+    assert {state for name, state in states(result).items() if name not in bugs} == {
+        "not attempted yet"
+    }
     assert points(result) == 0
     assert result["release"] == "0.1.0-abcd"
     assert {question["text"] for question in result["questions"]} == {""}
@@ -65,12 +74,17 @@ def split(first, rest):
     return [line for source in [first, *rest] for line in source.partition("\n\n")[::2]]
 
 
-STUB, ATTEMPT = "def nearest_so(M):\n    raise NotImplementedError\n", "def nearest_so(M):\n    return M\n"
+STUB, ATTEMPT = (
+    "def nearest_so(M):\n    raise NotImplementedError\n",
+    "def nearest_so(M):\n    return M\n",
+)
 RENAMED = "mine = nearest_so\nnearest_so = lambda M: mine(M)"
 CHANGES = {
     "merged into one": lambda first, rest: ["\n\n".join([first, *rest])],
     "split": split,
-    "moved and duplicated": lambda first, rest: random.Random(1).sample([first, *rest], len(rest) + 1) + rest,
+    "moved and duplicated": lambda first, rest: (
+        random.Random(1).sample([first, *rest], len(rest) + 1) + rest
+    ),
     "an earlier attempt, a cell that raises, an exec, stubs left below": lambda first, rest: [
         *(first, ATTEMPT, "1 / 0\n" + rest[0], f"exec({rest[1]!r})", *rest[2:], STUB)
     ],
@@ -117,7 +131,9 @@ def test_a_file_from_any_program_is_read_under_any_name(few, written):
     sources = [few[0], *few[1]]
     cells = [cell(source) for source in sources]
     text = book(**{"cells": cells} | WRITTEN[written](cells)).decode()
-    found, _ = notebook_file.read(text.encode(written if written in ("utf-8-sig", "utf-16") else "utf-8"))
+    found, _ = notebook_file.read(
+        text.encode(written if written in ("utf-8-sig", "utf-16") else "utf-8")
+    )
     assert notebook_file.code(found) == sources
     for name in ("Untitled (1)", NAME, "02_rigid_motion"):
         assert notebook_file.course_of(name, found).name == NAME
@@ -135,13 +151,27 @@ def answer(few, name):
 
 def test_each_exercise_of_a_notebook_is_judged_for_itself(few):
     loud = answer(few, "matrix_to_quaternion").replace(
-        "):\n", "):\n    import sys, warnings; warnings.warn('odd'); print(1 / np.zeros(2), file=sys.stderr)\n", 1
+        "):\n",
+        "):\n    import sys, warnings; warnings.warn('odd'); print(1 / np.zeros(2), "
+        "file=sys.stderr)\n",
+        1,
     )
-    uses = answer(few, "nearest_so").replace("return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @")
-    assert {"warn(", "nearest_quaternion("} <= {word for text in (loud, uses) for word in re.findall(r"\w+\(", text)}
-    rude = "def is_valid(X, kind, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + chr(0x202e))"
+    uses = answer(few, "nearest_so").replace(
+        "return U @", "rotations.nearest_quaternion(np.ones(4))\n    return U @"
+    )
+    assert {"warn(", "nearest_quaternion("} <= {
+        word for text in (loud, uses) for word in re.findall(r"\w+\(", text)
+    }
+    rude = (
+        "def is_valid(X, kind, tol):\n    raise ValueError(chr(27) + '[2J' + chr(0xd800) + "
+        "chr(0x202e))"
+    )
     result = grade(book(few[0], loud, uses, rude), NAME, SEED)
-    wanted = {"matrix_to_quaternion": "right", "nearest_so": "right", "is_valid": "error in your code"}
+    wanted = {
+        "matrix_to_quaternion": "right",
+        "nearest_so": "right",
+        "is_valid": "error in your code",
+    }
     assert states(result) == wanted | {"nearest_se": "not attempted yet"}
     message = messages(result)["is_valid"]
     assert "[2J" in message
@@ -163,7 +193,9 @@ UNFINISHED = {
 
 
 @pytest.mark.parametrize("unfinished", UNFINISHED)
-def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it_calls(few, unfinished):
+def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it_calls(
+    few, unfinished
+):
     said = "Judged with a right nearest_so in place of yours, which it calls."
     result = grade(book(few[0], UNFINISHED[unfinished], CALLS, "%reset -f"), NAME, SEED)
     rows = {row["exercise"]: row for row in result["exercises"]}
@@ -171,7 +203,10 @@ def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it
     assert rows["nearest_se"]["message"] == said
     assert rows["nearest_se"]["instead"] == ["nearest_so"]
     wrong = CALLS.replace("return corrected", "return corrected.T")
-    rows = {row["exercise"]: row for row in grade(book(few[0], UNFINISHED[unfinished], wrong), NAME, SEED)["exercises"]}
+    rows = {
+        row["exercise"]: row
+        for row in grade(book(few[0], UNFINISHED[unfinished], wrong), NAME, SEED)["exercises"]
+    }
     assert rows["nearest_se"]["points"] == 0
     assert rows["nearest_se"]["message"].startswith(said)
     assert "What should hold" in rows["nearest_se"]["message"]
@@ -211,10 +246,14 @@ def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few
 
 
 def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
-    loops = "import os\ndef loop():\n    if not os.fork():\n        while True: pass\nlooping = loop()"
+    loops = (
+        "import os\ndef loop():\n    if not os.fork():\n        while True: pass\nlooping = loop()"
+    )
     uses = answer(few, "nearest_so").replace("return ", "looping\n    return ")
     waits = answer(few, "is_valid").replace("    ", "    waited\n    ", 1)
-    result = grade(book(few[0], loops, uses, "import time\nwaited = time.sleep(4)", waits), NAME, SEED, SHORT)
+    result = grade(
+        book(few[0], loops, uses, "import time\nwaited = time.sleep(4)", waits), NAME, SEED, SHORT
+    )
     assert states(result)["is_valid"] == "right"
 
 
@@ -235,18 +274,38 @@ def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
         (b'{"cells": [' + b"{}," * 6000 + b"{}]}", "more than"),
         (book("x" * 3_000_000), "million characters"),
     ],
-    ids=["empty", "blank", "half", "no text", "deep", "a list", "no cells", "old", "many cells", "much code"],
+    ids=[
+        "empty",
+        "blank",
+        "half",
+        "no text",
+        "deep",
+        "a list",
+        "no cells",
+        "old",
+        "many cells",
+        "much code",
+    ],
 )
 def test_a_file_that_is_not_a_notebook_gives_the_reason_for_every_exercise(content, why):
     result = grade(content, NAME, SEED)
     assert why in result["problems"][0]
-    assert [row["exercise"] for row in result["exercises"]] == [e.name for e in courses()[NAME].exercises]
+    assert [row["exercise"] for row in result["exercises"]] == [
+        e.name for e in courses()[NAME].exercises
+    ]
     assert set(states(result).values()) == {UNREADABLE}
     assert points(result) == 0
     assert [question["state"] for question in result["questions"]] == [UNREADABLE] * 3
 
 
-SOURCES = ["\ud800", "(" * 10_000, "-" * 200_000 + "1", "x = " + "[" * 5000, "\0", "def f(:\n" * 5000]
+SOURCES = [
+    "\ud800",
+    "(" * 10_000,
+    "-" * 200_000 + "1",
+    "x = " + "[" * 5000,
+    "\0",
+    "def f(:\n" * 5000,
+]
 
 
 def test_sources_that_cannot_be_parsed_affect_no_other_exercise(few):
@@ -271,10 +330,22 @@ def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
 
 @pytest.mark.parametrize("without", [[], ["metadata", "id"]])
 def test_an_answer_in_a_new_cell_below_the_prompt_is_found_and_the_prompt_is_none(without):
-    given = nbformat.reads(students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, ""), 4).cells
-    cells = [{key: {} if key in without else value for key, value in each.items()} for each in given]
-    (place,) = (k for k, each in enumerate(given) if each.get("id") == courses()[NAME].questions[0].id)
+    given = nbformat.reads(
+        students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, ""), 4
+    ).cells
+    cells = [
+        {key: {} if key in without else value for key, value in each.items()} for each in given
+    ]
+    (place,) = (
+        k for k, each in enumerate(given) if each.get("id") == courses()[NAME].questions[0].id
+    )
     unanswered, _ = notebook_file.read(book(cells=cells))
     assert {notebook_file.answer(each, unanswered) for each in courses()[NAME].questions} == {""}
-    found, _ = notebook_file.read(book(cells=[*cells[: place + 1], cell("because", "markdown"), *cells[place + 1 :]]))
-    assert [notebook_file.answer(each, found) for each in courses()[NAME].questions] == ["because", "", ""]
+    found, _ = notebook_file.read(
+        book(cells=[*cells[: place + 1], cell("because", "markdown"), *cells[place + 1 :]])
+    )
+    assert [notebook_file.answer(each, found) for each in courses()[NAME].questions] == [
+        "because",
+        "",
+        "",
+    ]

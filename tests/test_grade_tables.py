@@ -14,7 +14,16 @@ from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, cell_text
 from course_lib.pack.grade.deadline import Deadline
 from course_lib.pack.grade.jobs import ungraded_result
-from course_lib.pack.grade.marks import COLUMNS, OLDER, READ, TO_BE_READ, key, mark_answer, marks_text, read_marks
+from course_lib.pack.grade.marks import (
+    COLUMNS,
+    OLDER,
+    READ,
+    TO_BE_READ,
+    key,
+    mark_answer,
+    marks_text,
+    read_marks,
+)
 from course_lib.pack.grade.notebook_file import UNREADABLE
 from course_lib.pack.grade.tables import GRADES, graded_files, grades_text, totals, totals_text
 from course_lib.pack.release import PROMPT
@@ -41,7 +50,11 @@ class Class:
         self.everything = graded_files(outcomes, self.rows, weight=weight)
 
     def questions(self):
-        listed = [(each.student, each.notebook, answer) for each in self.everything for answer in each.answers]
+        listed = [
+            (each.student, each.notebook, answer)
+            for each in self.everything
+            for answer in each.answers
+        ]
         self.path.write_text(marks_text(listed, self.rows), encoding="utf-8", newline="")
         return read_table(self.path.read_text(encoding="utf-8"))
 
@@ -73,14 +86,20 @@ def type_in(path, encoding="utf-8", separator=",", **columns):
 def test_grades_have_a_line_for_each_exercise_and_question(path):
     blamed = outcome("anna", [0])
     first = "Your log_so3, which it calls, is not right yet."
-    blamed[1]["exercises"][0]["message"] = f"{first}\nCorrect log_so3 first, then run this check again."
+    blamed[1]["exercises"][0]["message"] = (
+        f"{first}\nCorrect log_so3 first, then run this check again."
+    )
     rows = Class(path, outcome("zoe", [2, 0], ["because"]), blamed).grades()
     assert list(rows[0]) == list(GRADES)
-    lines = [(row["student"], row["exercise"], row["points"], row["of"], row["state"]) for row in rows]
+    lines = [
+        (row["student"], row["exercise"], row["points"], row["of"], row["state"]) for row in rows
+    ]
     zoes = [("zoe", "exercise_0", "2", "2", "right"), ("zoe", "exercise_1", "0", "2", "wrong")]
     question = ("zoe", "explain_0", "", "2", TO_BE_READ)
     assert lines == [("anna", "exercise_0", "0", "2", "wrong"), *zoes, question]
-    assert rows[0]["message"] == "Your log_so3, which it calls, is not right.", "no check can be run after the hand-in"
+    assert rows[0]["message"] == "Your log_so3, which it calls, is not right.", (
+        "no check can be run after the hand-in"
+    )
     assert rows[2]["message"] == "What should hold: it is a rotation."
     assert {row["release"] for row in rows} == {"0.1.0-abc"}
 
@@ -96,13 +115,25 @@ def test_totals_have_a_line_for_each_student_and_empty_cells_for_missing_noteboo
         ["anna", "4", "", "4", "0", "4", "10", "0"],
         ["zoe", "2", "2", "4", "0", "4", "10", "1"],
     ]
-    columns = ["student", "01_rotations", "02_rigid_motion", "core", "more", "total", "of", "to be read"]
+    columns = [
+        "student",
+        "01_rotations",
+        "02_rigid_motion",
+        "core",
+        "more",
+        "total",
+        "of",
+        "to be read",
+    ]
     assert list(rows[0]) == columns
 
 
 def test_of_two_files_for_one_notebook_the_better_counts_once(path):
     worse, better = outcome("zoe", [0, 2], place="a"), outcome("zoe", [2, 2], place="b")
-    broken = submission("zoe", place="c"), ungraded_result(submission("zoe", place="c"), "It is a link.", "refused")
+    broken = (
+        submission("zoe", place="c"),
+        ungraded_result(submission("zoe", place="c"), "It is a link.", "refused"),
+    )
     for outcomes in [worse, better, broken], [broken, better, worse]:
         both = Class(path, *outcomes)
         assert both.totals()[0]["total"] == "4"
@@ -113,26 +144,39 @@ def test_of_two_files_for_one_notebook_the_better_counts_once(path):
 
 
 def test_the_written_answers_of_both_copies_are_read_and_the_better_counts(path):
-    first, second = outcome("zoe", [2], ["", "one"], place="a"), outcome("zoe", [2], ["two", "other"], place="b")
+    first, second = (
+        outcome("zoe", [2], ["", "one"], place="a"),
+        outcome("zoe", [2], ["two", "other"], place="b"),
+    )
     asked = Class(path, first, second).questions()
     assert [(row["question"], row["answer"]) for row in asked] == [
         ("explain_0", "two"), ("explain_1", "one"), ("explain_1", "other")
     ]  # fmt: skip
     assert Class(path, first, second).totals()[0]["to be read"] == "3"
     marks = {"two": "1", "one": "0", "other": "2"}
-    path.write_text(marks_text([], {row["key"]: row | {"mark": marks[row["answer"]]} for row in asked}))
+    path.write_text(
+        marks_text([], {row["key"]: row | {"mark": marks[row["answer"]]} for row in asked})
+    )
     read = Class(path, first, second)
     assert [read.totals()[0][name] for name in ("total", "to be read")] == ["5", "0"]
-    assert [(row["exercise"], row["points"]) for row in read.grades()[1:3]] == [("explain_0", "1"), ("explain_1", "2")]
+    assert [(row["exercise"], row["points"]) for row in read.grades()[1:3]] == [
+        ("explain_0", "1"),
+        ("explain_1", "2"),
+    ]
     equal = Class(path, first, outcome("zoe", [2], ["", "one"], place="b"))
     assert [row["answer"] for row in equal.questions() if row["state"] != OLDER] == ["one"]
 
 
 def test_a_later_copy_adds_no_written_answer_to_an_earlier_one(path):
     first, late = outcome("zoe", [2], [""], place="a"), outcome("zoe", [2], ["so"], place="b")
-    both = [(replace(submission, modified=10.0 * (submission.place == "b")), its) for submission, its in (first, late)]
+    both = [
+        (replace(submission, modified=10.0 * (submission.place == "b")), its)
+        for submission, its in (first, late)
+    ]
     everything = graded_files(both, {}, Deadline(5, percent=10, times="files"))
-    assert [(each.total, len(each.answers)) for each in everything if not each.superseded_by] == [(2, 1)]
+    assert [(each.total, len(each.answers)) for each in everything if not each.superseded_by] == [
+        (2, 1)
+    ]
     assert everything[0].answers[0].text == ""
 
 
@@ -153,28 +197,48 @@ def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
         (nobodys, ungraded_result(nobodys, "It is not a notebook.", "refused")),
         outcome("zoe", [2], problems=["Code cell 3 was left out."]),
     )
-    states = [(row["student"], row["points"], row["state"], row["message"]) for row in both.grades()]
-    assert ("anna", "0", "refused", "anna/01_rotations.ipynb: It is a link to another file.") in states
+    states = [
+        (row["student"], row["points"], row["state"], row["message"]) for row in both.grades()
+    ]
+    assert (
+        "anna",
+        "0",
+        "refused",
+        "anna/01_rotations.ipynb: It is a link to another file.",
+    ) in states
     assert ("", "0", "refused", "roster.csv: It is not a notebook.") in states
     assert ("zoe", "", "note", "Code cell 3 was left out.") in states
-    assert [(row["student"], row["total"]) for row in both.totals()] == [("anna", "0"), ("zoe", "2")]
+    assert [(row["student"], row["total"]) for row in both.totals()] == [
+        ("anna", "0"),
+        ("zoe", "2"),
+    ]
 
 
 # ---- more ----
 
 
-@pytest.mark.parametrize(("weight", "sums"), [(1, ["4", "3", "7", "10"]), (0.25, ["4", "0.75", "4.75", "7"])])
+@pytest.mark.parametrize(
+    ("weight", "sums"), [(1, ["4", "3", "7", "10"]), (0.25, ["4", "0.75", "4.75", "7"])]
+)
 def test_core_and_more_are_told_apart_and_more_is_weighted_in_the_totals(path, weight, sums):
     more = outcome("zoe", [2, 2, 2], ["because", "so"], more=["exercise_2", "explain_1"])
     Class(path, more, weight=weight).questions()
     rows = read_table(path.read_text())
-    path.write_text(marks_text([], {row["key"]: row | {"mark": "01"[row["question"] == "explain_1"]} for row in rows}))
+    path.write_text(
+        marks_text(
+            [], {row["key"]: row | {"mark": "01"[row["question"] == "explain_1"]} for row in rows}
+        )
+    )
     whole = Class(path, more, weight=weight)
     (total,) = whole.totals()
     assert [total[name] for name in ("core", "more", "total", "of")] == sums
     lines = [(row["part"], row["exercise"], row["points"], row["of"]) for row in whole.grades()]
     assert lines == [
-        *(("core", "exercise_0", "2", "2"), ("core", "exercise_1", "2", "2"), ("more", "exercise_2", "2", "2")),
+        *(
+            ("core", "exercise_0", "2", "2"),
+            ("core", "exercise_1", "2", "2"),
+            ("more", "exercise_2", "2", "2"),
+        ),
         *(("core", "explain_0", "0", "2"), ("more", "explain_1", "1", "2")),
     ]
 
@@ -185,13 +249,32 @@ def test_more_that_counts_nothing_is_not_to_be_read_and_its_marks_are_kept(path)
     type_in(path, mark="2")
     (row,) = Class(path, more, weight=0).questions()
     assert (row["mark"], row["state"]) == ("2", OLDER)
-    assert list(Class(path, more, weight=0).totals()[0].values()) == ["zoe", "2", "2", "0", "2", "2", "0"]
+    assert list(Class(path, more, weight=0).totals()[0].values()) == [
+        "zoe",
+        "2",
+        "2",
+        "0",
+        "2",
+        "2",
+        "0",
+    ]
     assert list(Class(path, more).totals()[0].values()) == ["zoe", "6", "2", "4", "6", "6", "0"]
 
 
 # ---- cells ----
 
-FORMULAS = ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "\x00=1", "=cmd|' /C calc'!A0", "\uff1d1"]
+FORMULAS = [
+    "=1+1",
+    "+1",
+    "-1",
+    "@SUM(A1)",
+    "\t=1",
+    "\r=1",
+    " =1",
+    "\x00=1",
+    "=cmd|' /C calc'!A0",
+    "\uff1d1",
+]
 
 
 @pytest.mark.parametrize("text", FORMULAS)
@@ -246,7 +329,11 @@ def test_a_mark_is_merged_by_the_next_run_and_stays(path):
         merged = Class(path, ZOE(texts=["because"]))
         assert [(row["mark"], row["state"]) for row in merged.questions()] == [("1,5", READ)]
         question = merged.grades()[1]
-        assert (question["points"], question["state"], question["message"]) == ("1.5", READ, "'- nearly")
+        assert (question["points"], question["state"], question["message"]) == (
+            "1.5",
+            READ,
+            "'- nearly",
+        )
         assert merged.everything[0].answers[0].comment == "- nearly"
         assert (merged.totals()[0]["total"], merged.totals()[0]["to be read"]) == ("3.5", "0")
     text = path.read_text()
@@ -270,11 +357,15 @@ def test_equal_answers_are_marked_separately_and_marks_of_students_not_in_this_r
     Class(path, *both).questions()
     type_in(path, mark="2")
     Class(path, ZOE(texts=["because"])).questions()
-    assert [(row["student"], row["total"]) for row in Class(path, *both).totals()] == [("anna", "2"), ("zoe", "2")]
+    assert [(row["student"], row["total"]) for row in Class(path, *both).totals()] == [
+        ("anna", "2"),
+        ("zoe", "2"),
+    ]
 
 
 @pytest.mark.parametrize(
-    "saved", [{"encoding": "utf-8-sig"}, {"encoding": "cp1252", "separator": ";"}, {"separator": "\t"}]
+    "saved",
+    [{"encoding": "utf-8-sig"}, {"encoding": "cp1252", "separator": ";"}, {"separator": "\t"}],
 )
 def test_a_table_saved_by_a_spreadsheet_is_read(path, saved):
     student = "Zoë 李"
@@ -282,7 +373,9 @@ def test_a_table_saved_by_a_spreadsheet_is_read(path, saved):
     type_in(path, mark="1", **saved)
     (row,) = read_marks(path).values()
     assert row["student"].startswith("Zoë")
-    assert Class(path, outcome(student, texts=['für; und\nweiter, "so"'])).totals()[0]["total"] == "1"
+    assert (
+        Class(path, outcome(student, texts=['für; und\nweiter, "so"'])).totals()[0]["total"] == "1"
+    )
 
 
 @pytest.mark.parametrize("typed", ["3", "-1", "two", "nan", "inf", "1e99"])
@@ -290,7 +383,9 @@ def test_an_invalid_mark_is_reported_and_not_counted(path, typed):
     Class(path, ZOE(texts=["because"])).questions()
     type_in(path, mark=typed)
     again = Class(path, ZOE(texts=["because"]))
-    assert again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is not a number from 0 to 2"
+    assert (
+        again.grades()[1]["state"] == f"{TO_BE_READ}: the mark {typed} is not a number from 0 to 2"
+    )
     assert again.everything[0].answers[0].state == TO_BE_READ, "the student sees the reason"
     assert cell_text(again.questions()[0]["mark"]) == typed
     assert again.totals()[0]["total"] == "2"
@@ -299,8 +394,15 @@ def test_an_invalid_mark_is_reported_and_not_counted(path, typed):
 def test_an_unanswered_question_or_one_that_could_not_be_read_waits_for_no_mark(path):
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
-    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [("0", "not attempted")] * 2
-    each = mark_answer({"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE}, "zoe", "01_rotations", {})
+    assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [
+        ("0", "not attempted")
+    ] * 2
+    each = mark_answer(
+        {"question": "explain_0", "of": 2, "text": "", "state": UNREADABLE},
+        "zoe",
+        "01_rotations",
+        {},
+    )
     assert (each.state, each.points) == (UNREADABLE, 0)
     assert marks_text([("zoe", "01_rotations", each)], {}).count("\n") == 1
 
@@ -310,7 +412,9 @@ def test_no_key_is_a_number_that_a_spreadsheet_rounds():
     assert [its for its in keys if its[:1].isdigit()] == []
 
 
-@pytest.mark.parametrize("text", ["student,notebook\nzoe,01\n", "key;marks;comment\n1;2;3\n", "x" * 200_000])
+@pytest.mark.parametrize(
+    "text", ["student,notebook\nzoe,01\n", "key;marks;comment\n1;2;3\n", "x" * 200_000]
+)
 def test_a_table_that_lost_its_columns_stops_the_run(path, text):
     path.write_text(text + "\nmore")
     with pytest.raises(GradingStopped, match=r"questions\.csv"):

@@ -14,7 +14,10 @@ from course_lib.pack.grade import notebook_file, submission
 from course_lib.pack.grade.notebook_file import Course
 
 pytestmark = pytest.mark.usefixtures("isolated")
-BEGIN = "import numpy as np\nfrom course_lib import rotations", "def double(x):\n    return [2 * entry for entry in x]"
+BEGIN = (
+    "import numpy as np\nfrom course_lib import rotations",
+    "def double(x):\n    return [2 * entry for entry in x]",
+)
 THOROUGH = """
 def test_log(log):
     for w in ([0.1, 0.2, 0.3], [0, 0, np.pi], [1.5, -1.2, 0.8]):
@@ -37,7 +40,9 @@ def graded(monkeypatch):
             monkeypatch.setattr(module, "courses", lambda: known)
         cells = [re.sub(r"\btest_log\b", each, tests[name]) for each, name in named.items()]
         before = processes(), traces()
-        limits = replace(SHORT, cpu_seconds=10)  # a call of what is judged takes longer on a busy machine
+        limits = replace(
+            SHORT, cpu_seconds=10
+        )  # a call of what is judged takes longer on a busy machine
         result = submission.grade(book(*BEGIN, *cells), "09_toys", SEED, limits)
         assert (left_over(before[0]), traces()) == (set(), before[1])
         double, *rows = result["exercises"]
@@ -53,7 +58,9 @@ def test_a_test_earns_points_by_the_versions_that_it_judges_rightly(graded):
         "thorough": THOROUGH,
         "often": THOROUGH.replace("    return True", often),
         "without an end": "def test_log(log):\n    while True:\n        log(np.eye(3))",
-        "superficial": "def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])",
+        "superficial": (
+            "def test_log(log):\n    return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])"
+        ),
     }, TEST_LOG.versions[:8])  # fmt: skip
     assert {name: (row["state"], row["points"]) for name, row in rows.items()} == {
         "thorough": ("right", 4),
@@ -83,7 +90,8 @@ def test_log(log):
     most = collections.Counter(map(str, seen)).most_common(1)[0][0]
     return str(mine) == most
 """
-# How a test may compare candidates with each other, on the way through something that outlives one call.
+# How a test may compare candidates with each other, on the way through something that outlives one
+# call.
 REMEMBERS = {
     "in a list": "seen.append(log)\n    return seen\nseen = []",
     "in a folder of its own": "place = tempfile.gettempdir() + '/a/b'\n    os.makedirs(place, exist_ok=True)\n"
@@ -93,17 +101,23 @@ REMEMBERS = {
     "    shared[end : end + len(text)] = text\n"
     "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
     "by asking for another's number": "return others\nothers = []\nimport course_lib.checks.call_student as c\n"
-    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = self._number\n"
+    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = "
+    "self._number\n"
     "    for self._number in range(9):\n"
-    "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n"
+    "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), "
+    "6).tolist())\n"
     "        except ValueError:\n            pass\n    self._number = mine\n"
     "    return real(self, *arguments)\nc._StandIn.__call__ = call",
     "in a process that stays": "import socket\n    name = chr(0) + 'seen'\n    try:\n"
     "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n"
-    "        if os.fork() == 0:\n            os.setsid()\n            server = socket.socket(socket.AF_UNIX)\n"
-    "            server.bind(name)\n            server.listen()\n            kept = []\n            while True:\n"
-    "                c, _ = server.accept()\n                kept.append(json.loads(c.recv(4000)))\n"
-    "                c.sendall(json.dumps(kept).encode())\n                c.close()\n        time.sleep(0.3)\n"
+    "        if os.fork() == 0:\n            os.setsid()\n            server = "
+    "socket.socket(socket.AF_UNIX)\n"
+    "            server.bind(name)\n            server.listen()\n            kept = []\n           "
+    " while True:\n"
+    "                c, _ = server.accept()\n                "
+    "kept.append(json.loads(c.recv(4000)))\n"
+    "                c.sendall(json.dumps(kept).encode())\n                c.close()\n        "
+    "time.sleep(0.3)\n"
     "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n"
     "    one.sendall(json.dumps(log).encode())\n    return json.loads(one.recv(100000))",
     "in ports that wait, and outlive their process": """
@@ -146,21 +160,29 @@ REMEMBERS = {
 ALL = "by asking for another's number"  # this one spoils the calls of all tests beside it
 
 
-@pytest.mark.parametrize("ways", [[ALL], [way for way in REMEMBERS if way != ALL]], ids=["by number", "by the others"])
+@pytest.mark.parametrize(
+    "ways", [[ALL], [way for way in REMEMBERS if way != ALL]], ids=["by number", "by the others"]
+)
 def test_candidates_cannot_be_compared_with_each_other(graded, ways):
     tests = {way: PLURALITY.replace("{remember}", REMEMBERS[way]) for way in ways}
     for number, way in enumerate(ways):  # each has its own names
-        tests[way] = re.sub(r"\b(remember|shared|R|seen|others|real|call)\b", rf"\1_{number}", tests[way])
+        tests[way] = re.sub(
+            r"\b(remember|shared|R|seen|others|real|call)\b", rf"\1_{number}", tests[way]
+        )
     right, another, _, wrong, *_ = TEST_LOG.versions  # few, for each has a sandbox of its own
     rows = graded(tests, (right, another, wrong))
-    assert {way: (row["state"], row["points"]) for way, row in rows.items()} == dict.fromkeys(ways, ("wrong", 0)), rows
+    assert {way: (row["state"], row["points"]) for way, row in rows.items()} == dict.fromkeys(
+        ways, ("wrong", 0)
+    ), rows
 
 
 ATTACKS = {
     "always True": "def test_log(log):\n    return True",
     "always False": "def test_log(log):\n    return False",
     "an answer for each number": "def test_log(log):\n    return log._number % 2 == 0",
-    "one answer after the other": "turn = []\ndef test_log(log):\n    turn.append(1)\n    return len(turn) % 2 == 0",
+    "one answer after the other": (
+        "turn = []\ndef test_log(log):\n    turn.append(1)\n    return len(turn) % 2 == 0"
+    ),
     "what lies about in memory": """
 import gc
 def test_log(log):
@@ -228,8 +250,14 @@ def test_log(log):
 }
 
 
-def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(graded, monkeypatch):
-    monkeypatch.setattr(submission, "MOST_CALLS", 1000)  # so that calls without an end do not take long
+def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(
+    graded, monkeypatch
+):
+    monkeypatch.setattr(
+        submission, "MOST_CALLS", 1000
+    )  # so that calls without an end do not take long
     rows = graded(ATTACKS)
     assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}
-    assert {name: row for name, row in rows.items() if row["points"] > 1} == {}, "a guess may be lucky, and earn 1"
+    assert {name: row for name, row in rows.items() if row["points"] > 1} == {}, (
+        "a guess may be lucky, and earn 1"
+    )

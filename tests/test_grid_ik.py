@@ -42,9 +42,14 @@ def in_range(theta, low=LOW, high=HIGH):
 
 
 SAMPLES = samples(50_000, 0)
-QUERIES = {"of uniform angles": samples(20_000, 1)[0], "of the reachable area": area_queries(20_000, 2)}
+QUERIES = {
+    "of uniform angles": samples(20_000, 1)[0],
+    "of the reachable area": area_queries(20_000, 2),
+}
 EVERY_QUERY = pytest.mark.parametrize("xy", QUERIES.values(), ids=QUERIES)
-FORWARDS = pytest.mark.parametrize("forward", [planar_forward, None], ids=["forward", "models alone"])
+FORWARDS = pytest.mark.parametrize(
+    "forward", [planar_forward, None], ids=["forward", "models alone"]
+)
 
 
 def fitted(forward=planar_forward, **parameters):
@@ -58,7 +63,9 @@ def misses(theta, xy):
 
 
 @EVERY_QUERY
-@pytest.mark.parametrize(("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)])
+@pytest.mark.parametrize(
+    ("forward", "share", "off"), [(planar_forward, 0.999, 1e-4), (None, 0.985, 1e-2)]
+)
 def test_nearly_every_solution_is_found_and_no_other(forward, share, off, xy):
     got, true = fitted(forward).predict(xy), in_range(check.ik_2r.library(xy))
     assert misses(got, xy).max() <= (1.5e-9 if forward else 1e-2)
@@ -85,9 +92,13 @@ def test_beside_the_edge_where_the_branches_meet():
     for gap in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10]:
         xy = (2 - gap) * edge
         got = exact.predict(xy)
-        answered = ~np.isnan(got).any((1, 2))  # not where the chord of the box or a cell without samples is in the way
+        answered = ~np.isnan(got).any(
+            (1, 2)
+        )  # not where the chord of the box or a cell without samples is in the way
         assert answered.mean() > 0.97
-        np.testing.assert_allclose(places(got[answered]), np.stack([xy[answered]] * 2, 1), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(
+            places(got[answered]), np.stack([xy[answered]] * 2, 1), rtol=0, atol=1e-9
+        )
         assert np.isnan(exact.predict((2 + 1e-8 + gap) * edge)).all()
     assert np.isnan(models.predict(2.01 * edge)).all()
     assert misses(models.predict(1.9999 * edge), 1.9999 * edge).max() < 1e-3
@@ -99,7 +110,10 @@ def test_a_branch_has_no_answer_in_cells_without_its_samples(forward, gone):
     xy, theta = SAMPLES
     hole, inner = (np.linalg.norm(xy - [0.3, 1.6], axis=-1) < radius for radius in (0.25, 0.1))
     keep = ~(hole & np.isin(theta[:, 1] < 0, gone))
-    whole, holed = fitted(forward).predict(xy[inner]), GridIK(forward=forward).fit(xy[keep], theta[keep])
+    whole, holed = (
+        fitted(forward).predict(xy[inner]),
+        GridIK(forward=forward).fit(xy[keep], theta[keep]),
+    )
     assert len(whole) > 100
     assert not np.isnan(whole).any()
     for branch in (0, 1):
@@ -143,7 +157,9 @@ def test_the_same_answers_again_in_any_order_and_one_by_one(forward):
     np.testing.assert_allclose(singly, got, rtol=0, atol=1e-7)
     order = np.random.default_rng(6).permutation(len(theta))
     shuffled = GridIK(forward=forward).fit(places_[order], theta[order]).predict(xy)
-    np.testing.assert_allclose(places(shuffled), places(got), rtol=0, atol=1e-4 if forward is None else 3e-9)
+    np.testing.assert_allclose(
+        places(shuffled), places(got), rtol=0, atol=1e-4 if forward is None else 3e-9
+    )
     assert model.predict(np.empty((0, 2))).shape == (0, 2, 2)
 
 
@@ -169,7 +185,9 @@ def test_a_serial_arm_as_forward_and_samples_of_one_branch():
     for got, expected in zip(planar_forward(theta), forward(theta), strict=True):
         np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)
     xy, theta = (array[SAMPLES[1][:, 1] < 0][:5000] for array in SAMPLES)
-    got, same = (GridIK((20, 20), f).fit(xy, theta).predict(xy[:500]) for f in (forward, planar_forward))
+    got, same = (
+        GridIK((20, 20), f).fit(xy, theta).predict(xy[:500]) for f in (forward, planar_forward)
+    )
     np.testing.assert_allclose(got, same, rtol=0, atol=1e-7)
     assert np.isnan(got[:, 0]).all()
     assert not np.isnan(got[:, 1]).any()
@@ -179,7 +197,11 @@ def test_what_scikit_learn_asks_of_every_estimator():
     """The other checks fit three and more columns, or a target of one; what they look at is tested above."""
     results = check_estimator(GridIK(), on_skip=None, on_fail=None)
     passed = {result["check_name"] for result in results if result["status"] == "passed"}
-    assert {"check_estimator_cloneable", "check_get_params_invariance", "check_set_params"} <= passed
+    assert {
+        "check_estimator_cloneable",
+        "check_get_params_invariance",
+        "check_set_params",
+    } <= passed
     assert len(passed) >= 12
     model = fitted(cells=(30, 40), steps=2)
     assert model.n_features_in_ == 2

@@ -11,13 +11,42 @@ from signatures import BATCHED, FUNCTIONS, Numbers, call_name, expected_type, pa
 
 from course_lib import rigid, rotations
 
-# Both sides of every place where a formula may change: the ends, small angles, the neighbourhood of pi.
-ANGLES = [1e-300, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.1, 0.29, 0.2999999, 0.3, 0.3000001, 1.0, np.pi / 2, 2.0]
+# Both sides of every place where a formula may change: the ends, small angles, the neighbourhood of
+# pi.
+ANGLES = [
+    1e-300,
+    1e-12,
+    1e-9,
+    1e-8,
+    1e-5,
+    1e-3,
+    0.1,
+    0.29,
+    0.2999999,
+    0.3,
+    0.3000001,
+    1.0,
+    np.pi / 2,
+    2.0,
+]
 ANGLES += [3.0, np.pi - 1e-3, np.pi - 1e-7, np.pi - 1e-12, np.pi]
 BATCHES = [(), (0,), (1,), (3, 1, 2)]
-SEVERAL = [call for call in BATCHED if sum(isinstance(kind, Numbers) for kind in call[1].values()) > 1]
-AXES = np.array([[1, 0, 0], [0, -1, 0], [0, 0, 1], [1, 1, 1], [0.6, 0, -0.8], [-0.3, 0.5, 0.2], [-1, 1e-6, 1e-9]])
-GROUPS = {  # entries of rotation and of translation, exp, log, and the matrix whose exponential is the element
+SEVERAL = [
+    call for call in BATCHED if sum(isinstance(kind, Numbers) for kind in call[1].values()) > 1
+]
+AXES = np.array(
+    [
+        [1, 0, 0],
+        [0, -1, 0],
+        [0, 0, 1],
+        [1, 1, 1],
+        [0.6, 0, -0.8],
+        [-0.3, 0.5, 0.2],
+        [-1, 1e-6, 1e-9],
+    ]
+)
+# entries of rotation and of translation, exp, log, and the matrix whose exponential is the element
+GROUPS = {
     "SO(3)": (3, 0, rotations.exp_so3, rotations.log_so3, cross_matrix),
     "SE(2)": (1, 2, rigid.exp_se2, rigid.log_se2, twist_matrix),
     "SE(3)": (3, 3, rigid.exp_se3, rigid.log_se3, twist_matrix),
@@ -27,14 +56,18 @@ GROUPS = {  # entries of rotation and of translation, exp, log, and the matrix w
 def exp_of_fifty_digits(matrices):
     """Return matrix exponentials, summed with 50 digits and rounded once."""
     with mpmath.workdps(50):
-        return np.array([mpmath.expm(mpmath.matrix(each.tolist())).tolist() for each in matrices], dtype=float)
+        return np.array(
+            [mpmath.expm(mpmath.matrix(each.tolist())).tolist() for each in matrices], dtype=float
+        )
 
 
 @cache
 def truth(name, angle):
     """Return tangent vectors about axes on all sides by exactly this angle, and the matrices they lead to."""
     n, moving, _, _, algebra = GROUPS[name]
-    axes = AXES / np.linalg.norm(AXES, axis=-1, keepdims=True) if n == 3 else np.array([[1.0], [-1.0]])
+    axes = (
+        AXES / np.linalg.norm(AXES, axis=-1, keepdims=True) if n == 3 else np.array([[1.0], [-1.0]])
+    )
     v = np.random.default_rng(5).uniform(-1, 1, (len(axes), moving))
     tangents = np.concatenate([angle * axes, v], -1)
     return tangents, exp_of_fifty_digits(algebra(tangents))
@@ -52,7 +85,9 @@ def test_exp_and_log_against_fifty_digits(name, angle):
     beside = np.s_[:, ~np.eye(size, dtype=bool)]
     close(got[:, :size, :size][beside], matrices[:, :size, :size][beside], 1e-14 * min(angle, 1))
     for back in (log(matrices), log(got)):
-        if angle == np.pi:  # either sign of the axis is right there, and each goes with a translation of its own
+        if (
+            angle == np.pi
+        ):  # either sign of the axis is right there, and each goes with a translation of its own
             close(np.linalg.norm(back[:, :n], axis=-1), np.pi)
             close(exp_of_fifty_digits(algebra(back)), matrices)
         else:
@@ -75,7 +110,9 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
     name, kinds = call
     rng = np.random.default_rng(8)
     arguments = valid_arguments(kinds, rng, batch)
-    arrays = [value for argument, value in arguments.items() if isinstance(kinds[argument], Numbers)]
+    arrays = [
+        value for argument, value in arguments.items() if isinstance(kinds[argument], Numbers)
+    ]
     for array in arrays:
         array.flags.writeable = False  # what the library is given it leaves as it was
     got = parts(FUNCTIONS[name](**arguments))
@@ -93,12 +130,20 @@ def test_a_batch_is_the_single_answers_stacked(call, batch):
 @pytest.mark.parametrize("call", SEVERAL, ids=call_name)
 def test_the_batches_of_all_arguments_are_broadcast(call):
     name, kinds = call
-    rng, arrays = np.random.default_rng(12), [argument for argument, kind in kinds.items() if isinstance(kind, Numbers)]
+    rng, arrays = (
+        np.random.default_rng(12),
+        [argument for argument, kind in kinds.items() if isinstance(kind, Numbers)],
+    )
     batches = dict.fromkeys(arrays, (2,)) | {arrays[0]: (3, 1), arrays[-1]: ()}
     arguments = valid_arguments(kinds, rng)
-    arguments |= {argument: kinds[argument].sample(rng, batch) for argument, batch in batches.items()}
+    arguments |= {
+        argument: kinds[argument].sample(rng, batch) for argument, batch in batches.items()
+    }
     batch = np.broadcast_shapes(*batches.values())
-    whole = {a: np.broadcast_to(arguments[a], batch + arguments[a].shape[len(batches[a]) :]) for a in arrays}
+    whole = {
+        a: np.broadcast_to(arguments[a], batch + arguments[a].shape[len(batches[a]) :])
+        for a in arrays
+    }
     got = parts(FUNCTIONS[name](**arguments))
     for part, expected in parts(FUNCTIONS[name](**(arguments | whole))).items():
         assert got[part].shape == expected.shape
@@ -117,7 +162,9 @@ def test_a_batch_in_several_pieces(call, monkeypatch):
 
 
 @pytest.mark.parametrize("call", BATCHED, ids=call_name)
-@pytest.mark.parametrize("convert", [np.ndarray.tolist, np.float32, np.longdouble, np.asfortranarray])
+@pytest.mark.parametrize(
+    "convert", [np.ndarray.tolist, np.float32, np.longdouble, np.asfortranarray]
+)
 def test_lists_and_other_floats_are_taken(call, convert):
     name, kinds = call
     arguments = valid_arguments(kinds, np.random.default_rng(9), (4,))

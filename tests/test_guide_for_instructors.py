@@ -53,8 +53,12 @@ def followed(copy, solutions, isolated):
             continue
         if command in done:  # the second time, after marking
             mark(copy / "build/grades/questions.csv")
-        done[command] = subprocess.run(["sh", "-c", command], cwd=copy, capture_output=True, text=True, timeout=3600)
-        assert done[command].returncode == 0, f"{command}\n{done[command].stdout}\n{done[command].stderr}"
+        done[command] = subprocess.run(
+            ["sh", "-c", command], cwd=copy, capture_output=True, text=True, timeout=3600
+        )
+        assert done[command].returncode == 0, (
+            f"{command}\n{done[command].stdout}\n{done[command].stderr}"
+        )
     return done
 
 
@@ -86,8 +90,18 @@ def test_every_file_has_its_lines(copy, followed):
     assert "al bo,01_rotations,more,is_valid,0,3,not attempted," in grades
     assert "cy,01_rotations,more,is_valid,0,3,cannot be read," in grades
     assert 'di,01_rotations,,,0,,refused,"di_01_rotations.ipynb: It is a link' in grades
-    files = {path.name for path in (copy / "build/grades").iterdir() if not path.name.startswith(".")}
-    assert files == {*TABLES, "alike.html", "canvas.csv", "class.html", "feedback", "results", "seed"}
+    files = {
+        path.name for path in (copy / "build/grades").iterdir() if not path.name.startswith(".")
+    }
+    assert files == {
+        *TABLES,
+        "alike.html",
+        "canvas.csv",
+        "class.html",
+        "feedback",
+        "results",
+        "seed",
+    }
     assert "grading: 100%" in followed["make grade SUBMISSIONS=handed_in"].stderr
 
 
@@ -119,7 +133,11 @@ def test_its_limits_are_those_of_the_grader():
     assert f"at most {collect.MAX_GRADED} notebooks are graded" in text
     for words, said, found in (
         ("costs two minutes, and four if a function needs it", 120, limits.cell_cpu_seconds),
-        ("a minute in which it computes less than a hundredth", (60, 0.01), (limits.idle_seconds, LEAST_PROGRESS)),
+        (
+            "a minute in which it computes less than a hundredth",
+            (60, 0.01),
+            (limits.idle_seconds, LEAST_PROGRESS),
+        ),
         (
             "`alike.html` is left out if it takes more than two hours of it or 8 GB",
             (7200, 8e9),

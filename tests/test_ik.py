@@ -9,7 +9,9 @@ from course_lib.ik import damped_path
 
 FOUR = planar_arm([1, 1, 1, 1])
 RNG = np.random.default_rng(0)
-SIX = SerialArm.from_screws(RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ()))
+SIX = SerialArm.from_screws(
+    RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), pose_samples(3)(RNG, ())
+)
 
 
 def plain_loop(tip, q, target, alpha, eps, steps):
@@ -28,7 +30,9 @@ def test_against_a_plain_loop(arm, k):
     for _ in range(10):
         q0, target = rng.uniform(-3, 3, arm.n), rng.uniform(-2, 2, k)
         alpha, eps = rng.uniform(0.05, 0.6), 10 ** rng.uniform(-0.5, 1)
-        expected = plain_loop(lambda q: (arm.fk(q)[:k, 3], arm.position_jacobian(q)[:k]), q0, target, alpha, eps, 40)
+        expected = plain_loop(
+            lambda q: (arm.fk(q)[:k, 3], arm.position_jacobian(q)[:k]), q0, target, alpha, eps, 40
+        )
         got = damped_path(arm, target, q0, alpha, eps, 40)
         close(got, expected, 1e-9)
         assert np.array_equal(got[0], q0)
@@ -44,10 +48,20 @@ def test_a_target_reached_and_no_steps():
     ("changes", "named"),
     [
         ({"q0": np.full(4, 1e-150), "target": [1e99, 1], "eps": 1e-300}, "alpha is too large"),
-        ({"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300}, "eps is too small"),
+        (
+            {"q0": np.arange(0.01, 3, 0.01)[:, None] * [1, 0, 0, 0], "eps": 1e-300},
+            "eps is too small",
+        ),
     ],
 )
 def test_refusals(changes, named):
-    arguments = {"arm": FOUR, "q0": np.full(4, 1e-3), "target": [1e3, 1], "alpha": 0.5, "eps": 1.0, "steps": 5}
+    arguments = {
+        "arm": FOUR,
+        "q0": np.full(4, 1e-3),
+        "target": [1e3, 1],
+        "alpha": 0.5,
+        "eps": 1.0,
+        "steps": 5,
+    }
     with pytest.raises(ValueError, match=rf"^{named}"):
         damped_path(**{**arguments, **changes})

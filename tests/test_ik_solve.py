@@ -18,7 +18,9 @@ def apart(T, target):
     """Metres and radians between poses, by other means than the library's."""
     R = np.swapaxes(T[..., :3, :3], -1, -2) @ target[..., :3, :3]
     off = np.linalg.norm(R - np.eye(3), axis=(-2, -1))
-    return np.linalg.norm(T[..., :3, 3] - target[..., :3, 3], axis=-1), 2 * np.arcsin(np.minimum(off / np.sqrt(8), 1))
+    return np.linalg.norm(T[..., :3, 3] - target[..., :3, 3], axis=-1), 2 * np.arcsin(
+        np.minimum(off / np.sqrt(8), 1)
+    )
 
 
 @pytest.mark.parametrize("make", [panda, iiwa14, ur5e])
@@ -26,8 +28,12 @@ def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
     arm = make()
     targets = reachable(arm, 1000)
     together = solve(arm, targets, np.random.default_rng(1))
-    one_by_one = [solve(arm, target, np.random.default_rng(i)) for i, target in enumerate(targets[:100])]
-    alone = ik.IKResult(*(np.array([vars(one)[name] for one in one_by_one]) for name in vars(together)))
+    one_by_one = [
+        solve(arm, target, np.random.default_rng(i)) for i, target in enumerate(targets[:100])
+    ]
+    alone = ik.IKResult(
+        *(np.array([vars(one)[name] for one in one_by_one]) for name in vars(together))
+    )
     for found, goals in ((together, targets), (alone, targets[:100])):
         assert found.success.all()
         assert ((found.q >= arm.limits[:, 0]) & (found.q <= arm.limits[:, 1])).all()
@@ -35,7 +41,9 @@ def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
         for i, gap in enumerate(apart(arm.fk(found.q), goals)):
             assert gap.max() <= 1e-6
             close(found.residual[:, i], gap, 1e-7)
-    assert np.median(alone.iterations) <= 15, "a single target is first tried by itself, with few steps for most"
+    assert np.median(alone.iterations) <= 15, (
+        "a single target is first tried by itself, with few steps for most"
+    )
 
 
 def test_an_unreachable_target_ends_nearby_without_success():
@@ -54,7 +62,9 @@ def test_an_unreachable_target_ends_nearby_without_success():
 def test_a_target_that_only_joint_angles_beyond_the_limits_reaches_is_not_reached():
     free = panda()
     narrow = SerialArm(free.screw_axes, free.home, np.tile([-0.1, 0.1], (7, 1)))
-    found = solve(narrow, free.fk([0.5, 0.4, 0.3, -1.5, 0.2, 1.5, 0.1]), np.random.default_rng(3), starts=10)
+    found = solve(
+        narrow, free.fk([0.5, 0.4, 0.3, -1.5, 0.2, 1.5, 0.1]), np.random.default_rng(3), starts=10
+    )
     assert not found.success
     assert np.abs(found.q).max() <= 0.1
 
@@ -62,10 +72,20 @@ def test_a_target_that_only_joint_angles_beyond_the_limits_reaches_is_not_reache
 @pytest.mark.parametrize("shift", [2 * np.pi, -6 * np.pi, 1.0])
 def test_limits_far_from_zero(shift):
     limits = panda().limits + shift
-    limits[::2] = [shift, np.inf], [-np.inf, shift], [shift - 10, shift + 10], [shift - 9, shift + 20]
+    limits[::2] = (
+        [shift, np.inf],
+        [-np.inf, shift],
+        [shift - 10, shift + 10],
+        [shift - 9, shift + 20],
+    )
     arm = SerialArm(panda().screw_axes, panda().home, limits)
-    targets = panda().fk(np.random.default_rng(0).uniform(*np.clip(limits, shift - 3, shift + 3).T, (20, 7)))
-    for found in (solve(arm, targets, np.random.default_rng(0)), solve(arm, targets[0], np.random.default_rng(0))):
+    targets = panda().fk(
+        np.random.default_rng(0).uniform(*np.clip(limits, shift - 3, shift + 3).T, (20, 7))
+    )
+    for found in (
+        solve(arm, targets, np.random.default_rng(0)),
+        solve(arm, targets[0], np.random.default_rng(0)),
+    ):
         assert found.success.all()
         assert ((found.q >= limits[:, 0]) & (found.q <= limits[:, 1])).all()
 
@@ -154,4 +174,6 @@ def test_the_pose_error_belongs_to_the_geometric_jacobian():
     arm, rng = panda(), np.random.default_rng(9)
     q, change = rng.uniform(*arm.limits.T, (100, 7)), 1e-6 * rng.normal(size=(100, 7))
     moved = (arm.geometric_jacobian(q) @ change[..., None])[..., 0]
-    np.testing.assert_allclose(pose_error(arm.fk(q - change / 2), arm.fk(q + change / 2)), moved, atol=1e-13)
+    np.testing.assert_allclose(
+        pose_error(arm.fk(q - change / 2), arm.fk(q + change / 2)), moved, atol=1e-13
+    )

@@ -18,4 +18,6 @@ def test_the_package_alone_imports_nothing_and_its_mathematics_nothing_heavy():
 def loaded_by(*modules):
     """Return the names of the modules that an import of these loads in a new interpreter."""
     code = f"import {', '.join(modules)}, sys; print(*sys.modules)"
-    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
+    return subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True
+    ).stdout.split()

@@ -27,16 +27,19 @@ PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
 SOURCES = (
     "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
     "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()",
-    "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, theta, strict=True):\n"
+    "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, "
+    "theta, strict=True):\n"
     "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\n"
     "figures.jog(iiwa14(), reversed_order, q=7 * [0.3])",
     "figures.jog(iiwa14(), lambda q: iiwa14().frames(q), q=7 * [0.3])",
     "import time\nfrom pathlib import Path\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n"
     "    while Path('held').exists():\n        time.sleep(0.05)\n"
-    "    return np.log([p[0], 1 / 0 if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, 0.5)), slow)",
+    "    return np.log([p[0], 1 / 0 if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, "
+    "0.5)), slow)",
     "len(asked)",
 )
-IDLE = "Python 3 (ipykernel) | Idle"  # "Kernel status: Idle" stands there before there is a kernel, too
+# "Kernel status: Idle" stands there before there is a kernel, too
+IDLE = "Python 3 (ipykernel) | Idle"
 
 
 # How many dots of a canvas are bluish, as the library's pale arm is.
@@ -81,14 +84,18 @@ def server(folder, tmp_path_factory):
     book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
     nbformat.write(book, folder / "toys.ipynb")
     config, options, _ = lab_options("Makefile")
-    settings = {f"JUPYTER_{name}_DIR": str(home / name.lower()) for name in ("CONFIG", "DATA", "RUNTIME")}
+    settings = {
+        f"JUPYTER_{name}_DIR": str(home / name.lower()) for name in ("CONFIG", "DATA", "RUNTIME")
+    }
     settings["JUPYTER_CONFIG_PATH"] = str(ROOT / config)
     options += ["--no-browser", f"--port={PORT}", f"--IdentityProvider.token={TOKEN}"]
     if hasattr(os, "getuid") and os.getuid() == 0 and "--allow-root" not in options:
         options.append("--allow-root")
     with open(home / "log", "w") as log:
         command = [sys.executable, "-m", "jupyter", "lab", *options, str(folder / "toys.ipynb")]
-        process = subprocess.Popen(command, stdout=log, stderr=log, cwd=folder, env={**os.environ, **settings})
+        process = subprocess.Popen(
+            command, stdout=log, stderr=log, cwd=folder, env={**os.environ, **settings}
+        )
         try:
             while True:
                 try:
@@ -114,9 +121,15 @@ def opened(browser, name):
     page = context.new_page()
     page.asked, page.closed = [], []
     page.on("request", lambda request: page.asked.append(request.url))
-    page.on("websocket", lambda socket: socket.on("close", lambda closed: page.closed.append(closed.url)))
-    # Where saving takes long, JupyterLab's own save meets the next one, and it asks which of the two to keep.
-    page.add_locator_handler(page.get_by_role("button", name="Overwrite", exact=True), lambda button: button.click())
+    page.on(
+        "websocket",
+        lambda socket: socket.on("close", lambda closed: page.closed.append(closed.url)),
+    )
+    # Where saving takes long, JupyterLab's own save meets the next one, and it asks which of the
+    # two to keep.
+    page.add_locator_handler(
+        page.get_by_role("button", name="Overwrite", exact=True), lambda button: button.click()
+    )
     page.goto(f"http://localhost:{PORT}/lab/workspaces/{name}/tree/{name}.ipynb?token={TOKEN}")
     expect(page.locator(".jp-Notebook").first).to_be_visible()
     page.get_by_text(IDLE).wait_for()
@@ -152,7 +165,9 @@ def all_have_run(page, path, number):
         expect(waiting).not_to_have_count(left)
     page.get_by_text(IDLE).wait_for()
     for _ in range(2):  # what is answered first may be JupyterLab's own save, of what it had before
-        with page.expect_response(lambda answer: answer.request.method == "PUT" and "/contents/" in answer.url):
+        with page.expect_response(
+            lambda answer: answer.request.method == "PUT" and "/contents/" in answer.url
+        ):
             choose(page, "File", "Save Notebook")
     return code_cells(path)
 
@@ -175,7 +190,9 @@ def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folde
     solved = code_cells(ROOT / "notebooks" / path.name)
     ids = [cell.id for cell in code_cells(path)]
     shown = {cell.id for cell in solved if cell.outputs}
-    exercise = next(k for k, cell in enumerate(solved) if cell.metadata.get("nbgrader", {}).get("solution"))
+    exercise = next(
+        k for k, cell in enumerate(solved) if cell.metadata.get("nbgrader", {}).get("solution")
+    )
     right, check = solved[exercise].source, ids.index(solved[exercise + 1].id)
     function = solved[exercise].metadata.nbgrader.grade_id
 
@@ -190,7 +207,9 @@ def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folde
         assert_all_ran(all_have_run(page, path, check))
         run(page, exercise, f"{right}\n\n\n{function} = lambda *arguments: {function}_is_wrong")
         expect(run(page, check)).to_contain_text("NameError")
-        run(page, exercise, f"import time\n\ntime.sleep({1.2 * PING})\n\n\n{right}")  # busy between two pings
+        run(
+            page, exercise, f"import time\n\ntime.sleep({1.2 * PING})\n\n\n{right}"
+        )  # busy between two pings
         expect(run(page, check)).to_contain_text("right")
         assert page.closed == []
         choose(page, "Kernel", "Restart Kernel and Run All Cells…")
@@ -201,8 +220,10 @@ def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folde
         expect(run(page, check)).to_contain_text("right")
         assert page.closed == []
     warnings = re.findall(r"(?:\[[WE] .*?\]|WARNING \|) (.*)", server.read_text())
-    known = r"is not trusted|ping_timeout .* cannot be longer|Got events for closed stream"  # the last at a restart
-    known += r"|/\.~\S+ doesn't exist|Nudge: attempt"  # while a file is saved, and while a new kernel is busy
+    # the last at a restart
+    known = r"is not trusted|ping_timeout .* cannot be longer|Got events for closed stream"
+    # while a file is saved, and while a new kernel is busy
+    known += r"|/\.~\S+ doesn't exist|Nudge: attempt"
     assert [line for line in warnings if not re.search(known, line)] == []
 
 
@@ -226,7 +247,9 @@ def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
     choose(lab, "Run", "Run All Cells")
     expect(lab.locator(".course-toy")).to_have_count(len(SOURCES) - 1)
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
-    assert lab.locator(".jp-RenderedImage").count() == 0, "the widget alone, not the still figure too"
+    assert lab.locator(".jp-RenderedImage").count() == 0, (
+        "the widget alone, not the still figure too"
+    )
 
 
 def test_arrow_keys_move_the_target_and_not_to_another_cell(lab):
@@ -235,7 +258,9 @@ def test_arrow_keys_move_the_target_and_not_to_another_cell(lab):
     label = handle.get_attribute("aria-label")
     lab.keyboard.press("ArrowUp")
     expect(handle).not_to_have_attribute("aria-label", label)
-    assert handle.evaluate("e => e.ownerDocument.activeElement === e"), "JupyterLab's own keys do not take over"
+    assert handle.evaluate("e => e.ownerDocument.activeElement === e"), (
+        "JupyterLab's own keys do not take over"
+    )
 
 
 def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
@@ -243,7 +268,9 @@ def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
     words = out.locator("p[role=status]")
     expect(words).to_contain_text("Moved by your function. The pale blue arm is the library's")
     before = out.locator(".matrix").inner_text()
-    assert before != output(lab, 2).locator(".matrix").inner_text(), "the pose is the student's, not the library's"
+    assert before != output(lab, 2).locator(".matrix").inner_text(), (
+        "the pose is the student's, not the library's"
+    )
     out.get_by_text("Joint angles").click()
     out.get_by_label("Joint 2", exact=True).focus()
     for _ in range(5):
@@ -251,7 +278,9 @@ def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
     expect(out.locator(".matrix")).not_to_have_text(before)
     expect(words).to_contain_text("differ by")
     both = [one.locator("canvas").element_handle() for one in (out, output(lab, 2))]
-    lab.wait_for_function(f"(both) => (([ours, theirs]) => ours > 500 + 3 * theirs)(both.map({BLUE_DOTS}))", arg=both)
+    lab.wait_for_function(
+        f"(both) => (([ours, theirs]) => ours > 500 + 3 * theirs)(both.map({BLUE_DOTS}))", arg=both
+    )
 
 
 def test_a_slow_function_answers_the_newest_question_and_an_exception_is_one_calm_line(lab, folder):
@@ -288,7 +317,9 @@ def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_fun
     expect(lab.locator("body")).to_have_attribute("data-jp-theme-light", "false")
     for one in (out, output(lab, 0)):
         expect(one.locator(".course-toy")).to_have_css("background-color", "rgb(27, 31, 36)")
-    expect(out.locator("p[role=status]")).to_have_text("Moved by your function, which agrees with the library.")
+    expect(out.locator("p[role=status]")).to_have_text(
+        "Moved by your function, which agrees with the library."
+    )
     assert [slider.input_value() for slider in out.get_by_role("slider").all()] == values
     assert output(lab, 0).locator("p[role=status]").evaluate(CONTRAST) > 4.5
 

@@ -27,7 +27,9 @@ def test_a_grasp_beside_the_mug_too_high_tilted_or_too_fast_does_not():
     assert not challenge.picked(MUG, approach(tilt=np.deg2rad(12)))
     good = approach()
     for factor in (0.9, 5):
-        assert not challenge.picked(MUG, good * np.array([factor, *np.ones(7)])), "too fast, too slow"
+        assert not challenge.picked(MUG, good * np.array([factor, *np.ones(7)])), (
+            "too fast, too slow"
+        )
     jumping = good.copy()
     jumping[3, 7] += 0.5
     assert not challenge.picked(MUG, jumping)
@@ -37,7 +39,9 @@ def test_a_grasp_beside_the_mug_too_high_tilted_or_too_fast_does_not():
 
 def test_what_touches_something_picks_nothing():
     good = approach()
-    assert not challenge.picked(MUG @ rigid.transform(rotations.rot_z(np.pi / 2), np.zeros(3)), good), "the handle"
+    assert not challenge.picked(
+        MUG @ rigid.transform(rotations.rot_z(np.pi / 2), np.zeros(3)), good
+    ), "the handle"
     low = approach(height=0.031, tilt=np.deg2rad(9))
     assert min(gap.min() for gap in pick.clearances(low[:, 1:], MUG).values()) < 0
     assert not challenge.picked(MUG, low)

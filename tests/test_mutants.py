@@ -1,7 +1,8 @@
 """Each check against the notebook's own solution with one small mistake made in it by machine.
 
-A mutant that the check accepts answers as the solution does on wider inputs, or as rightly if the exercise has several
-right answers (see equal_mutants.py). The summary of the test run shows the counts.
+A mutant that the check accepts answers as the solution does on wider inputs, or as rightly if the
+exercise has several right answers (see equal_mutants.py). The summary of the test run shows the
+counts.
 """
 
 import math
@@ -17,7 +18,10 @@ from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
 from course_lib.checks.write_test import WriteTest
 
 MOST = 35  # of the mutants of an exercise
-SLOW = "random_rotations random_quaternions newton_ik panda_ik plan_pick good_matches reached_targets test_wrap_angle"
+SLOW = (
+    "random_rotations random_quaternions newton_ik panda_ik plan_pick good_matches reached_targets "
+    "test_wrap_angle"
+)
 SLOW += " test_log_so3 test_subproblem2"  # of which sixteen are tried
 TOO_LARGE = "axis=-2"  # with it random_rotations asks for gigabytes
 # The last one of several answers that fit equally well, where the solution gives the first one.
@@ -26,11 +30,19 @@ ENOUGH = 1000  # passes through loops that a call may make, besides five times t
 
 
 class Judge:
-    """Asks a check about mutants. Neither the name of a mistake nor the functions that are called matter here."""
+    """Asks a check about mutants.
+
+    Neither the name of a mistake nor the functions that are called matter here.
+    """
 
     def __init__(self, exercise, space):
         self.exercise = exercise = replace(exercise, mistakes=[], forbidden=())
-        self.name, self.passes, self.parts, self.space = exercise.name, space["passes"], list(parts(exercise)), space
+        self.name, self.passes, self.parts, self.space = (
+            exercise.name,
+            space["passes"],
+            list(parts(exercise)),
+            space,
+        )
 
     def accepts(self, solution):
         """Return whether the check accepts the solution, and bound the passes through loops by those that it makes."""
@@ -40,7 +52,10 @@ class Judge:
         return said
 
     def lives(self, mutant):
-        """Return whether the check accepts a mutant. The part that refuses it comes first for the next mutant."""
+        """Return whether the check accepts a mutant.
+
+        The part that refuses it comes first for the next mutant.
+        """
         student = Here(made(mutant, self.name, self.space))
         refusing = next((part for part in self.parts if judge(part, student).state != RIGHT), None)
         if refusing:
@@ -63,7 +78,8 @@ def parts(exercise):
         yield exercise
 
 
-# The interrupt for processor time may come while a mutant's objects are deleted, where nothing can catch it.
+# The interrupt for processor time may come while a mutant's objects are deleted, where nothing can
+# catch it.
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
 def test_a_mutant_is_refused_or_equal(path, record_property):
@@ -73,12 +89,19 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     judge_of, solution = Judge(exercise, space), Solution(exercise, space, sources)
     assert judge_of.accepts(sources[name])
     every = mutants(sources[name])
-    tried = [mutant for mutant in spread(every, 16 if name in SLOW.split() else MOST) if TOO_LARGE not in mutant.source]
+    tried = [
+        mutant
+        for mutant in spread(every, 16 if name in SLOW.split() else MOST)
+        if TOO_LARGE not in mutant.source
+    ]
     alive = [mutant for mutant in tried if judge_of.lives(mutant.source)]
     assert 2 * len(alive) < len(tried), f"the check of {name} accepts most mutants"
     different = [mutant.line for mutant in alive if not solution.is_equalled_by(mutant.source)]
-    record_property("mutants", (notebook, name, *map(str, (len(every), len(tried), len(alive), len(different)))))
+    record_property(
+        "mutants", (notebook, name, *map(str, (len(every), len(tried), len(alive), len(different))))
+    )
     assert different == AS_RIGHT.get(name, []), (
-        f"the check of {name} accepts these mutants, which answer differently from the solution: {different}. Let its "
+        f"the check of {name} accepts these mutants, which answer differently from the solution: "
+        f"{different}. Let its "
         "cases or properties distinguish them, or, if they are right too, list them in AS_RIGHT"
     )

@@ -47,7 +47,9 @@ class Pencil:
 
     def __call__(self, figures):
         self.asked.append(len(figures))
-        return [b"still %d of call %d" % (number, len(self.asked)) for number, _ in enumerate(figures)]
+        return [
+            b"still %d of call %d" % (number, len(self.asked)) for number, _ in enumerate(figures)
+        ]
 
 
 def no_browser(figures):
@@ -95,7 +97,9 @@ def test_a_second_run_changes_no_byte(write):
 
 def test_only_what_every_author_shares_is_kept(write):
     nbgrader = {"schema_version": 3, "grade_id": "hat", "points": 2}
-    cell = new_code_cell("1 + 1", metadata={"tags": ["setup"], "nbgrader": nbgrader, "collapsed": False})
+    cell = new_code_cell(
+        "1 + 1", metadata={"tags": ["setup"], "nbgrader": nbgrader, "collapsed": False}
+    )
     cell.metadata["execution"] = {"iopub.execute_input": "2026-11-21T05:32:00Z"}
     cell.metadata["ExecuteTime"] = {"end_time": "2026-11-21"}
     cell.id = "kept-id"
@@ -124,7 +128,11 @@ def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, 
     other.parent.mkdir(parents=True)
     other.write_text('{"argv": ["/bin/false"], "display_name": "Python 3", "language": "python"}')
     monkeypatch.setenv("JUPYTER_PATH", str(tmp_path))
-    path = write(new_code_cell("import os, sys\nprint(sys.executable, os.getcwd(), 'mine' in dir(), sep='\\n')"))
+    path = write(
+        new_code_cell(
+            "import os, sys\nprint(sys.executable, os.getcwd(), 'mine' in dir(), sep='\\n')"
+        )
+    )
     notebooks.refresh(path)
     assert outputs(path)[0].text.splitlines() == [sys.executable, str(path.parent), "False"]
 
@@ -132,7 +140,9 @@ def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, 
 # ---- stills ----
 
 
-def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_is_no_browser(write):
+def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_is_no_browser(
+    write,
+):
     path = write(show(1), show(2))
     notebooks.refresh(path, Pencil())
     assert stills(path) == [b"still 0 of call 1", b"still 1 of call 1"]
@@ -153,11 +163,15 @@ def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_
 @pytest.mark.parametrize(
     ("browser", "said"), [("/nowhere/chrome", "no Chrome or"), ("/bin/false", "/bin/false failed")]
 )
-def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(write, monkeypatch, capsys, browser, said):
+def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(
+    write, monkeypatch, capsys, browser, said
+):
     path = write(new_code_cell("from course_lib.figures import circles_toy\ncircles_toy()"))
     monkeypatch.setenv("BROWSER_PATH", browser)
     assert notebooks.main([str(path)]) == 0
-    assert f"figures without a still: 1 ({said}" in capsys.readouterr().out.replace("the browser ", "")
+    assert f"figures without a still: 1 ({said}" in capsys.readouterr().out.replace(
+        "the browser ", ""
+    )
 
 
 # ---- what can go wrong ----
@@ -176,7 +190,9 @@ def fails(path, capsys):
 
 
 def test_a_cell_that_raises_is_named(write, capsys):
-    path = write(new_code_cell("print(1)"), new_markdown_cell("text"), new_code_cell("\nx = 1\nx / 0"))
+    path = write(
+        new_code_cell("print(1)"), new_markdown_cell("text"), new_code_cell("\nx = 1\nx / 0")
+    )
     assert "code cell 2 (x = 1) raised ZeroDivisionError: division by zero" in fails(path, capsys)
 
 
@@ -197,12 +213,17 @@ def test_a_file_that_is_no_notebook_or_not_there_is_named(write, capsys):
     assert "is not a notebook" in fails(path, capsys)
     path.unlink()
     assert notebooks.main([str(path)]) == 1
-    assert f"{path}: cannot be read: No such file or directory. Name a file that is there." in capsys.readouterr().err
+    assert (
+        f"{path}: cannot be read: No such file or directory. Name a file that is there."
+        in capsys.readouterr().err
+    )
     assert notebooks.main([]) == 0
     assert "No notebooks" in capsys.readouterr().out
 
 
-def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves_the_old_one(tmp_path, monkeypatch):
+def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves_the_old_one(
+    tmp_path, monkeypatch
+):
     path = tmp_path / "file"
     path.touch()
     path.chmod(0o640)
@@ -223,7 +244,9 @@ def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves
 def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_controls(tmp_path):
     path = tmp_path / "toy.ipynb"
     source = "from course_lib.figures import circles_toy\ncircles_toy()"
-    nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source, id="toy")]), path)
+    nbformat.write(
+        nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source, id="toy")]), path
+    )
     assert notebooks.refresh(path) == ", written"
     toy, *_ = nbformat.read(path, as_version=4).cells[0].outputs
     assert set(toy.data) == {notebooks.TOY, STILL, "text/plain"}

@@ -13,8 +13,12 @@ from course_lib.arms import iiwa14
 
 NOTEBOOK = Path(__file__).parents[1] / "notebooks" / "04_poe_kuka_iiwa.ipynb"
 LINES = "TRAJECTORY = SHIPPED\nVELOCITIES = STEP = None"
-# What has nothing to do with the trajectory; without their checks the library's functions take the student's place.
-SKIPPED = "drawing arm-with toy digits picture newton lost singular challenge drift rodrigues robot reproduce wrong"
+# What has nothing to do with the trajectory; without their checks the library's functions take the
+# student's place.
+SKIPPED = (
+    "drawing arm-with toy digits picture newton lost singular challenge drift rodrigues robot "
+    "reproduce wrong"
+)
 USED = ("build-up-toy", "planes-picture", "lissajous-picture", "manipulability-picture")
 ARM = iiwa14()
 
@@ -48,10 +52,15 @@ def run_with(path, velocities=None, step=None):
         other = any(word in cell.id for word in SKIPPED.split()) and cell.id not in USED
         if graded.get("grade") or (not graded and other):
             continue
-        own = f"TRAJECTORY = {str(path)!r}\nVELOCITIES, STEP = {velocities and str(velocities)!r}, {step}"
+        own = (
+            f"TRAJECTORY = {str(path)!r}\nVELOCITIES, STEP = {velocities and str(velocities)!r}, "
+            f"{step}"
+        )
         exec(compile(cell.source.replace(LINES, own), cell.id, "exec"), space)
         if cell.id == "setup":
-            space["show"] = lambda picture, alt=None, caption=None: told.append((picture.alt, picture.caption))
+            space["show"] = lambda picture, alt=None, caption=None: told.append(
+                (picture.alt, picture.caption)
+            )
     return space, told
 
 
@@ -78,7 +87,9 @@ def test_the_notebook_runs_with_another_trajectory_and_tells_of_that_one(made, t
     assert not any("smallest velocity" in caption for _, caption in told)
 
 
-def test_positions_and_velocities_of_two_files_and_a_time_step_that_does_not_fit_is_said(tmp_path, capsys):
+def test_positions_and_velocities_of_two_files_and_a_time_step_that_does_not_fit_is_said(
+    tmp_path, capsys
+):
     motion = trajectory.load(NOTEBOOK.parent / "data/iiwa_trajectory.csv")
     files = [tmp_path / f"{name}.csv" for name in ("positions", "velocities")]
     for file, table in zip(files, (motion.q, motion.qd), strict=True):
@@ -88,7 +99,9 @@ def test_positions_and_velocities_of_two_files_and_a_time_step_that_does_not_fit
     said = capsys.readouterr().out
     np.testing.assert_array_equal(space["motion"].q, motion.q)
     assert f"{199 * 0.05:.1f} s" in film_of(told)
-    assert "times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s" in said
+    assert (
+        "times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s" in said
+    )
 
 
 def test_a_file_beyond_the_limits_is_refused_and_the_course_s_own_is_shown(tmp_path, capsys):
@@ -98,6 +111,8 @@ def test_a_file_beyond_the_limits_is_refused_and_the_course_s_own_is_shown(tmp_p
     trajectory.save(path, trajectory.Trajectory(t, q, qd))
     with contextlib.chdir(NOTEBOOK.parent):
         space, told = run_with(path)
-    assert re.search(r"refused: own\.csv: row 41, column q4 .*\nFrom here on: data/", capsys.readouterr().out)
+    assert re.search(
+        r"refused: own\.csv: row 41, column q4 .*\nFrom here on: data/", capsys.readouterr().out
+    )
     assert space["shipped"]
     assert len(told) > 5

@@ -36,7 +36,9 @@ def test_a_wrong_answer_keeps_the_points_of_the_part_that_is_right():
     assert describe(got).splitlines()[0] == "✗ exp_se3: not right yet, 1 of 3 points so far"
 
 
-@pytest.mark.parametrize("answer", [only_moves, lambda twist: np.eye(4), lambda twist: None, lambda twist: "pose"])
+@pytest.mark.parametrize(
+    "answer", [only_moves, lambda twist: np.eye(4), lambda twist: None, lambda twist: "pose"]
+)
 def test_an_answer_without_that_part_earns_nothing(answer):
     got = verdict(answer)
     assert (got.state, got.points) == (WRONG, 0)
@@ -47,6 +49,8 @@ def test_an_error_earns_nothing_and_a_right_answer_all():
     broken = verdict(lambda twist: only_turns(twist) if twist[0] == 0 else 1 / 0)
     assert (broken.state, broken.points) == (WRONG, 0)
     parts = tuple(dataclasses.replace(part, points=1) for part in EXP.properties)
-    assert verdict(only_turns, dataclasses.replace(EXP, properties=parts)).points == EXP.points - 1  # never all
+    assert (
+        verdict(only_turns, dataclasses.replace(EXP, properties=parts)).points == EXP.points - 1
+    )  # never all
     got = verdict(lambda twist: expm(rigid.hat_se3(np.asarray(twist, float))))
     assert (got.state, got.points) == (RIGHT, EXP.points)

@@ -17,7 +17,10 @@ def solid(q):
     tip = arm.home[-1] @ pick.IN_FLANGE
     parts = shells.gripper(7, tip)
     for side in (1, -1):
-        parts += [p.moved(tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])) for p in shells.finger(7, side)]
+        parts += [
+            p.moved(tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0]))
+            for p in shells.finger(7, side)
+        ]
     model = Model.of([*shells.shell(arm), *parts])
     return model.placed(link_poses(arm, q)) + pick.BASE[:3, 3], model.bodies
 
@@ -50,7 +53,9 @@ def test_shares_are_those_of_cubic_time_scaling():
     np.testing.assert_allclose(speed.max(), 0.8 * 1.5 / 2 / 2.175, rtol=1e-3)
     np.testing.assert_allclose(acceleration.max(), 0.8 * 6 / 4 / 7.5, rtol=1e-2)
     x[:, 0] /= 2
-    np.testing.assert_allclose([share.max() for share in pick.shares(x)], [2 * speed.max(), 4 * acceleration.max()])
+    np.testing.assert_allclose(
+        [share.max() for share in pick.shares(x)], [2 * speed.max(), 4 * acceleration.max()]
+    )
 
 
 def test_a_start_at_full_speed_takes_an_acceleration():

@@ -25,7 +25,9 @@ from course_lib.planar import (
 )
 
 PI = np.pi
-SCALINGS = pytest.mark.parametrize("scaling", [cubic_time_scaling, quintic_time_scaling], ids=["cubic", "quintic"])
+SCALINGS = pytest.mark.parametrize(
+    "scaling", [cubic_time_scaling, quintic_time_scaling], ids=["cubic", "quintic"]
+)
 
 
 def rotated(theta, v):
@@ -34,7 +36,8 @@ def rotated(theta, v):
     return np.stack([z.real, z.imag], -1)
 
 
-# Angles and poses -----------------------------------------------------------------------------------------------------
+# Angles and poses
+# -----------------------------------------------------------------------------------------------------
 
 
 def test_wrap_angle_is_the_remainder():
@@ -56,7 +59,8 @@ def test_pose_matrix_rotates_and_then_translates():
     assert (got[:, 2] == 1).all()
 
 
-# Time scalings --------------------------------------------------------------------------------------------------------
+# Time scalings
+# --------------------------------------------------------------------------------------------------------
 
 
 @SCALINGS
@@ -85,7 +89,8 @@ def test_time_scaling_forgives_rounding_of_t(scaling):
             scaling(t, 0.3)
 
 
-# From pose to pose ----------------------------------------------------------------------------------------------------
+# From pose to pose
+# ----------------------------------------------------------------------------------------------------
 
 
 @SCALINGS
@@ -93,7 +98,11 @@ def test_each_coordinate_follows_the_scaling_of_its_ends(scaling):
     start, goal, v_start, v_goal = np.random.default_rng(5).uniform(-1, 1, (4, 3))
     path = interpolate_body(start, goal, 9, 3.0, v_start, v_goal, scaling)
     for i in range(3):
-        close(path[:, i], scaling(np.linspace(0, 3, 9), 3.0, start[i], goal[i], v_start[i], v_goal[i]), 1e-15)
+        close(
+            path[:, i],
+            scaling(np.linspace(0, 3, 9), 3.0, start[i], goal[i], v_start[i], v_goal[i]),
+            1e-15,
+        )
     at_rest = interpolate_body(start, goal, 9, 3.0, np.zeros(3), v_goal, scaling)
     assert np.array_equal(interpolate_body(start, goal, 9, 3.0, 0, v_goal, scaling), at_rest)
     assert np.array_equal(interpolate_body(start, goal, 9), interpolate_body(start, goal, 9, 7.0))
@@ -123,7 +132,8 @@ def test_angles_take_the_shorter_arc_and_positions_do_not(begin, end, change):
     close(arm[-1], [begin + change, 0, end + (PI if change == PI else -change)], 3e-14)
 
 
-# Along the screw ------------------------------------------------------------------------------------------------------
+# Along the screw
+# ------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -148,9 +158,15 @@ def test_screw_path_without_a_rotation_is_the_straight_line():
     close(nearly, interpolate_body(start, goal, 40), 1e-8)
 
 
-# Plans ----------------------------------------------------------------------------------------------------------------
+# Plans
+# ----------------------------------------------------------------------------------------------------------------
 
-PLAN = [((0.8, -0.3, 1.1), 0.7), ((0.2, 0.9, -2.3), 1.0), ((1.5, 0.0, 0.0), 0.33), ((0.0, 0.0, 4.0), 0.4)]
+PLAN = [
+    ((0.8, -0.3, 1.1), 0.7),
+    ((0.2, 0.9, -2.3), 1.0),
+    ((1.5, 0.0, 0.0), 0.33),
+    ((0.0, 0.0, 4.0), 0.4),
+]
 START = np.array([0.4, -1.2, 2.0])
 
 
@@ -162,7 +178,9 @@ def integrated(start, plan):
         def rate(t, p, v=(vx, vy), omega=omega):
             return [*rotated(p[2], v), omega]
 
-        pose = scipy.integrate.solve_ivp(rate, (0, duration), pose, "DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
+        pose = scipy.integrate.solve_ivp(
+            rate, (0, duration), pose, "DOP853", rtol=1e-13, atol=1e-13
+        ).y[:, -1]
     return pose
 
 

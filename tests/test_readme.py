@@ -22,8 +22,12 @@ def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
     (picture,) = re.findall(r"!\[[^\]]{40,}\]\((\S+)\)", README)
     shown, found = imread(ROOT / picture), []
     for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")):
-        outputs = [output for cell in nbformat.read(path, 4).cells for output in cell.get("outputs", [])]
-        found += [output.data["image/png"] for output in outputs if "image/png" in output.get("data", {})]
+        outputs = [
+            output for cell in nbformat.read(path, 4).cells for output in cell.get("outputs", [])
+        ]
+        found += [
+            output.data["image/png"] for output in outputs if "image/png" in output.get("data", {})
+        ]
     stills = [imread(io.BytesIO(base64.b64decode(still))) for still in found]
     distances = [np.abs(still - shown).mean() for still in stills if still.shape == shown.shape]
     assert min(distances) < 0.005, "copy the new still of the figure"
@@ -42,7 +46,11 @@ def test_the_plan_of_a_semester_has_the_hours_of_the_notebooks():
     plan = (ROOT / "course_lib/pack/semester.md").read_text(encoding="utf-8")
     planned = re.findall(r"^\| \d+ \| (\d), \w+ \| ([\d.]+) \|", plan, re.MULTILINE)
     paths = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-    said = [(path.name[1], each) for path in paths for each in sittings(nbformat.read(path, 4).cells[0].source)]
+    said = [
+        (path.name[1], each)
+        for path in paths
+        for each in sittings(nbformat.read(path, 4).cells[0].source)
+    ]
     assert [(number, float(hours)) for number, hours in planned] == said
     assert f"{sum(hours for _, hours in said):g} in all" in plan
 
@@ -59,19 +67,35 @@ ONLY_ON_UNIX = ("fcntl", "grp", "pwd", "resource", "syslog", "termios")
 
 
 def test_what_the_commands_for_windows_load_is_there_without_the_modules_of_unix():
-    guides = [ROOT / name for name in ("notebooks/places.md", "course_lib/pack/release/students/README.md")]
+    guides = [
+        ROOT / name
+        for name in ("notebooks/places.md", "course_lib/pack/release/students/README.md")
+    ]
     text = "".join([README, PAGE, *(guide.read_text(encoding="utf-8") for guide in guides)])
     called = set(re.findall(r"\.venv\\Scripts\\(\w+) ([^`&\n]+?)(?= &&|`|\n)", text))
-    modules = {words.split()[1] for program, words in called if program == "python" and words.startswith("-m ")}
+    modules = {
+        words.split()[1]
+        for program, words in called
+        if program == "python" and words.startswith("-m ")
+    }
     assert called - {("python", f"-m {module}") for module in modules} == {
         ("pip", "install -r environment.txt -e ."), ("python", r"carry_over.py ..\robot-kinematics-@RELEASE@"),
         ("jupyter", "lab exercises"), ("jupyter", "lab notebooks"),
     }  # fmt: skip
     assert modules >= {"course_lib.pack.release.exercises", "course_lib.pack.site"}
-    checks = [f"course_lib.checks.{path.stem[3:]}" for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")]
-    started = [f"{name}.__main__" if find_spec(name).submodule_search_locations else name for name in modules]
+    checks = [
+        f"course_lib.checks.{path.stem[3:]}"
+        for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")
+    ]
+    started = [
+        f"{name}.__main__" if find_spec(name).submodule_search_locations else name
+        for name in modules
+    ]
     lines = [f"import sys; sys.modules.update(dict.fromkeys({ONLY_ON_UNIX}))"]
-    lines += [f"import {module}" for module in (*sorted(started), *sorted(checks), "course_lib.figures.toys.alive")]
+    lines += [
+        f"import {module}"
+        for module in (*sorted(started), *sorted(checks), "course_lib.figures.toys.alive")
+    ]
     subprocess.run([sys.executable, "-c", "\n".join(lines)], check=True)
 
 

@@ -36,7 +36,12 @@ UR5E = [
 
 def craig(row, q):
     """One row's transform as Craig prints it, equation 3.6."""
-    c, s, ca, sa = np.cos(row.theta + q), np.sin(row.theta + q), np.cos(row.alpha), np.sin(row.alpha)
+    c, s, ca, sa = (
+        np.cos(row.theta + q),
+        np.sin(row.theta + q),
+        np.cos(row.alpha),
+        np.sin(row.alpha),
+    )
     return np.array(
         [
             [c, -s, 0, row.a],
@@ -49,9 +54,19 @@ def craig(row, q):
 
 def siciliano(row, q):
     """One row's transform in the standard convention, Siciliano and others, equation 2.52."""
-    c, s, ca, sa = np.cos(row.theta + q), np.sin(row.theta + q), np.cos(row.alpha), np.sin(row.alpha)
+    c, s, ca, sa = (
+        np.cos(row.theta + q),
+        np.sin(row.theta + q),
+        np.cos(row.alpha),
+        np.sin(row.alpha),
+    )
     return np.array(
-        [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, row.d], [0, 0, 0, 1]]
+        [
+            [c, -s * ca, s * sa, row.a * c],
+            [s, c * ca, -c * sa, row.a * s],
+            [0, sa, ca, row.d],
+            [0, 0, 0, 1],
+        ]
     )
 
 
@@ -70,25 +85,36 @@ def test_frames_are_the_products_of_the_printed_transforms(convention, printed):
         close(arm.fk(q), T @ end, 1e-13)
 
 
-@pytest.mark.parametrize(("arm", "table"), [(panda(), STANDARD), (ur5e(), UR5E)], ids=["panda", "ur5e"])
+@pytest.mark.parametrize(
+    ("arm", "table"), [(panda(), STANDARD), (ur5e(), UR5E)], ids=["panda", "ur5e"]
+)
 def test_an_arm_moves_as_its_standard_table_and_as_its_screws(arm, table):
     screws = arm.screw_axes
     points = np.cross(screws[:, :3], screws[:, 3:])
     q = np.random.default_rng(3).uniform(-3, 3, (1000, arm.n))
-    for other in (SerialArm.from_dh(table, "standard"), SerialArm.from_screws(screws[:, :3], points, arm.home[-1])):
+    for other in (
+        SerialArm.from_dh(table, "standard"),
+        SerialArm.from_screws(screws[:, :3], points, arm.home[-1]),
+    ):
         close(other.fk(q), arm.fk(q), 1e-14)
         close(other.space_jacobian(q), arm.space_jacobian(q), 1e-13)
 
 
 def test_the_trajectory_that_comes_with_the_course():
     arm = iiwa14()
-    moved = trajectory.load(Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv", arm.limits)
+    moved = trajectory.load(
+        Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv", arm.limits
+    )
     assert moved.t.shape == (200,)
     t = moved.t  # notebook 4 looks at the positions
     velocity = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
-    np.testing.assert_allclose(velocity, data.end_effector_velocity(t), rtol=0, atol=1e-6)  # the first sample included
+    np.testing.assert_allclose(
+        velocity, data.end_effector_velocity(t), rtol=0, atol=1e-6
+    )  # the first sample included
     h = t[1] - t[0]
-    q = moved.q  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
+    q = (
+        moved.q
+    )  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
     weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
     by_differences = sum(w * q[i : len(q) - 8 + i] for i, w in enumerate(weights))
     close(by_differences, moved.qd[4:-4], 1e-6)

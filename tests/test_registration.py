@@ -60,7 +60,11 @@ def test_thin_sets_are_right_up_to_rounding_or_refused(exponent):
     refused = 0
     for _ in range(20):
         R, axes = pose_samples(3)(rng, (2,))[:, :3, :3]
-        src = 10 ** rng.uniform(-9, 9) * (rng.normal(size=(6, 3)) * [1, thickness, thickness]) @ axes.T
+        src = (
+            10 ** rng.uniform(-9, 9)
+            * (rng.normal(size=(6, 3)) * [1, thickness, thickness])
+            @ axes.T
+        )
         try:
             found = register_points(src, src @ R.T)
         except ValueError as thin:
@@ -73,7 +77,9 @@ def test_thin_sets_are_right_up_to_rounding_or_refused(exponent):
 
 def test_the_uncertainty_is_the_spread_of_registrations_about_each_axis():
     random = np.random.default_rng(3)
-    points = np.array([[0, 0, 0], [0.1, 0.01, 0], [0.2, 0, 0.005], [0.15, -0.008, 0.01], [0.05, 0, 0]])
+    points = np.array(
+        [[0, 0, 0], [0.1, 0.01, 0], [0.2, 0, 0.005], [0.15, -0.008, 0.01], [0.05, 0, 0]]
+    )
     weights = np.array([1, 2, 1, 0.5, 0])
     noise = 2e-4 * random.normal(size=(4000, 5, 3)) / np.sqrt(np.maximum(weights, 0.1))[:, None]
     T = register_points(points, points + noise, weights)

@@ -109,7 +109,9 @@ def test_metadata_for_grading_is_kept_and_protected(files):
                 assert after.source == "*Type your answer here.*"
             else:
                 shown, _, rest = before.source.partition("    ### BEGIN SOLUTION")
-                broken = rest.partition("### END SOLUTION\n")[2]  # of an exercise that is to find a bug
+                broken = rest.partition("### END SOLUTION\n")[
+                    2
+                ]  # of an exercise that is to find a bug
                 unwritten = f'    raise NotImplementedError("Write {nbgrader.grade_id} here.")'
                 assert after.source == shown + (broken or unwritten)
 
@@ -149,7 +151,9 @@ def test_the_files_carry_the_date_of_the_last_commit(tmp_path, monkeypatch):
         when |= {f"GIT_{name}_NAME": "a", f"GIT_{name}_EMAIL": "a@example.org"}
     (tmp_path / "file").write_text("")
     for command in ("init -q", "add file", "commit -q -m one"):
-        subprocess.run(["git", *command.split()], cwd=tmp_path, env={**os.environ, **when}, check=True)
+        subprocess.run(
+            ["git", *command.split()], cwd=tmp_path, env={**os.environ, **when}, check=True
+        )
     assert release_date(tmp_path) == (2026, 11, 20, 8, 0, 0)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     assert release_date(tmp_path) == (1980, 1, 1, 0, 0, 0)
@@ -163,10 +167,15 @@ def folded(tree):
     """The path of a notebook in the copy, with one section more in More."""
     path = tree / "notebooks/01_rotations.ipynb"
     book = nbformat.read(path, 4)
-    text = "# 1 · T\n\nIt takes about three hours, and [*More*](#More:-rest) another. See [this](#More:-rest)."
+    text = (
+        "# 1 · T\n\nIt takes about three hours, and [*More*](#More:-rest) another. See "
+        "[this](#More:-rest)."
+    )
     book.cells[0].source = text
     book.cells.append(nbformat.v4.new_markdown_cell("## More: rest", metadata={"tags": ["more"]}))
-    book.cells.append(nbformat.v4.new_markdown_cell("## Go further\n\nFrom [there](02_x.ipynb#More:-rest)."))
+    book.cells.append(
+        nbformat.v4.new_markdown_cell("## Go further\n\nFrom [there](02_x.ipynb#More:-rest).")
+    )
     nbformat.write(book, path)
     return path
 
@@ -174,29 +183,48 @@ def folded(tree):
 def test_without_more_its_cells_and_what_names_them_are_left_out(folded, tmp_path):
     with_more, _ = released(folded.parents[1], tmp_path / "with.zip")
     files, top = released(folded.parents[1], tmp_path / "without.zip", "--more", "no")
-    ours, theirs = nbformat.read(folded, 4), nbformat.reads(files["notebooks/01_rotations.ipynb"].decode(), 4)
+    ours, theirs = (
+        nbformat.read(folded, 4),
+        nbformat.reads(files["notebooks/01_rotations.ipynb"].decode(), 4),
+    )
     kept = [cell.id for cell, out in zip(ours.cells, cells_of_more(ours), strict=True) if not out]
     assert [cell.id for cell in theirs.cells] == kept
     assert theirs.cells[0].source == "# 1 · T\n\nIt takes about three hours. See this."
     assert theirs.cells[-1].source == "## Go further\n\nFrom there."
     gone = set(with_more) - set(files)
     assert "notebooks/reports.md" in gone
-    assert all(name == "notebooks/reports.md" or name.startswith("notebooks/data/") for name in gone)
+    assert all(
+        name == "notebooks/reports.md" or name.startswith("notebooks/data/") for name in gone
+    )
     with zipfile.ZipFile(tmp_path / "without.zip") as archive:
         archive.extractall(tmp_path)
     code = "from course_lib.checks import rotations as check; check.progress()"
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / top)}
-    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True
+    )
     assert "Core: 0 of" in done.stdout, done.stderr
     assert "More" not in done.stdout
 
 
-@pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")))
+@pytest.mark.parametrize(
+    "name", sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+)
 def test_no_cell_of_the_core_asks_for_what_is_left_out_with_more(name):
     text = (ROOT / "notebooks" / name).read_text(encoding="utf-8")
-    whole, core = (nbformat.reads(students_copy(text, name, "", more), 4).cells for more in (True, False))
-    ids = [{cell.metadata.get("nbgrader", {}).get("grade_id", "-") for cell in cells} for cells in (whole, core)]
-    asked = [(cell.id, each) for cell in core for each in ids[0] - ids[1] if f"check.{each}" in cell.source]
+    whole, core = (
+        nbformat.reads(students_copy(text, name, "", more), 4).cells for more in (True, False)
+    )
+    ids = [
+        {cell.metadata.get("nbgrader", {}).get("grade_id", "-") for cell in cells}
+        for cells in (whole, core)
+    ]
+    asked = [
+        (cell.id, each)
+        for cell in core
+        for each in ids[0] - ids[1]
+        if f"check.{each}" in cell.source
+    ]
     assert asked == []
     assert [cell.id for cell in core if re.search(r"\*More\b|\bMore:", cell.source)] == []
 
@@ -218,7 +246,10 @@ def test_it_installs_what_students_need_in_the_versions_of_our_lock(files):
     assert files["lock.txt"] == (ROOT / "environment.txt").read_bytes()
     _, constraints, *wanted = files["environment.txt"].decode().splitlines()
     assert constraints == "-c lock.txt"
-    needs, ours = {Requirement(line).name for line in wanted}, {"pytest", "hypothesis", "nbgrader", "sphinx", "ruff"}
+    needs, ours = (
+        {Requirement(line).name for line in wanted},
+        {"pytest", "hypothesis", "nbgrader", "sphinx", "ruff"},
+    )
     assert {"numpy", "jupyterlab", "matplotlib", "anywidget", "flit-core"} <= needs
     assert needs & (ours | {"playwright", "choreographer", "tqdm"}) == set()
     pins = {Requirement(line).name for line in files["lock.txt"].decode().splitlines()[1:]}
@@ -227,7 +258,9 @@ def test_it_installs_what_students_need_in_the_versions_of_our_lock(files):
 
 def test_its_make_knows_what_students_need(unpacked):
     assert [line.split()[1] for line in made(unpacked).splitlines()] == ["lab", "update"]
-    assert 'carry_over.py "../with a space"' in made(unpacked, "-n", "update", "FROM=../with a space")
+    assert 'carry_over.py "../with a space"' in made(
+        unpacked, "-n", "update", "FROM=../with a space"
+    )
     readme = (unpacked / "README.md").read_text()
     assert set(re.findall(r"^    make (\w+)", readme, re.MULTILINE)) == {"lab", "update"}
 
@@ -245,8 +278,14 @@ WRONG = [
     (answer("    return 1", END), "an END SOLUTION without BEGIN SOLUTION"),
     (answer(BEGIN, BEGIN, "    return 1", END), "a second BEGIN SOLUTION before END SOLUTION"),
     (answer("    return 1"), "an answer cell without ### BEGIN SOLUTION"),
-    ("\n".join([BEGIN[4:], answer("    return 1"), END[4:]]), "no function `wrap_angle` that raises. Put the two"),
-    (answer(BEGIN, "    return 1", END, "  return 2"), "no function `wrap_angle` that returns. Put the two markers"),
+    (
+        "\n".join([BEGIN[4:], answer("    return 1"), END[4:]]),
+        "no function `wrap_angle` that raises. Put the two",
+    ),
+    (
+        answer(BEGIN, "    return 1", END, "  return 2"),
+        "no function `wrap_angle` that returns. Put the two markers",
+    ),
 ]
 
 
@@ -266,7 +305,9 @@ def test_an_answer_that_makes_no_stub_is_named(source, message):
     assert message in sentence
 
 
-@pytest.mark.parametrize("words", ["### BEGIN SOLUTION", "**Model answer.** It is", "*Rubric (2): 1 for*"])
+@pytest.mark.parametrize(
+    "words", ["### BEGIN SOLUTION", "**Model answer.** It is", "*Rubric (2): 1 for*"]
+)
 def test_words_for_graders_in_another_cell_are_named(words):
     sentence = refused("wrap-angle-task", words)
     assert "(task_wrap_angle) holds" in sentence
@@ -280,7 +321,9 @@ def test_a_file_that_is_not_a_notebook_is_named_and_no_zip_is_written(tmp_path, 
     for text in ("<<<<<<< HEAD\n{}", "[1, 2]", '{"cells": 3}', "\udcff"):
         (folder / "02_rigid_motion.ipynb").write_bytes(text.encode(errors="surrogateescape"))
         assert main(["--root", str(tmp_path), "--output", str(tmp_path / "student.zip")]) == 1
-        assert "No release was written. 02_rigid_motion.ipynb is not a notebook" in one_sentence(capsys)
+        assert "No release was written. 02_rigid_motion.ipynb is not a notebook" in one_sentence(
+            capsys
+        )
         assert not (tmp_path / "student.zip").exists()
 
 

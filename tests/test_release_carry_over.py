@@ -53,9 +53,17 @@ def test_answers_in_code_and_words_and_begun_work_are_taken_over_and_nothing_els
     old, new = folders
     begun = 'def two_link_angles(a):\n    """Return it."""\n    # one idea\n    raise NotImplementedError("Later.")'
     broken = "def arm_frames(theta:\n    raise NotImplementedError()"
-    mine = {"wrap_angle": CODE, "explain_wrap": "Because.\n\nπ.", "two_link_angles": begun, "arm_frames": broken}
+    mine = {
+        "wrap_angle": CODE,
+        "explain_wrap": "Because.\n\nπ.",
+        "two_link_angles": begun,
+        "arm_frames": broken,
+    }
     write(old, **mine, task_wrap_angle="an older task", check_wrap_angle="pass")
-    before, fresh = (old / "notebooks" / NAME).read_bytes(), nbformat.read(new / "notebooks" / NAME, 4)
+    before, fresh = (
+        (old / "notebooks" / NAME).read_bytes(),
+        nbformat.read(new / "notebooks" / NAME, 4),
+    )
     done = carry_over(old, new)
     assert (done.returncode, done.stderr) == (0, "")
     assert f"{NAME}: answers carried over: 4\n" in done.stdout
@@ -75,7 +83,10 @@ def test_nothing_written_in_the_new_release_is_lost_and_a_newer_stub_stays(folde
     newer = 'def arm_frames(theta, links):\n    """Newer."""\n    raise NotImplementedError("Write arm_frames here.")'
     write(old, wrap_angle=CODE)
     write(new, wrap_angle=CODE.replace("7", "8"), arm_frames=newer)
-    assert "answers carried over: 0; answered here already: wrap_angle\n" in carry_over(old, new).stdout
+    assert (
+        "answers carried over: 0; answered here already: wrap_angle\n"
+        in carry_over(old, new).stdout
+    )
     assert source(new, "wrap_angle") == CODE.replace("7", "8")
     assert source(new, "arm_frames") == newer
 
@@ -84,7 +95,11 @@ def test_a_split_cell_is_put_together_and_an_exercise_that_is_gone_is_named(fold
     old, new = folders
     notebook = nbformat.read(old / "notebooks" / NAME, 4)
     second = cell_of(notebook, "wrap_angle").copy()
-    cell_of(notebook, "wrap_angle").source, second["source"], second["id"] = "turn = 7", CODE, "another"
+    cell_of(notebook, "wrap_angle").source, second["source"], second["id"] = (
+        "turn = 7",
+        CODE,
+        "another",
+    )
     notebook.cells.append(second)
     cell_of(notebook, "arm_frames").source = "pass"
     cell_of(notebook, "arm_frames").metadata.nbgrader.grade_id = "frames"
@@ -98,7 +113,10 @@ def test_unreadable_input_is_reported_in_a_sentence(folders):
     for folder in (old / "notebooks", old / "nowhere"):
         done = carry_over(folder, new)
         assert (done.returncode, done.stdout) == (1, "")
-        assert done.stderr == "Name the folder of the older release, the one that holds its notebooks/.\n"
+        assert (
+            done.stderr
+            == "Name the folder of the older release, the one that holds its notebooks/.\n"
+        )
     (old / "notebooks" / NAME).write_text("<<<<<<< {}")
     before = (new / "notebooks" / NAME).read_bytes()
     done = carry_over(old, new)
@@ -108,11 +126,18 @@ def test_unreadable_input_is_reported_in_a_sentence(folders):
 
 
 def test_a_checkout_has_its_exercises_in_a_folder_that_no_command_changes(tmp_path):
-    for name in (f"notebooks/{NAME}", "pyproject.toml", "environment.txt", "course_lib/pack/environment.sh"):
+    for name in (
+        f"notebooks/{NAME}",
+        "pyproject.toml",
+        "environment.txt",
+        "course_lib/pack/environment.sh",
+    ):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     folder, original = tmp_path / "exercises", tmp_path / "notebooks" / NAME
-    assert [*prepare(tmp_path)] == ["Made exercises/, where the notebooks are yours: no command changes them."]
+    assert [*prepare(tmp_path)] == [
+        "Made exercises/, where the notebooks are yours: no command changes them."
+    ]
     assert "NotImplementedError" in cell_of(nbformat.read(folder / NAME, 4), "wrap_angle").source
 
     mine = nbformat.read(folder / NAME, 4)
@@ -120,7 +145,9 @@ def test_a_checkout_has_its_exercises_in_a_folder_that_no_command_changes(tmp_pa
     nbformat.write(mine, folder / NAME)
     before = (folder / NAME).read_bytes()
     assert [*prepare(tmp_path)] == []
-    original.write_text(original.read_text(encoding="utf-8").replace("# 2 ", "# Two "), encoding="utf-8")
+    original.write_text(
+        original.read_text(encoding="utf-8").replace("# 2 ", "# Two "), encoding="utf-8"
+    )
     assert "make update takes the" in next(prepare(tmp_path))
     assert (folder / NAME).read_bytes() == before
 

@@ -55,7 +55,10 @@ EXERCISES = sorted({exercise for exercise, _ in answer_cells()})
 @pytest.mark.parametrize("exercise", EXERCISES)
 def test_no_solution_and_no_word_of_a_model_answer_or_rubric_goes_out(found, exercise):
     own = sorted(leak for leak in found if leak[0] == exercise and not may_say(*leak[:2]))
-    lines = "\n".join(f"{name}, which students get, holds what answers {exercise}: {text}" for _, name, text in own)
+    lines = "\n".join(
+        f"{name}, which students get, holds what answers {exercise}: {text}"
+        for _, name, text in own
+    )
     assert not own, f"\n{lines}\nSay it otherwise in one of the two."
 
 
@@ -71,7 +74,9 @@ def test_no_output_goes_out_but_the_first_picture(files):
         cells = nbformat.reads(files[name].decode(), 4).cells
         (first,) = (cell for cell in cells if cell.get("outputs") or cell.get("execution_count"))
         assert any("image/png" in output.get("data", {}) for output in first.outputs)
-        assert not any("nbgrader" in cell.metadata for cell in cells[: cells.index(first)]), "before all exercises"
+        assert not any("nbgrader" in cell.metadata for cell in cells[: cells.index(first)]), (
+            "before all exercises"
+        )
 
 
 def test_markers_and_words_for_graders_are_gone(files):

@@ -34,25 +34,39 @@ def without_figures(path):
     """The notebook with its imports and the cells that nbgrader knows; `make test` runs the others itself."""
     notebook = nbformat.read(path, 4)
     first = next(cell for cell in notebook.cells if cell.cell_type == "code")
-    notebook.cells = [cell for cell in notebook.cells if cell is first or "nbgrader" in cell.metadata]
+    notebook.cells = [
+        cell for cell in notebook.cells if cell is first or "nbgrader" in cell.metadata
+    ]
     return notebook
 
 
 def nbgrader(folder, *arguments):
     """Run nbgrader with nothing of this user's settings; return what it said."""
-    environment = os.environ | {name: str(folder / "own") for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR")}
-    environment |= {"IPYTHONDIR": str(folder / "own"), "JUPYTER_PREFER_ENV_PATH": "1", "PYTHONPATH": str(ROOT)}
+    environment = os.environ | {
+        name: str(folder / "own") for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR")
+    }
+    environment |= {
+        "IPYTHONDIR": str(folder / "own"),
+        "JUPYTER_PREFER_ENV_PATH": "1",
+        "PYTHONPATH": str(ROOT),
+    }
     # It calls alembic, by that name.
     environment["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{environment['PATH']}"
     command = [sys.executable, "-m", "nbgrader", *arguments]
-    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=3600)
+    done = subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=3600
+    )
     assert done.returncode == 0, done.stderr
     return done.stderr
 
 
-def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_solutions_and_none_for_stubs(course):
+def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_solutions_and_none_for_stubs(
+    course,
+):
     nbgrader(course, "generate_assignment", "all")
-    assert sorted(path.name for path in (course / "release/all").glob("*.ipynb")) == [p.name for p in NOTEBOOKS]
+    assert sorted(path.name for path in (course / "release/all").glob("*.ipynb")) == [
+        p.name for p in NOTEBOOKS
+    ]
     source = course / "source/all" / GRADED
     stubs = students_copy(source.read_text(encoding="utf-8"), GRADED, "0.0.0-test")
     for student, text in {"author": source.read_text(encoding="utf-8"), "stubs": stubs}.items():
@@ -63,7 +77,9 @@ def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_soluti
 
     grades = grades_of(course)
     assert grades["author"]["exercises"] == grades["most"]["exercises"] > 0
-    assert grades["author"]["left to a person"] == len([name for name in grades["names"] if name.startswith("explain")])
+    assert grades["author"]["left to a person"] == len(
+        [name for name in grades["names"] if name.startswith("explain")]
+    )
     assert (grades["stubs"]["exercises"], grades["stubs"]["left to a person"]) == (0, 0)
 
 

@@ -16,7 +16,8 @@ from course_lib.checks.exercise import UNCHANGED
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 WHICH = "import course_lib\nprint(course_lib.__file__)"
-# Fewer samples and steps, {in a cell: {what it says: what is run}}: nbval runs the authors' copies as they are.
+# Fewer samples and steps, {in a cell: {what it says: what is run}}: nbval runs the authors' copies
+# as they are.
 FEWER = {
     "cases-run": {'["max_iterations"]': '["max_iterations"] // 50'},
     "thousand-code": {"(1000, 7))": "(1000, 7))[:50]"},
@@ -28,7 +29,13 @@ FEWER = {
     "width-code": {", 36, 50, 70": ""},
     "compete-network": {"[:5000]": "[:500]"},
 }
-BROKEN = ["return None", "return 1 / 0", "return nothing_of_that_name", 'return "forty-two"', "raise SystemExit"]
+BROKEN = [
+    "return None",
+    "return 1 / 0",
+    "return nothing_of_that_name",
+    'return "forty-two"',
+    "raise SystemExit",
+]
 
 
 def points(cell):
@@ -67,23 +74,31 @@ def test_every_cell_runs_and_checks_say_not_attempted_yet_and_later_what_is_wron
             assert much in cell.source, cell.id
             cell.source = cell.source.replace(much, little)
     notebook.cells = [*with_broken_answers(cells), new_code_cell(WHICH)]
-    client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(unpacked / "notebooks")}})
+    client = NotebookClient(
+        notebook, timeout=600, resources={"metadata": {"path": str(unpacked / "notebooks")}}
+    )
     client.execute(env={**os.environ, "PYTHONPATH": str(unpacked)})  # raises where a cell does
-    assert notebook.cells[-1].outputs[0].text.strip() == str(unpacked / "course_lib" / "__init__.py")
+    assert notebook.cells[-1].outputs[0].text.strip() == str(
+        unpacked / "course_lib" / "__init__.py"
+    )
     outputs = [output for cell in notebook.cells for output in cell.outputs]
     assert [output.text for output in outputs if output.get("name") == "stderr"] == []
 
     package = importlib.import_module(f"course_lib.checks.{name[3:].removesuffix('.ipynb')}")
     exercises = [check.exercise for check in package.CHECKS]
     checks = [cell for cell in notebook.cells if points(cell)]
-    assert [cell.metadata.nbgrader.grade_id for cell in checks] == [f"check_{each.name}" for each in exercises]
+    assert [cell.metadata.nbgrader.grade_id for cell in checks] == [
+        f"check_{each.name}" for each in exercises
+    ]
     again = [cell for cell in notebook.cells if "again" in cell.metadata.get("tags", [])]
     for cell, later, each in zip(checks, again, exercises, strict=True):
         (said,) = cell.outputs
         name, _, rest = said.data["text/plain"].removeprefix("○ ").partition(": ")
         assert name == each.name
         untouched = UNCHANGED if each.broken else "not attempted yet"
-        assert rest.startswith((untouched, "it calls ")), rest  # another exercise, which is not written yet
+        assert rest.startswith((untouched, "it calls ")), (
+            rest
+        )  # another exercise, which is not written yet
         (said,) = later.outputs
         text = said.data["text/plain"]
         assert re.match(rf"[✗!] {each.name}: (not right yet|error in your code)\n", text), text

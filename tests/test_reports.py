@@ -12,22 +12,33 @@ from course_lib import arms
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 PAGE = (NOTEBOOKS / "reports.md").read_text(encoding="utf-8")
-_, *PUBLISHED = json.loads((NOTEBOOKS / "data/published.json").read_text()).values()  # the first says what it is
-PARTS = dict(zip(sorted(path.name for path in NOTEBOOKS.glob("0*.ipynb")), PUBLISHED, strict=False))  # the first six
+_, *PUBLISHED = json.loads(
+    (NOTEBOOKS / "data/published.json").read_text()
+).values()  # the first says what it is
+PARTS = dict(
+    zip(sorted(path.name for path in NOTEBOOKS.glob("0*.ipynb")), PUBLISHED, strict=False)
+)  # the first six
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 
 
 def rows(notebook):
     """The rows of the table below the link to a notebook: what is printed, and ours."""
     (part,) = [part for part in PAGE.split("\n## ") if f"]({notebook}#Reproduce)" in part]
-    lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in re.findall(r"^\|.*", part, re.MULTILINE)]
+    lines = [
+        [cell.strip() for cell in line.strip("|").split("|")]
+        for line in re.findall(r"^\|.*", part, re.MULTILINE)
+    ]
     return lines[2:]
 
 
 def stored(notebook):
     """The numbers in what a notebook printed, as printed."""
     cells = nbformat.read(NOTEBOOKS / notebook, 4).cells
-    return set(re.findall(NUMBER, " ".join(o.get("text", "") for cell in cells for o in cell.get("outputs", []))))
+    return set(
+        re.findall(
+            NUMBER, " ".join(o.get("text", "") for cell in cells for o in cell.get("outputs", []))
+        )
+    )
 
 
 def printed(value):
@@ -35,7 +46,9 @@ def printed(value):
     if isinstance(value, dict):
         if {"input", "published"} <= set(value):
             given, corrected = np.array(value["input"]), np.array(value["published"])
-            if (corrected[-1] == np.eye(len(corrected))[-1]).all():  # a pose: only its rotation is corrected
+            if (
+                corrected[-1] == np.eye(len(corrected))[-1]
+            ).all():  # a pose: only its rotation is corrected
                 given, corrected = given[:-1, :-1], corrected[:-1, :-1]
             yield np.linalg.norm(given - corrected)
         for part in value.values():
@@ -63,7 +76,9 @@ def test_each_number_is_the_reports_or_ours(notebook):
 
 def test_the_two_bases_of_the_public_cases_follow_from_the_data():
     """A second way: base and offset of the end frame together, by linear least squares, one base for four sets."""
-    table = np.genfromtxt(NOTEBOOKS / "data/panda_ik_cases.csv", delimiter=",", names=True, dtype=None)
+    table = np.genfromtxt(
+        NOTEBOOKS / "data/panda_ik_cases.csv", delimiter=",", names=True, dtype=None
+    )
     numbers = np.array([list(row)[1:] for row in table])
     flange = arms.panda().fk(numbers[:, :7])
     for base, sets in (([-0.2, 0.13, 0.6], "easy medium hard hard_ta"),
@@ -71,6 +86,8 @@ def test_the_two_bases_of_the_public_cases_follow_from_the_data():
         rows = [np.flatnonzero(table["set"] == name) for name in sets.split()]
         next_start = flange[np.concatenate([row[1:] for row in rows])]
         target = numbers[np.concatenate([row[:-1] for row in rows]), 7:10]
-        A = np.concatenate([np.broadcast_to(np.eye(3), (len(target), 3, 3)), next_start[:, :3, :3]], 2).reshape(-1, 6)
+        A = np.concatenate(
+            [np.broadcast_to(np.eye(3), (len(target), 3, 3)), next_start[:, :3, :3]], 2
+        ).reshape(-1, 6)
         found = np.linalg.lstsq(A, (target - next_start[:, :3, 3]).ravel())[0]
         np.testing.assert_allclose(found, [*base, 0, 0, -0.037], atol=1.5e-3)

@@ -25,7 +25,8 @@ LOG = {2: log_se2, 3: log_se3}
 EITHER = pytest.mark.parametrize("n", [2, 3], ids=["plane", "space"])
 
 
-# Poses ----------------------------------------------------------------------------------------------------------------
+# Poses
+# ----------------------------------------------------------------------------------------------------------------
 
 
 @EITHER
@@ -54,7 +55,9 @@ def test_is_se_is_within_tol_in_block_and_last_row(n, tol):
         bent[:n, :n] *= (1 + off * tol) ** (1 / n)  # det R is off by as much
         assert is_se(bent, tol) == expected
     last = np.outer(np.eye(n + 1)[n], np.eye(n + 1)[0])
-    assert is_se([T + 0.9e-6 * last, T + 1.1e-6 * last]).tolist() == [True, False], "the default tolerance is 1e-6"
+    assert is_se([T + 0.9e-6 * last, T + 1.1e-6 * last]).tolist() == [True, False], (
+        "the default tolerance is 1e-6"
+    )
 
 
 @EITHER
@@ -78,7 +81,8 @@ def test_inverse(n):
     assert not np.signbit(inverse(np.eye(n + 1))).any()
 
 
-# Adjoints -------------------------------------------------------------------------------------------------------------
+# Adjoints
+# -------------------------------------------------------------------------------------------------------------
 
 
 @EITHER
@@ -90,7 +94,8 @@ def test_adjoint_conjugates_the_exponential(n):
     close(adjoint(a @ b), adjoint(a) @ adjoint(b), 3e-14)
 
 
-# Twists ---------------------------------------------------------------------------------------------------------------
+# Twists
+# ---------------------------------------------------------------------------------------------------------------
 
 
 def test_hat_se3_and_back():

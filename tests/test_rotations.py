@@ -23,7 +23,8 @@ from course_lib.rotations import (
     vee,
 )
 
-# hat, vee, rotations about one axis, exp ----------------------------------------------------------------------------
+# hat, vee, rotations about one axis, exp
+# ----------------------------------------------------------------------------
 
 
 def test_hat_is_the_cross_product():
@@ -39,25 +40,36 @@ def test_vee_undoes_hat_exactly(size):
 
 def test_rotations_about_one_axis():
     angle = np.linspace(-7, 7, 29)
-    for rot, axis in zip((rotations.rot_x, rotations.rot_y, rotations.rot_z), np.eye(3), strict=True):
+    for rot, axis in zip(
+        (rotations.rot_x, rotations.rot_y, rotations.rot_z), np.eye(3), strict=True
+    ):
         close(rot(angle), exp_so3(angle[:, None] * axis))
 
 
 def test_exp_rotates_by_any_angle():
     w = np.random.default_rng(1).normal(size=(100, 3)) * np.linspace(0, 10, 100)[:, None]
     close(exp_so3(w), scipy.linalg.expm(cross_matrix(w)), 1e-12)
-    for angle in (1e2, 1e8, 1e16, 1e100):  # the sine of any float is exact; the axis is left as it was
+    for angle in (
+        1e2,
+        1e8,
+        1e16,
+        1e100,
+    ):  # the sine of any float is exact; the axis is left as it was
         close(exp_so3([0, -angle, 0]), rotations.rot_y(-angle))
 
 
-# Quaternions ----------------------------------------------------------------------------------------------------------
+# Quaternions
+# ----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("largest", range(4))
 def test_each_branch_of_matrix_to_quaternion(largest):
     """Quaternions whose largest entry is this one: barely, and by far, to where the others vanish."""
     rng = np.random.default_rng(largest)
-    q = rng.uniform(-1, 1, (200, 4)) * np.where(np.arange(200) % 2, 10 ** rng.uniform(-20, 0, 200), 1)[:, None]
+    q = (
+        rng.uniform(-1, 1, (200, 4))
+        * np.where(np.arange(200) % 2, 10 ** rng.uniform(-20, 0, 200), 1)[:, None]
+    )
     q[:, largest] = 1.0
     q /= np.linalg.norm(q, axis=-1, keepdims=True)
     R = Rotation.from_quat(q, scalar_first=True).as_matrix()
@@ -65,7 +77,9 @@ def test_each_branch_of_matrix_to_quaternion(largest):
     close(matrix_to_quaternion(R), q * np.where(q[:, :1] < 0, -1, 1))
 
 
-@pytest.mark.parametrize("axis", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 3, -4), (3, 0, -4), (3, -4, 0)], ids=str)
+@pytest.mark.parametrize(
+    "axis", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 3, -4), (3, 0, -4), (3, -4, 0)], ids=str
+)
 @pytest.mark.parametrize("sign", [1, -1])
 def test_sign_of_a_quaternion(axis, sign):
     """w >= 0, and at an angle of pi the first entry that is not 0 is positive; 0 is not -0."""
@@ -87,12 +101,22 @@ def test_a_quaternion_slightly_off_gives_a_rotation(off):
 
 @pytest.mark.parametrize(
     ("size", "tol", "expected"),
-    [(1, 0, True), (1.0049, 0.005, True), (1.0051, 0.005, False), (0.9951, 0.005, True), (0.9949, 0.005, False)],
+    [
+        (1, 0, True),
+        (1.0049, 0.005, True),
+        (1.0051, 0.005, False),
+        (0.9951, 0.005, True),
+        (0.9949, 0.005, False),
+    ],
 )
 def test_is_quaternion(size, tol, expected):
     for q in [(0, 0, -size, 0), (size / 2, -size / 2, size / 2, size / 2)]:
         assert is_quaternion(q, tol) == expected
-    assert is_quaternion([[1 + 0.9e-6, 0, 0, 0], [1 + 1.1e-6, 0, 0, 0], [0, 0, 0, 0]]).tolist() == [True, False, False]
+    assert is_quaternion([[1 + 0.9e-6, 0, 0, 0], [1 + 1.1e-6, 0, 0, 0], [0, 0, 0, 0]]).tolist() == [
+        True,
+        False,
+        False,
+    ]
 
 
 @given(hnp.arrays(float, 4, elements=st.floats(-1, 1)), st.sampled_from([1e-300, 3e-9, 7.0, 1e99]))
@@ -104,17 +128,26 @@ def test_nearest_quaternion(q, scale):
     close(nearest_quaternion(scale * q), nearest, 1e-15)
 
 
-# Rotations and the one nearest ----------------------------------------------------------------------------------------
+# Rotations and the one nearest
+# ----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("n", [2, 3])
 def test_is_so_is_the_definition_of_the_exercise(n):
     """Every entry of R^T R within tol of I, and det R within tol of 1."""
     rng = np.random.default_rng(12)
-    R = rotation_samples(n)(rng, (4000,)) + rng.normal(size=(4000, n, n)) * 10.0 ** rng.uniform(-4, 0, (4000, 1, 1))
-    R[:3] = np.eye(n), -np.eye(n), 1.0049 * np.eye(n)  # for the last one det R alone is off, for n = 3
+    R = rotation_samples(n)(rng, (4000,)) + rng.normal(size=(4000, n, n)) * 10.0 ** rng.uniform(
+        -4, 0, (4000, 1, 1)
+    )
+    R[:3] = (
+        np.eye(n),
+        -np.eye(n),
+        1.0049 * np.eye(n),
+    )  # for the last one det R alone is off, for n = 3
     tol = 0.01
-    expected = [np.abs(M.T @ M - np.eye(n)).max() <= tol and abs(np.linalg.det(M) - 1) <= tol for M in R]
+    expected = [
+        np.abs(M.T @ M - np.eye(n)).max() <= tol and abs(np.linalg.det(M) - 1) <= tol for M in R
+    ]
     assert 500 < sum(expected) < 3500
     assert is_so(R, tol).tolist() == expected
     assert is_so(np.eye(n), 0)
@@ -136,7 +169,13 @@ def square_matrices(draw):
             hnp.arrays(float, (rank, n), elements=entries)
         )
     U, V = rotation_samples(n)(np.random.default_rng(draw(st.integers(0, 999))), (2,))
-    return U * draw(hnp.arrays(float, n, elements=st.sampled_from([-2.0, -1.0, -1e-9, 0.0, 1e-9, 1.0, 2.0]))) @ V
+    return (
+        U
+        * draw(
+            hnp.arrays(float, n, elements=st.sampled_from([-2.0, -1.0, -1e-9, 0.0, 1e-9, 1.0, 2.0]))
+        )
+        @ V
+    )
 
 
 @given(square_matrices(), st.sampled_from([1.0, 1e-300, 1e-9, 1e99]))
@@ -146,8 +185,8 @@ def test_nearest_so_is_nearest(M, scale):
     R = nearest_so(M)
     assert is_so(R, 1e-14)
     M /= max(np.abs(M).max(), 5e-324)
-    # Of all rotations the one for which R^T M is symmetric, with no two eigenvalues of negative sum: a turn in
-    # their plane would bring it nearer otherwise.
+    # Of all rotations the one for which R^T M is symmetric, with no two eigenvalues of negative
+    # sum: a turn in their plane would bring it nearer otherwise.
     S = R.T @ M
     close(S, S.T, 3e-14)
     assert np.linalg.eigvalsh(S)[:2].sum() >= -3e-14

@@ -45,8 +45,16 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(TEXT),
         cell(source=SOLUTION, nbgrader=NBGRADER),
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
-        cell(output({TOY: TURNING, "image/png": png()}, 'Two "circles" on a sphere'), caption_output(CAPTION)),
-        cell(output({"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"}, "A rising line")),
+        cell(
+            output({TOY: TURNING, "image/png": png()}, 'Two "circles" on a sphere'),
+            caption_output(CAPTION),
+        ),
+        cell(
+            output(
+                {"image/png": png(), "text/plain": "<Figure size 640x480 with 1 Axes>"},
+                "A rising line",
+            )
+        ),
         cell(
             output({"text/html": CHECK}),
             output({"text/html": CHOICE}),
@@ -88,14 +96,19 @@ def test_a_block_of_code_is_copied_by_its_button(reader):
     page.locator("summary", has_text="Solution").press("Enter")
     button = page.locator("details[open] .highlight").get_by_role("button", name="Copy")
     button.focus()
-    page.wait_for_function("getComputedStyle(document.activeElement).opacity === '1'")  # whoever has no mouse sees it
+    page.wait_for_function(
+        "getComputedStyle(document.activeElement).opacity === '1'"
+    )  # whoever has no mouse sees it
     page.keyboard.press("Enter")
     page.locator("button.copybtn.success").wait_for()
     page.evaluate("document.querySelector('article').prepend(document.createElement('textarea'))")
     words = page.locator("textarea")
     words.focus()
     page.keyboard.press("Control+v")
-    assert words.input_value().strip() == re.sub(r".*### (BEGIN|END) SOLUTION\n?", "", SOLUTION).strip()
+    assert (
+        words.input_value().strip()
+        == re.sub(r".*### (BEGIN|END) SOLUTION\n?", "", SOLUTION).strip()
+    )
     words.evaluate("e => e.remove()")
     blocks = page.locator("article .highlight:not(.output .highlight)").count()
     assert page.locator("button.copybtn").count() == blocks
@@ -121,7 +134,9 @@ def test_still_pictures_are_printed_in_place_of_figures(reader):
 def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
     page = reader.page
     page.pdf(path=tmp_path / "page.pdf", format="A4")
-    printed = subprocess.run(["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True)
+    printed = subprocess.run(
+        ["pdftotext", tmp_path / "page.pdf", "-"], capture_output=True, text=True, check=True
+    )
     page.evaluate(OPEN)
     read = """() => {
       const text = document.querySelector("article").cloneNode(true);
@@ -152,7 +167,13 @@ def test_page_works_offline_on_a_phone_in_the_dark(site, notebooks, browser):
         assert visit.page.locator("figure figcaption").all_inner_texts() == [CAPTION]
         assert facts["groups"] == ['Two "circles" on a sphere', "Two poses on a floor </script>"]
         assert {alt for _, alt in facts["images"]} == {'Two "circles" on a sphere', "A rising line"}
-        for part in (".text_html > [role=status]", ".dataframe td", ".highlight pre", "article p", "article td"):
+        for part in (
+            ".text_html > [role=status]",
+            ".dataframe td",
+            ".highlight pre",
+            "article p",
+            "article td",
+        ):
             assert visit.page.locator(part).first.evaluate(CONTRAST) > 4.5, part
         style = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).filter]"
         plot = visit.page.locator("img.picture").first.evaluate(style)
@@ -164,7 +185,9 @@ def test_still_pictures_are_shown_without_scripts(site, browser):
     with Visit(browser, page, java_script_enabled=False) as visit:
         formulas = visit.page.locator("article .math > svg").all()
         assert len(formulas) > 5
-        assert all(formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible())
+        assert all(
+            formula.bounding_box()["width"] > 5 for formula in formulas if formula.is_visible()
+        )
         assert visit.page.locator(".toy-still").is_visible()
         assert visit.page.locator(".toy-words", has_text="Two poses on a floor").is_visible()
     with Visit(browser, page, without="figures.js") as visit:
@@ -178,7 +201,13 @@ PLAN = "A semester with the course"  # for instructors
 def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
     with Visit(browser, site / "index.html") as visit:
         links = visit.page.locator(".card h2 a:not(.headerlink), #reference li a")
-        assert [link.inner_text() for link in links.all()] == ["Rotations", "Rigid motion", "Plots", "Notation", PLAN]
+        assert [link.inner_text() for link in links.all()] == [
+            "Rotations",
+            "Rigid motion",
+            "Plots",
+            "Notation",
+            PLAN,
+        ]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
         assert not [url for url in visit.requests if "figures.js" in url], "a page without a toy"
@@ -214,7 +243,9 @@ def test_defects_that_readers_would_see_stop_the_build(tmp_path):
         build(book, tmp_path / "html")
     message = str(caught.value)
     for words in ("close brace", r"missing \right", "nosuchmacro", "left as plain text", "Nothing"):
-        assert any("01_bad.ipynb, cell 2" in line for line in message.splitlines() if words in line), message
+        assert any(
+            "01_bad.ipynb, cell 2" in line for line in message.splitlines() if words in line
+        ), message
     assert not (tmp_path / "html").exists()
     assert [file.name for file in tmp_path.iterdir()] == ["notebooks"]
 
@@ -226,13 +257,25 @@ ERROR = new_output("error", ename="ValueError", evalue="R is not square", traceb
     ("output", "sentence"),
     [
         (ERROR, "01_bad.ipynb, cell 2 stopped with ValueError: R is not square"),
-        (output({"image/png": "", "text/plain": "<Figure size 640x480>"}), "cell 2 shows a figure without alt"),
-        (output({TOY: TURNING, "text/plain": "Figure({'data': []})"}), "cell 2 shows a figure without alt"),
+        (
+            output({"image/png": "", "text/plain": "<Figure size 640x480>"}),
+            "cell 2 shows a figure without alt",
+        ),
+        (
+            output({TOY: TURNING, "text/plain": "Figure({'data': []})"}),
+            "cell 2 shows a figure without alt",
+        ),
         (output({"text/html": "x"}), "01_bad.ipynb, cell 3 was changed, and not run since"),
     ],
 )
 def test_cells_that_must_not_be_published(tmp_path, output, sentence):
-    write(tmp_path / "notebooks", "01_bad.ipynb", new_markdown_cell("# Bad"), cell(output), new_code_cell("1 + 1"))
+    write(
+        tmp_path / "notebooks",
+        "01_bad.ipynb",
+        new_markdown_cell("# Bad"),
+        cell(output),
+        new_code_cell("1 + 1"),
+    )
     with pytest.raises(SiteError, match=sentence):
         build(tmp_path / "notebooks", tmp_path / "html")
 
@@ -252,7 +295,9 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
         typed.setattr(sys, "argv", [*sys.argv, "--solutions", "1"])
         assert run() == "No site was built. SOLUTIONS=1 is neither yes nor no nor model.\n"
     with monkeypatch.context() as bare:
-        bare.setattr("choreographer.browsers.chromium.Chromium.find_browser", lambda **options: None)
+        bare.setattr(
+            "choreographer.browsers.chromium.Chromium.find_browser", lambda **options: None
+        )
         bare.delenv("BROWSER_PATH", raising=False)
         bare.setattr(sys, "argv", [*sys.argv, "--pdf", str(tmp_path / "course.pdf")])
         assert "A PDF needs Chromium or Chrome: install one" in run()
@@ -263,6 +308,8 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
     target.mkdir()
     (target / "thesis.txt").write_text("mine")
     assert "holds other files than a site" in run()
-    monkeypatch.setattr(sys, "argv", ["site", "--notebooks", str(tmp_path), "--output", str(target)])
+    monkeypatch.setattr(
+        sys, "argv", ["site", "--notebooks", str(tmp_path), "--output", str(target)]
+    )
     (books / "01.ipynb").rename(tmp_path / "01.ipynb")
     assert "lies inside" in run()

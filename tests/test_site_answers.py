@@ -6,16 +6,33 @@ import pytest
 from bs4 import BeautifulSoup
 from nbformat.v4 import new_markdown_cell, new_output
 from playwright.sync_api import expect
-from site_notebooks import CHECK, EXPLAINED, MODEL_ANSWER, NBGRADER, SLIDING, SOLUTION, cell, output, png, write
+from site_notebooks import (
+    CHECK,
+    EXPLAINED,
+    MODEL_ANSWER,
+    NBGRADER,
+    SLIDING,
+    SOLUTION,
+    cell,
+    output,
+    png,
+    write,
+)
 from site_visits import CONTRAST, Visit, assert_readable
 from sphinx_builds import build
 
 from course_lib.figures.display import TOY
 from course_lib.pack.site import SiteError
 
-TITLE, PROMISE = "More: rotations at random", "You draw them uniformly, $R^\\top R = I$. 40 minutes."
+TITLE, PROMISE = (
+    "More: rotations at random",
+    "You draw them uniformly, $R^\\top R = I$. 40 minutes.",
+)
 PAGES = {"01.html", "02_rotations.html", "03_rigid_motion.html", "index.html", "search.html"}
-ANSWERS = {"Solution": "gooseberry", "Model answer": "stay orthogonal"}  # name: words that are inside
+ANSWERS = {
+    "Solution": "gooseberry",
+    "Model answer": "stay orthogonal",
+}  # name: words that are inside
 
 
 def more(text):
@@ -33,24 +50,38 @@ def notebooks(tmp_path_factory):
         new_markdown_cell(MODEL_ANSWER, metadata={"nbgrader": EXPLAINED}),
         cell(output({"text/html": CHECK}), source="check.turn(turn)"),
         cell(output({"text/html": "<p>A result</p>"}), source="turn()"),
-        cell(new_output("stream", text="raisins: 3\nyour score: 94 of 100\n"), source="score(turn)"),
+        cell(
+            new_output("stream", text="raisins: 3\nyour score: 94 of 100\n"), source="score(turn)"
+        ),
         cell(source="import numpy as np\n\nraisins = 3"),
-        cell(output({"image/png": png()}, "A rising line"), source='show(fig, caption="It rises.")'),
-        cell(output({"image/png": png()}, "A line"), new_output("stream", text="7"), source="show(fig)\nprint(plums)"),
+        cell(
+            output({"image/png": png()}, "A rising line"), source='show(fig, caption="It rises.")'
+        ),
+        cell(
+            output({"image/png": png()}, "A line"),
+            new_output("stream", text="7"),
+            source="show(fig)\nprint(plums)",
+        ),
     )
     write(
         folder,
         "02_rotations.ipynb",
         new_markdown_cell("# Rotations\n\nA drone grows. It takes about three hours."),
         cell(source="import numpy as np"),
-        cell(output({"image/png": png()}, "A rising line"), source="x = 2\nprint(x)\ndraw(x)", tags=["cover"]),
+        cell(
+            output({"image/png": png()}, "A rising line"),
+            source="x = 2\nprint(x)\ndraw(x)",
+            tags=["cover"],
+        ),
         new_markdown_cell("Words of the core. See [the numbers](#Reproduce)."),
         more(f"## {TITLE}\n\n{PROMISE}"),
         new_markdown_cell("Haar's measure.\n\n### Three angles\n\nThey are not uniform."),
         cell(source=SOLUTION, nbgrader=NBGRADER),
         cell(output({TOY: SLIDING, "image/png": png()}, "Two poses on a floor")),
         more("## Appendix: the report\n\nWhat it did."),
-        new_markdown_cell("### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."),
+        new_markdown_cell(
+            "### What it is\n\nA homework report.\n\n### Reproduce\n\nAll digits agree."
+        ),
     )
     plain = "# Rigid motion\n\n[There](02_rotations.ipynb#Reproduce)."
     write(folder, "03_rigid_motion.ipynb", new_markdown_cell(plain))
@@ -70,7 +101,9 @@ def site(notebooks):
     return {True: copy, False: folder}
 
 
-def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages_and_none_of_before_stays(site):
+def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages_and_none_of_before_stays(
+    site,
+):
     assert {page.name for page in site[False].glob("*.html")} == PAGES
 
 
@@ -104,13 +137,17 @@ def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(visit, name):
 def test_imports_and_what_only_draws_are_folded_and_nothing_else(site):
     soup = BeautifulSoup((site[True] / "01.html").read_text(encoding="utf-8"), "html.parser")
     assert not soup.select("summary[aria-label]"), "a screen reader reads the line that is shown"
-    folds = {fold.summary.p.get_text(strip=True): fold for fold in soup.select("article details.hide")}
+    folds = {
+        fold.summary.p.get_text(strip=True): fold for fold in soup.select("article details.hide")
+    }
     assert [*folds] == [*ANSWERS, "Imports and settings", "The lines that draw it"]
     assert "import numpy" in folds["Imports and settings"].get_text()
     drawn = folds["The lines that draw it"]
     assert "It rises." in drawn.get_text()
     assert not drawn.select("img"), "the figure itself stands open"
-    assert not [fold for fold in folds.values() if "plums" in fold.get_text()], "it computes, and prints"
+    assert not [fold for fold in folds.values() if "plums" in fold.get_text()], (
+        "it computes, and prints"
+    )
 
 
 def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site):
@@ -132,15 +169,26 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site
 def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks, tmp_path):
     build(notebooks, tmp_path / "html", solutions=False, model=True)
     text = (tmp_path / "html" / "01.html").read_text(encoding="utf-8")
-    assert "stay orthogonal" in BeautifulSoup(text, "html.parser").select_one("article details.hide").get_text()
+    assert (
+        "stay orthogonal"
+        in BeautifulSoup(text, "html.parser").select_one("article details.hide").get_text()
+    )
     assert "NotImplementedError" in text
     assert "gooseberry" not in text
 
 
 def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):
     bare = cell(source="def turn():\n    return 42", nbgrader=NBGRADER)
-    write(tmp_path / "notebooks", "01.ipynb", new_markdown_cell("# Answers"), bare, cell(output({"text/html": "x"})))
-    with pytest.raises(SiteError, match=r"01\.ipynb, cell 2: an answer cell without ### BEGIN SOLUTION"):
+    write(
+        tmp_path / "notebooks",
+        "01.ipynb",
+        new_markdown_cell("# Answers"),
+        bare,
+        cell(output({"text/html": "x"})),
+    )
+    with pytest.raises(
+        SiteError, match=r"01\.ipynb, cell 2: an answer cell without ### BEGIN SOLUTION"
+    ):
         build(tmp_path / "notebooks", tmp_path / "html", solutions=False)
     assert not (tmp_path / "html").exists()
 
@@ -154,7 +202,9 @@ def more_visit(site, browser):
         yield visit
 
 
-def test_a_section_is_a_line_with_its_heading_and_its_promise_that_the_keyboard_opens(more_visit, notebooks):
+def test_a_section_is_a_line_with_its_heading_and_its_promise_that_the_keyboard_opens(
+    more_visit, notebooks
+):
     page = more_visit.page
     line, inside = page.locator("summary.more").first, page.get_by_text("Haar")
     expect(line.locator("h2")).to_contain_text(TITLE)
@@ -206,5 +256,7 @@ def test_the_first_screen_shows_the_figure_before_the_words(more_visit):
     ]
     assert tops == sorted(tops)
     assert tops[1] < 600
-    folded = [line.strip() for line in more_visit.page.locator("details.hide > summary").all_inner_texts()]
+    folded = [
+        line.strip() for line in more_visit.page.locator("details.hide > summary").all_inner_texts()
+    ]
     assert folded[:2] == ["Imports and settings", "The lines that draw it"]

@@ -13,9 +13,14 @@ from playwright.sync_api import expect
 from site_visits import OPEN, SETTLED, SHIFT, Visit, assert_readable, violations
 
 FIRST, *OTHERS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
-NOTEBOOKS = [*OTHERS, FIRST]  # the second one first: pytest then tests the keyboard on it while it is open
+NOTEBOOKS = [
+    *OTHERS,
+    FIRST,
+]  # the second one first: pytest then tests the keyboard on it while it is open
 PAGES = {notebook.stem: notebook for notebook in NOTEBOOKS}
-PAGES |= dict.fromkeys(("index", "errata", "sources", "notation", "search", "reports", "places", "changes"))
+PAGES |= dict.fromkeys(
+    ("index", "errata", "sources", "notation", "search", "reports", "places", "changes")
+)
 PLAIN = ("index", "errata", "sources", "notation")
 PHONE, DESKTOP = 390, 1400
 
@@ -38,7 +43,9 @@ def visit(course, browser, request):
         yield visit
 
 
-of_a_notebook = pytest.mark.parametrize("visit", [notebook.stem for notebook in NOTEBOOKS], indirect=True)
+of_a_notebook = pytest.mark.parametrize(
+    "visit", [notebook.stem for notebook in NOTEBOOKS], indirect=True
+)
 
 
 TOYS_DRAWN = """() => [...document.querySelectorAll('.toy-figure:not(.drawn)')]
@@ -70,7 +77,9 @@ def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(visi
     size = 'e => [e.getBoundingClientRect().right, e.clientWidth / e.getAttribute("width")]'
     sizes = [panel.evaluate(size) for panel in panels]
     assert panels
-    assert all(right <= PHONE and scale > 0.6 for right, scale in sizes), sizes  # letters of 13 pixels become 8
+    assert all(right <= PHONE and scale > 0.6 for right, scale in sizes), (
+        sizes
+    )  # letters of 13 pixels become 8
 
 
 @pytest.mark.parametrize("visit", [NOTEBOOKS[0].stem], indirect=True)
@@ -86,14 +95,19 @@ def test_the_keyboard_alone_reaches_everything(visit):
         reached.add(page.evaluate("document.activeElement.dataset.wanted"))
         if reached.issuperset(map(str, wanted)):
             break
-    missed = "(numbers) => numbers.map((i) => document.querySelector(`[data-wanted='${i}']`).outerHTML.slice(0, 200))"
+    missed = (
+        "(numbers) => numbers.map((i) => "
+        "document.querySelector(`[data-wanted='${i}']`).outerHTML.slice(0, 200))"
+    )
     assert page.evaluate(missed, [number for number in wanted if str(number) not in reached]) == []
     page.set_viewport_size({"width": PHONE, "height": 844})
 
 
 def test_works_offline_on_a_phone(visit):
     # What differs on a phone in the dark: on a desktop all rules are applied.
-    assert_readable(visit, visit.notebook, PHONE, rules=["color-contrast", "scrollable-region-focusable"])
+    assert_readable(
+        visit, visit.notebook, PHONE, rules=["color-contrast", "scrollable-region-focusable"]
+    )
 
 
 def test_nothing_scrolls_sideways_or_bars_a_reader_on_a_desktop_in_the_light(visit):
@@ -103,7 +117,9 @@ def test_nothing_scrolls_sideways_or_bars_a_reader_on_a_desktop_in_the_light(vis
     width = DESKTOP if visit.notebook else 1000
     visit.page.set_viewport_size({"width": width, "height": 844})
     assert visit.page.evaluate(WIDTH) <= width
-    visit.page.evaluate(SETTLED, 1000)  # for the theme lets keys reach what scrolls, a moment after a resize
+    visit.page.evaluate(
+        SETTLED, 1000
+    )  # for the theme lets keys reach what scrolls, a moment after a resize
     assert violations(visit) == []
     assert visit.complaints == []
 
@@ -132,7 +148,10 @@ PARSED = """(text) => {
 def parsed(course, browser):
     """The name of each page, and the contents of its file."""
     with Visit(browser, None) as visit:
-        return {file.name: visit.page.evaluate(PARSED, file.read_text("utf-8")) for file in course.glob("*.html")}
+        return {
+            file.name: visit.page.evaluate(PARSED, file.read_text("utf-8"))
+            for file in course.glob("*.html")
+        }
 
 
 def test_every_link_leads_somewhere(course, parsed):
@@ -150,7 +169,9 @@ def test_every_link_leads_somewhere(course, parsed):
     assert {"index.html", "errata.html", "sources.html", "notation.html"} < set(parsed)
 
 
-@pytest.mark.parametrize(("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")])
+@pytest.mark.parametrize(
+    ("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")]
+)
 def test_search_finds(course, browser, word, page):
     with Visit(browser, course / "search.html", query=f"?q={word}") as visit:
         first = visit.page.locator("#search-results .search a").first
@@ -166,7 +187,10 @@ def test_search_finds(course, browser, word, page):
 def test_pages_are_light(course, parsed):
     for pages, most in ([notebook.stem for notebook in NOTEBOOKS], 4.5e6), (PLAIN, 1.5e6):
         for page in pages:
-            files = [f"{page}.html", *(link.split("?")[0] for link in parsed[f"{page}.html"]["loaded"])]
+            files = [
+                f"{page}.html",
+                *(link.split("?")[0] for link in parsed[f"{page}.html"]["loaded"]),
+            ]
             assert sum((course / file).stat().st_size for file in files) < most, page
 
 
@@ -181,9 +205,15 @@ def test_without_javascript_every_control_that_is_shown_works(course, browser, n
         link = visit.page.locator(".bd-sidebar-primary a", has_text="Errata")
         for width in (1280, 390):
             with visit.at_width(width):
-                assert [each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()] == []
-                start, words = (visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p"))
-                colours = [each.evaluate("e => getComputedStyle(e).color") for each in (start, words)]
+                assert [
+                    each.evaluate("e => e.outerHTML") for each in visit.page.locator(PRESSED).all()
+                ] == []
+                start, words = (
+                    visit.page.locator(f"article {tag}").first for tag in (":is(p, li) a", "p")
+                )
+                colours = [
+                    each.evaluate("e => getComputedStyle(e).color") for each in (start, words)
+                ]
                 assert colours[0] != colours[1], "links are seen"
                 assert link.is_visible(), "the other pages are in reach"
         link.click()

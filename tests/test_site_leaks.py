@@ -16,7 +16,9 @@ from leaks import ROOT, answer_cells, code, lines, secrets
 from course_lib.pack.site import build as builder
 from course_lib.pack.site import prepare
 
-VERDICT = re.compile(r"right[,:]? \(?\d+ of \d+|role=.status")  # what only checks say, and their box
+VERDICT = re.compile(
+    r"right[,:]? \(?\d+ of \d+|role=.status"
+)  # what only checks say, and their box
 
 
 @pytest.fixture(scope="module")
@@ -24,8 +26,14 @@ def sites(tmp_path_factory):
     """What Sphinx reads, and the zip: for the site with solutions and for the one without."""
     folder = tmp_path_factory.mktemp("sites")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(prepare, "picture", lambda output, kind, name, alt, folder: f'<img class="{name}" alt="{alt}">')
-        patch.setattr(builder, "_run_sphinx", lambda pages, site, doctrees: shutil.copytree(pages, site))
+        patch.setattr(
+            prepare,
+            "picture",
+            lambda output, kind, name, alt, folder: f'<img class="{name}" alt="{alt}">',
+        )
+        patch.setattr(
+            builder, "_run_sphinx", lambda pages, site, doctrees: shutil.copytree(pages, site)
+        )
         builder.build(ROOT / "notebooks", folder / "yes")
         builder.build(ROOT / "notebooks", folder / "no", solutions=False)
     return {"yes": folder / "yes", "no": folder / "no"}
@@ -59,22 +67,32 @@ def said(file):
     parts = []
     for content in notebooks(file).values() if file.suffix == ".zip" else [file.read_bytes()]:
         book = nbformat.reads(content.decode(), 4)
-        shown = [re.sub("<script.*?</script>", "", text, flags=re.DOTALL) for text in chain(*outputs(book))]
+        shown = [
+            re.sub("<script.*?</script>", "", text, flags=re.DOTALL)
+            for text in chain(*outputs(book))
+        ]
         sources = [cell.source for cell in book.cells]
         parts += [content.decode(), *map(words, shown + sources)]
-        parts += [text for source in sources for text in ("\n".join(lines(source)), "\n".join(code(source)))]
+        parts += [
+            text
+            for source in sources
+            for text in ("\n".join(lines(source)), "\n".join(code(source)))
+        ]
     return "\n\n".join(parts)
 
 
 def leaks(site, wanted):
     """The (exercise, text) that are found in any file of a site."""
     files = [said(file) for file in site.rglob("*") if file.is_file()]
-    return {(exercise, text) for text, exercise in wanted.items() if any(text in file for file in files)}
+    return {
+        (exercise, text) for text, exercise in wanted.items() if any(text in file for file in files)
+    }
 
 
 @pytest.fixture(scope="module")
 def wanted():
-    # A sentence that is all formulas has no words left to look for; its formulas are looked for below.
+    # A sentence that is all formulas has no words left to look for; its formulas are looked for
+    # below.
     return {text: exercise for text, exercise in secrets(words).items() if len(text) >= 10}
 
 
@@ -99,19 +117,32 @@ def test_the_search_looks_into_downloads(sites, wanted, tmp_path):
 
 def formulas(cells):
     """The formulas of Markdown cells, each in one line."""
-    texts = [re.sub(r"`[^`]*`|^```.*?^```", " ", cell.source) for cell in cells if cell.cell_type == "markdown"]
+    texts = [
+        re.sub(r"`[^`]*`|^```.*?^```", " ", cell.source)
+        for cell in cells
+        if cell.cell_type == "markdown"
+    ]
     return {" ".join(tex.split()) for text in texts for tex in re.findall(r"\$\$?([^$]+)\$", text)}
 
 
 def test_a_site_without_solutions_contains_none_of_their_formulas(sites):
     answers = {cell.id: cell for _, cell in answer_cells()}
-    cells = [cell for path in (ROOT / "notebooks").glob("0*.ipynb") for cell in nbformat.read(path, 4).cells]
+    cells = [
+        cell
+        for path in (ROOT / "notebooks").glob("0*.ipynb")
+        for cell in nbformat.read(path, 4).cells
+    ]
     open_to_all = "\n".join(formulas(cell for cell in cells if cell.id not in answers))
     secret = {tex for tex in formulas(answers.values()) if len(tex) > 10 and tex not in open_to_all}
-    pages = {name: [nbformat.read(page, 4).cells for page in sites[name].glob("*.ipynb")] for name in sites}
+    pages = {
+        name: [nbformat.read(page, 4).cells for page in sites[name].glob("*.ipynb")]
+        for name in sites
+    }
     full, bare = ("\n".join(formulas(chain(*pages[name]))) for name in ("yes", "no"))
     assert len(secret) > 10
-    assert [tex for tex in secret if tex not in full] == [], "looked for as the pages are given them"
+    assert [tex for tex in secret if tex not in full] == [], (
+        "looked for as the pages are given them"
+    )
     assert [tex for tex in secret if tex in bare] == []
 
 
@@ -121,7 +152,10 @@ def addresses_its_author(text):
 
 
 def test_no_check_reports_right_and_every_other_output_stays(sites):
-    books = {name: [nbformat.read(page, 4) for page in sorted(sites[name].glob("*.ipynb"))] for name in sites}
+    books = {
+        name: [nbformat.read(page, 4) for page in sorted(sites[name].glob("*.ipynb"))]
+        for name in sites
+    }
     for bare, full in zip(*(map(outputs, books[name]) for name in ("no", "yes")), strict=True):
         assert not VERDICT.search("".join(bare[1]))
         for output in ('class="toy-figure"', 'class="picture'):
@@ -132,7 +166,9 @@ def test_no_check_reports_right_and_every_other_output_stays(sites):
     assert not re.search("Model answer|Rubric|(BEGIN|END) SOLUTION", pages)
     sources = [cell.source for book in books["no"] for cell in book.cells]
     solved = [cell.source for _, cell in answer_cells() if cell.cell_type == "code"]
-    unwritten = [source for source in solved if not source.rpartition("END SOLUTION")[2].strip()]  # the rest hold a bug
+    unwritten = [
+        source for source in solved if not source.rpartition("END SOLUTION")[2].strip()
+    ]  # the rest hold a bug
     assert sum("NotImplementedError" in source for source in sources) >= len(unwritten)
     written = sum(cell.cell_type == "markdown" for _, cell in answer_cells())
     assert sum("Type your answer here." in source for source in sources) == written

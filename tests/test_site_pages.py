@@ -32,7 +32,9 @@ def article(course):
 
     @cache
     def read(page):
-        return BeautifulSoup((course / f"{page}.html").read_text("utf-8"), "html.parser").find("article")
+        return BeautifulSoup((course / f"{page}.html").read_text("utf-8"), "html.parser").find(
+            "article"
+        )
 
     return read
 
@@ -61,7 +63,9 @@ def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(art
         assert home.select(f"li a[href='{name}.html']")
 
 
-PICTURE = "img:not(.panel), .panels"  # whole, or cut into panels, which stand below each other on a phone
+PICTURE = (
+    "img:not(.panel), .panels"  # whole, or cut into panels, which stand below each other on a phone
+)
 
 
 def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(article):
@@ -69,20 +73,30 @@ def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(art
     shown = [picture.get("alt") or picture["aria-label"] for picture in pictures]
     assert len(shown) == len(NOTEBOOKS)
     for notebook, alt in zip(NOTEBOOKS, shown, strict=True):
-        cells = [cell for cell in nbformat.read(notebook, 4).cells if "cover" in cell.metadata.get("tags", [])]
+        cells = [
+            cell
+            for cell in nbformat.read(notebook, 4).cells
+            if "cover" in cell.metadata.get("tags", [])
+        ]
         assert len(cells) == 1
-        stored = next(output for output in cells[0].outputs if "image/png" in output.get("data", {}))
+        stored = next(
+            output for output in cells[0].outputs if "image/png" in output.get("data", {})
+        )
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
 
 
-def test_the_home_page_has_the_toy_of_the_tagged_cell_which_starts_without_a_shift_of_the_layout(course, browser):
+def test_the_home_page_has_the_toy_of_the_tagged_cell_which_starts_without_a_shift_of_the_layout(
+    course, browser
+):
     cells = [cell for notebook in NOTEBOOKS for cell in nbformat.read(notebook, 4).cells]
     (tagged,) = (cell for cell in cells if "home" in cell.metadata.get("tags", []))
     (toy,) = (output for output in tagged.outputs if TOY in output.get("data", {}))
     with Visit(browser, course / "index.html") as visit:
         assert visit.draw_figures() == 1
         figure = visit.page.locator(".toy-figure.drawn")
-        assert figure.get_attribute("aria-label") == " ".join(toy.metadata["image/png"]["alt"].split())
+        assert figure.get_attribute("aria-label") == " ".join(
+            toy.metadata["image/png"]["alt"].split()
+        )
         assert visit.page.evaluate(SHIFT) < 0.02
         expect(figure).to_contain_text("the arm follows")
         assert visit.complaints == []
@@ -96,7 +110,11 @@ def test_every_figure_has_a_caption(notebook):
         for output, following in zip_longest(outputs, outputs[1:], fillvalue={}):
             if {"image/png", "image/svg+xml"} & set(output.get("data", {})):
                 count += 1
-                if not following.get("metadata", {}).get("caption", output.metadata.get("caption", "")).strip():
+                if (
+                    not following.get("metadata", {})
+                    .get("caption", output.metadata.get("caption", ""))
+                    .strip()
+                ):
                     bare.append(f"cell {number}: {cell.source[:60]}")
     assert count > 0
     assert bare == []
@@ -123,20 +141,34 @@ def test_errata_contain_every_claim_with_its_evidence_and_the_correction(article
     assert errata.select("details[open]") == []
     assert [said(part) for part in errata.select("h2")] == ["Errors", "Remarks"]
     strong = [said(part) for part in errata.select("strong")]
-    cells = [cell for heading in ERRATA for notebook in NOTEBOOKS for cell in section(notebook, heading)]
+    cells = [
+        cell for heading in ERRATA for notebook in NOTEBOOKS for cell in section(notebook, heading)
+    ]
     text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
-    shown, titles = words(errata.get_text()), re.findall(r"^(?:#### |\*\*\d)(.*)", text, re.MULTILINE)
+    shown, titles = (
+        words(errata.get_text()),
+        re.findall(r"^(?:#### |\*\*\d)(.*)", text, re.MULTILINE),
+    )
     assert len(titles) >= len(NOTEBOOKS)
     assert [title for title in titles if words(re.split(r"[$*]", title)[0]) not in shown] == []
     for word in ("Printed", "Evidence", "Right"):
         assert sum(each.startswith(word) for each in strong) == text.count(f"**{word}"), word
-    outputs = [output for cell in cells for output in cell.get("outputs", []) if output.output_type == "stream"]
+    outputs = [
+        output
+        for cell in cells
+        for output in cell.get("outputs", [])
+        if output.output_type == "stream"
+    ]
     assert sorted(printed) == sorted("".join(output.text.split()) for output in outputs)
 
 
 def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(article):
     parts = article("reports").select("section section")
-    reproduced = [notebook for notebook in NOTEBOOKS if "### Reproduce" in notebook.read_text(encoding="utf-8")]
+    reproduced = [
+        notebook
+        for notebook in NOTEBOOKS
+        if "### Reproduce" in notebook.read_text(encoding="utf-8")
+    ]
     assert [len(part.select(PICTURE)) for part in parts] == [1] * len(reproduced)
     links = [part.select_one("a[href*=html]")["href"] for part in parts]
     assert links == [f"{notebook.stem}.html#reproduce" for notebook in reproduced]
@@ -145,7 +177,9 @@ def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_nu
 def test_the_page_of_sources_lists_those_of_each_notebook(article):
     listed = [words(said(part)) for part in article("sources").select("li")]
     assert len(article("sources").select("h2")) == len(NOTEBOOKS)
-    sources = re.findall("^- (.*)", "\n".join(section(n, "## Sources")[0].source for n in NOTEBOOKS), re.MULTILINE)
+    sources = re.findall(
+        "^- (.*)", "\n".join(section(n, "## Sources")[0].source for n in NOTEBOOKS), re.MULTILINE
+    )
     assert len(listed) == len(sources) > 30
     for shown, source in zip(listed, sources, strict=True):
         assert shown.startswith(words(source.split("$")[0]))

@@ -56,11 +56,16 @@ def random_angles(seed, size=N):
     return np.random.default_rng(seed).uniform(-PI, PI, size)
 
 
-# What an answer leaves of the distance, or height, that the problem asks for, as a share of the lengths given.
+# What an answer leaves of the distance, or height, that the problem asks for, as a share of the
+# lengths given.
 MISSED = {
     subproblem1: lambda t, k, p, q: norm(rotate(k, t, p) - q) / norm(p),
-    subproblem2: lambda t, k1, k2, p1, p2: norm(rotate(k1, t[..., 0], p1) - rotate(k2, t[..., 1], p2)) / norm(p1),
-    subproblem3: lambda t, k, p, q, d: np.abs(norm(rotate(k, t, p) - q) - d) / np.maximum(norm(p), norm(q)),
+    subproblem2: lambda t, k1, k2, p1, p2: (
+        norm(rotate(k1, t[..., 0], p1) - rotate(k2, t[..., 1], p2)) / norm(p1)
+    ),
+    subproblem3: lambda t, k, p, q, d: (
+        np.abs(norm(rotate(k, t, p) - q) - d) / np.maximum(norm(p), norm(q))
+    ),
     subproblem4: lambda t, k, h, p, d: np.abs(dot(h, rotate(k, t, p)) - d) / (norm(h) * norm(p)),
 }
 
@@ -75,8 +80,10 @@ def solved(problem, *given, tolerance):
     return found
 
 
-# Random cases, made from known angles ---------------------------------------------------------------------------------
-# A known angle is found as exactly as the problem says what it is: times the change that a rotation makes, to rounding.
+# Random cases, made from known angles
+# --------------------------------------------------------------------------------- A known angle is
+# found as exactly as the problem says what it is: times the change that a rotation makes, to
+# rounding.
 
 
 def test_subproblem1():
@@ -129,7 +136,8 @@ def test_subproblem4():
     assert (got.theta[:, 0] != got.theta[:, 1]).all()
 
 
-# Axes side by side ----------------------------------------------------------------------------------------------------
+# Axes side by side
+# ----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -142,7 +150,8 @@ def test_parallel_axes_leave_one_angle_free(sign):
     assert (got.theta[..., 0] == 0).all()
 
 
-# Points on their axes, zero vectors -----------------------------------------------------------------------------------
+# Points on their axes, zero vectors
+# -----------------------------------------------------------------------------------
 
 
 def test_points_on_the_axis_leave_the_angle_free():
@@ -160,7 +169,12 @@ def test_points_on_the_axis_leave_the_angle_free():
         flags(subproblem4(k, on, EX, dot(EX, on) + 1e-3), False, 1, True)
         for found in (subproblem1(k, on, EX), subproblem3(k, on, EX, 9), subproblem4(k, EX, on, 9)):
             assert (found.theta == 0).all()
-    for p1, p2, exact in [(EZ, tilted, True), (tilted, EX, False), (EZ, EX, False), (-EZ, tilted, False)]:
+    for p1, p2, exact in [
+        (EZ, tilted, True),
+        (tilted, EX, False),
+        (EZ, EX, False),
+        (-EZ, tilted, False),
+    ]:
         got = subproblem2(EZ, EY if exact else EX, p1, p2 if not exact else EX)
         flags(got, exact, 1, True)
         assert np.array_equal(got.theta[0], got.theta[1])
@@ -187,7 +201,8 @@ def test_an_angle_of_half_a_revolution_is_pi_and_not_minus_pi():
         assert (subproblem3(EZ, [1, zero, 0], [1, zero, 0], 2).theta == PI).all()
 
 
-# Euler angles ---------------------------------------------------------------------------------------------------------
+# Euler angles
+# ---------------------------------------------------------------------------------------------------------
 
 
 def rebuilt(b):
@@ -202,7 +217,9 @@ def test_euler_yxy():
     assert (got.theta[:, 0, 1] >= 0).all()
     assert_allclose(got.theta[:, 1, 1], -got.theta[:, 0, 1], rtol=0, atol=1e-12)
     b = np.array([0.3, 1.2, -2.0])
-    assert_allclose(euler_yxy(rebuilt(b)).theta, [b, [0.3 - PI, -1.2, PI - 2.0]], rtol=0, atol=1e-15)
+    assert_allclose(
+        euler_yxy(rebuilt(b)).theta, [b, [0.3 - PI, -1.2, PI - 2.0]], rtol=0, atol=1e-15
+    )
 
 
 @pytest.mark.parametrize("middle", [0, PI])

@@ -30,13 +30,19 @@ def beyond(name, sign, size):
     if name == "subproblem4":
         return subproblem4, k, q, p, sign * size * norm(p) * norm(q)
     heights = dot(unit(k), p - q), norm(np.cross(unit(k), p)), norm(np.cross(unit(k), q))
-    nearest, farthest = np.hypot(heights[0], heights[1] - heights[2]), np.hypot(heights[0], heights[1] + heights[2])
+    nearest, farthest = (
+        np.hypot(heights[0], heights[1] - heights[2]),
+        np.hypot(heights[0], heights[1] + heights[2]),
+    )
     return subproblem3, k, p, q, sign * size * (farthest if size > 1 else nearest)
 
 
 @pytest.mark.parametrize(
     ("name", "sign", "size"),
-    [("subproblem1", 1, 1), *(("subproblem3", sign, size) for sign, size in [(-1, 0.9), (1, 0.7), (1, 1.3)])]
+    [
+        ("subproblem1", 1, 1),
+        *(("subproblem3", sign, size) for sign, size in [(-1, 0.9), (1, 0.7), (1, 1.3)]),
+    ]
     + [("subproblem4", sign, 1.1) for sign in (1, -1)],
 )
 def test_one_angle_comes_nearest(name, sign, size):
@@ -51,7 +57,8 @@ def test_one_angle_comes_nearest(name, sign, size):
     assert apart(theta, GRID[missed.argmin(-1)]).max() < GRID[1] - GRID[0]
 
 
-# Two turns ------------------------------------------------------------------------------------------------------------
+# Two turns
+# ------------------------------------------------------------------------------------------------------------
 
 
 def nearest_pair(k1, k2, p1, p2):
@@ -66,7 +73,10 @@ def nearest_pair(k1, k2, p1, p2):
 
 
 def against_the_search(k1, k2, p1, p2):
-    """Assert that both answers are as good as the search's best, and one of them is where it is. Return the answers."""
+    """Assert that both answers are as good as the search's best, and one of them is where it is.
+
+    Return the answers.
+    """
     got = subproblem2(k1, k2, p1, p2)
     for i in range(len(k1)):
         best, least = nearest_pair(k1[i], k2[i], p1[i], p2[i])
@@ -116,7 +126,8 @@ def test_parallel_axes_and_one_point_on_its_axis():
             assert (got.theta[..., still] == 0).all()
 
 
-# Only just ------------------------------------------------------------------------------------------------------------
+# Only just
+# ------------------------------------------------------------------------------------------------------------
 # (what the mark is off by, how many answers, whether they count as exact)
 
 JUST = [(0, 1, True), (-1e-10, 2, True), (1e-10, 1, True), (1e-7, 1, False), (-1e-7, 2, True)]
@@ -165,7 +176,9 @@ def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
     flags(got, True, 1, False)
     radius = norm(np.cross(unit(k), unit(p)))
     assert (apart(got.theta[:, 0], theta) * radius).max() < 1e-13
-    for small in 10.0 ** np.arange(-15, 0):  # a distance that is soon lost in the squares of the lengths
+    for small in 10.0 ** np.arange(
+        -15, 0
+    ):  # a distance that is soon lost in the squares of the lengths
         d = small * radius * norm(p)
         solved(subproblem3, k, p, q, d, tolerance=1e-14)
     got = subproblem4(k, q, p, dot(q, q))
@@ -173,7 +186,8 @@ def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
     assert (apart(got.theta[:, 0], theta) * radius).max() < 1e-13
 
 
-# However small the angles ---------------------------------------------------------------------------------------------
+# However small the angles
+# ---------------------------------------------------------------------------------------------
 
 
 def near(k, rng):
@@ -186,7 +200,9 @@ def near(k, rng):
 def test_answers_solve_the_problem_however_small_its_angles():
     (k, other), rng = random_vectors(2, 30, 15_000), np.random.default_rng(31)
     small = rng.choice([0, 1, -1], (2, 15_000)) * 10 ** rng.uniform(-17, 0, (2, 15_000))
-    theta1, theta2 = np.where(rng.random((2, 15_000)) < 0.5, small, rng.uniform(-PI, PI, (2, 15_000)))
+    theta1, theta2 = np.where(
+        rng.random((2, 15_000)) < 0.5, small, rng.uniform(-PI, PI, (2, 15_000))
+    )
     p = near(k, rng)
     moved = rotate(k, theta1, p)
     solved(subproblem1, k, p, moved, tolerance=5e-14)

@@ -25,7 +25,9 @@ Q = np.array(Q7)
 
 def test_every_toy_is_among_those_that_are_tested():
     tested = Path(some_toys.__file__).read_text()
-    assert [name for name in figures.__all__ if name not in ("lines", "show") and name not in tested] == []
+    assert [
+        name for name in figures.__all__ if name not in ("lines", "show") and name not in tested
+    ] == []
 
 
 @pytest.mark.parametrize("name", TOYS)
@@ -55,10 +57,14 @@ def test_a_stored_notebook_gets_the_model_and_a_live_one_the_widget(monkeypatch)
 def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_path, monkeypatch):
     toy, outputs = TOYS["reach"](), []
     stored = new_output("display_data", data={TOY: toy.stored(), "image/png": "iVBORw0KGgo="})
-    nbformat.write(new_notebook(cells=[new_code_cell("toy", outputs=[stored])]), tmp_path / "01.ipynb")
+    nbformat.write(
+        new_notebook(cells=[new_code_cell("toy", outputs=[stored])]), tmp_path / "01.ipynb"
+    )
     (tmp_path / "02.ipynb").write_text(f"<<<<<<< {TOY}")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("IPython.display.display", lambda data, raw, metadata: outputs.append((data, metadata)))
+    monkeypatch.setattr(
+        "IPython.display.display", lambda data, raw, metadata: outputs.append((data, metadata))
+    )
     monkeypatch.setenv("JPY_SESSION_NAME", "01.ipynb")
     _stills.cache_clear()
     toy._ipython_display_()
@@ -72,8 +78,14 @@ def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_p
 
 def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path, monkeypatch):
     monkeypatch.setenv("JPY_SESSION_NAME", "as if make ran in a notebook of JupyterLab")
-    sources = ["from course_lib import figures", "figures.planar_arm_toy()", "figures.orientation_toy('belt')"]
-    book = new_notebook(cells=[new_code_cell(source, id=f"c{i}") for i, source in enumerate(sources)])
+    sources = [
+        "from course_lib import figures",
+        "figures.planar_arm_toy()",
+        "figures.orientation_toy('belt')",
+    ]
+    book = new_notebook(
+        cells=[new_code_cell(source, id=f"c{i}") for i, source in enumerate(sources)]
+    )
     run(book, tmp_path / "toys.ipynb")
     tidy(book)
     for cell, name in zip(book.cells[1:], ("planar_arm_toy", "belt"), strict=True):
@@ -93,7 +105,11 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"at": [1, 1, 1]}, "at"),
         ("drive", {"plan": [((1, 2), 3)]}, "plan"),
-        ("click", {"K": np.eye(3), "T_mc": np.eye(4), "T_wc": np.eye(4), "T_wm": 2 * np.eye(4)}, "T_wm"),
+        (
+            "click",
+            {"K": np.eye(3), "T_mc": np.eye(4), "T_wc": np.eye(4), "T_wm": 2 * np.eye(4)},
+            "T_wm",
+        ),
         ("alive", {"figure": "reach"}, "figure"),
         ("alive", {"figure": figures.table([1, 1]), "f": 3}, "f"),
     ],
@@ -186,7 +202,9 @@ def asked(figure, f, **question):
 
 def test_one_solution_and_several_and_none_reach_the_figure():
     arm, target = ur5e(), ur5e().fk(Q[:6])
-    figure = figures.reach(arm, target, q=Q[:6], says=lambda T, found: f"{len(found)} at {T[0, 3]:.3f}")
+    figure = figures.reach(
+        arm, target, q=Q[:6], says=lambda T, found: f"{len(found)} at {T[0, 3]:.3f}"
+    )
 
     def given(answer):
         seen = []
@@ -218,7 +236,10 @@ def test_a_motion_between_two_orientations_is_sampled(quaternions):
     found = np.array(asked(figure, shortest, ends=[start.tolist(), goal.tolist()])["value"])
     assert_allclose(found[[0, -1]], [start, goal], atol=1e-12)
     assert rotations.is_so(found).all()
-    wrong = {"of shape": lambda A, B, s: s, "contains NaN": lambda A, B, s: A * (np.nan if s else 1)}
+    wrong = {
+        "of shape": lambda A, B, s: s,
+        "contains NaN": lambda A, B, s: A * (np.nan if s else 1),
+    }
     wrong["at s = 0.025 is not a"] = lambda A, B, s: (1 + s) * A
     for words, f in wrong.items():
         assert words in asked(figure, f, ends=[start.tolist(), goal.tolist()])["problem"]
@@ -236,7 +257,9 @@ def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answe
 
         toy = figures.alive(figures.table([1, 1]), broken)
         assert not np.isfinite(np.array(toy.meta["stored"]["q"], float)).any()
-        assert toy.answer({"at": [1, 1]})["problem"].startswith(f"Your function: {error.__name__}: ")
+        assert toy.answer({"at": [1, 1]})["problem"].startswith(
+            f"Your function: {error.__name__}: "
+        )
 
 
 def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
@@ -246,7 +269,10 @@ def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
     asked(figure, lambda *case: seen.append(case), plan=log, dt=0.5)
     assert_allclose(seen[0][0], np.zeros(3))
     assert seen[0][1:] == ([((0.5, 0.0, 0.9), 0.7)], 0.5)
-    assert "of shape (n, 3); its shape is (3,)" in asked(figure, lambda *case: [0, 0, 0], plan=log, dt=0.5)["problem"]
+    assert (
+        "of shape (n, 3); its shape is (3,)"
+        in asked(figure, lambda *case: [0, 0, 0], plan=log, dt=0.5)["problem"]
+    )
 
 
 def test_pixels_and_depths_of_both_pictures_reach_the_function_and_its_pose_the_figure():
@@ -260,4 +286,7 @@ def test_pixels_and_depths_of_both_pictures_reach_the_function_and_its_pose_the_
         (np.eye(3), "of shape (4, 4); its shape is (3, 3)"),
         (np.full((4, 4), np.nan), "contains NaN"),
     ):
-        assert words in asked(figure, lambda *case, T=wrong: T, pixels=pixels, depths=depths)["problem"]
+        assert (
+            words
+            in asked(figure, lambda *case, T=wrong: T, pixels=pixels, depths=depths)["problem"]
+        )

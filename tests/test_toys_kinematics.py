@@ -12,7 +12,12 @@ from course_lib.arms import SerialArm, panda, planar_arm, ur5e
 from course_lib.figures.solids import meshes
 from course_lib.figures.toys.alive import SPOTS
 from course_lib.figures.toys.toy import SCRIPTS
-from course_lib.planar import interpolate_body_screw, pose_matrix, propagate_body, propagate_body_exact
+from course_lib.planar import (
+    interpolate_body_screw,
+    pose_matrix,
+    propagate_body,
+    propagate_body_exact,
+)
 from course_lib.subproblems import subproblem2
 
 N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
@@ -26,7 +31,9 @@ def js():
 
     def ask(name, *columns):
         cases = json.dumps(list(zip(*columns, strict=True)), default=lambda array: array.tolist())
-        return json.loads(engine.eval(f"JSON.stringify({cases}.map((case_) => course.motion.{name}(...case_)))"))
+        return json.loads(
+            engine.eval(f"JSON.stringify({cases}.map((case_) => course.motion.{name}(...case_)))")
+        )
 
     return ask
 
@@ -49,7 +56,9 @@ def a_model(arm):
 
 
 def twists(rng):
-    angles = np.r_[np.zeros(10), 10 ** rng.uniform(-12, -1, 30), rng.uniform(0, np.pi, 50), np.full(10, np.pi)]
+    angles = np.r_[
+        np.zeros(10), 10 ** rng.uniform(-12, -1, 30), rng.uniform(0, np.pi, 50), np.full(10, np.pi)
+    ]
     angles[90:] -= 10 ** rng.uniform(-12, -1, 10)
     return np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1)
 
@@ -76,7 +85,9 @@ def test_the_motion_between_two_poses_is_the_librarys(js, rng):
 # ---- rotations ----
 
 
-def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(js, rng):
+def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(
+    js, rng
+):
     few = [0.0, 1e-12, 1e-8, 1e-4, 1e-3, np.pi, np.pi - 1e-9, -np.pi, 2 * np.pi]
     axes, angles = unit_axes(rng), np.r_[few, rng.uniform(-7, 7, N - len(few))]
     R, q = (np.array(js(name, axes, angles)) for name in ("rotation", "quaternion"))
@@ -125,7 +136,9 @@ def test_dead_reckoning_by_euler_and_exactly(js, rng):
     plans = [[[rng.normal(size=3).tolist(), t] for t in rng.uniform(0.1, 2, 3)] for _ in range(N)]
     starts, steps = rng.normal(size=(N, 3)), rng.uniform(0.05, 0.6, N).tolist()
     plans[0], steps[0] = [[[1, 0, 0], 2.1]], 0.3  # 2.1 / 0.3 is slightly above 7
-    for start, plan, dt, found in zip(starts, plans, steps, js("propagate", starts, plans, steps), strict=True):
+    for start, plan, dt, found in zip(
+        starts, plans, steps, js("propagate", starts, plans, steps), strict=True
+    ):
         assert_allclose(found["euler"], propagate_body(start, plan, dt), **CLOSE)
         assert_allclose(found["exact"], propagate_body_exact(start, plan, dt), **CLOSE)
 
@@ -144,7 +157,9 @@ def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(js, rng):
         expected = rotations.exp_so3(right.theta[i, :, :1] * k1[i]) @ p1[i]
         by_x = np.argsort(expected[:, 0]), np.argsort(np.array(found[i])[:, 0])
         assert_allclose(np.array(found[i])[by_x[1]], expected[by_x[0]], **CLOSE)
-    axes, starts, points = zip(*((k1[i], p1[i], point) for i in meeting for point in found[i]), strict=True)
+    axes, starts, points = zip(
+        *((k1[i], p1[i], point) for i in meeting for point in found[i]), strict=True
+    )
     R = rotations.exp_so3(np.array(js("angleAbout", axes, starts, points))[:, None] * axes)
     assert_allclose((R @ np.array(starts)[..., None])[..., 0], points, **CLOSE)
 
@@ -170,7 +185,11 @@ def test_frames_and_jacobian_of_an_arm(which, js, rng):
 def test_a_planar_arms_points_and_jacobian(js, rng):
     lengths, q = rng.uniform(0.3, 2, (N, 3)), rng.uniform(-4, 4, (N, 3))
     arms = [(planar_arm(row), angles) for row, angles in zip(lengths, q, strict=True)]
-    assert_allclose(js("planarPoints", lengths, q), [arm.frames(angles)[:, :2, 3] for arm, angles in arms], **CLOSE)
+    assert_allclose(
+        js("planarPoints", lengths, q),
+        [arm.frames(angles)[:, :2, 3] for arm, angles in arms],
+        **CLOSE,
+    )
     jacobians = [arm.position_jacobian(angles)[:2] for arm, angles in arms]
     assert_allclose(js("planarJacobian", lengths, q), jacobians, **CLOSE)
 
@@ -179,7 +198,9 @@ def test_the_two_link_arm_reaches_exactly_the_positions_within_reach(js, rng):
     lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
     r = np.linalg.norm(points, axis=-1)
     within = (np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))
-    for row, point, theta, reaches in zip(lengths, points, js("twoLink", lengths, points), within, strict=True):
+    for row, point, theta, reaches in zip(
+        lengths, points, js("twoLink", lengths, points), within, strict=True
+    ):
         assert (theta is not None) == reaches
         if reaches:
             assert theta[1] >= 0
@@ -225,7 +246,9 @@ def test_an_arm_reaches_a_pose_within_its_limits(js, rng):
     arm = panda()
     q = np.array([0.2, -0.6, 0.1, -2.0, 0.3, 1.6, 0.5])
     targets = arm.fk(np.clip(q + rng.uniform(-0.25, 0.25, (20, 7)), *arm.limits.T))
-    found = np.array(js("reach", 20 * [a_model(arm)], 20 * [q], targets, 20 * [arm.limits.tolist()]))
+    found = np.array(
+        js("reach", 20 * [a_model(arm)], 20 * [q], targets, 20 * [arm.limits.tolist()])
+    )
     assert_allclose(arm.fk(found), targets, rtol=0, atol=1e-6)
     assert (found >= arm.limits[:, 0]).all()
     assert (found <= arm.limits[:, 1]).all()
@@ -233,7 +256,10 @@ def test_an_arm_reaches_a_pose_within_its_limits(js, rng):
 
 def test_out_of_reach_an_arm_comes_to_rest_where_a_small_move_and_back_leads_again(js):
     arm, far = ur5e(), rigid.transform(rotations.rot_z(0.3), [-1.15, -0.9, 0.8])
-    q, beside = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 0.2]), rigid.transform(np.eye(3), [0.005, 0, 0]) @ far
+    q, beside = (
+        np.array([0.4, -1.1, 1.3, -0.9, 0.7, 0.2]),
+        rigid.transform(np.eye(3), [0.005, 0, 0]) @ far,
+    )
     found = []
     for target in (far, beside, far):
         q = np.array(js("reach", [a_model(arm)], [q], [target], [arm.limits.tolist()])[0])
@@ -247,8 +273,14 @@ def test_points_are_registered_as_the_library_does_also_three_and_after_half_a_r
     angles = np.r_[rng.uniform(0, 3, N - 10), np.full(10, np.pi)]
     for n in (3, 7):
         src = rng.uniform(-0.1, 0.1, (N, n, 3))
-        T = rigid.exp_se3(np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1))
-        dst = src @ np.swapaxes(T[:, :3, :3], 1, 2) + T[:, None, :3, 3] + 0.002 * rng.normal(size=src.shape)
+        T = rigid.exp_se3(
+            np.concatenate([angles[:, None] * unit_axes(rng), rng.normal(size=(N, 3))], 1)
+        )
+        dst = (
+            src @ np.swapaxes(T[:, :3, :3], 1, 2)
+            + T[:, None, :3, 3]
+            + 0.002 * rng.normal(size=src.shape)
+        )
         assert_allclose(js("register", src, dst), registration.register_points(src, dst), atol=1e-6)
 
 

@@ -26,7 +26,15 @@ ALL = 26000  # pixels: a window in which all toys are, so that none waits to be 
 @pytest.fixture(scope="module")
 def figure():
     """A film of the iiwa."""
-    q = np.array([0.3, 0.5, 0, -1.3, 0, 0.9, 0]) + np.linspace(0, 1, 21)[:, None] * [1, 0.4, 0.2, 0.5, 1, -0.3, 2]
+    q = np.array([0.3, 0.5, 0, -1.3, 0, 0.9, 0]) + np.linspace(0, 1, 21)[:, None] * [
+        1,
+        0.4,
+        0.2,
+        0.5,
+        1,
+        -0.3,
+        2,
+    ]
     return arm_movie(iiwa14(), Trajectory(np.linspace(0, 2, 21), q, 0 * q))
 
 
@@ -37,7 +45,10 @@ def page(figure, tmp_path_factory):
     cells = [new_markdown_cell("# Toys")]
     for i, make in enumerate(TOYS.values()):
         toy = make()
-        cells += [new_markdown_cell(f"## {i}"), cell(output({TOY: toy.stored(), "text/plain": toy.alt}))]
+        cells += [
+            new_markdown_cell(f"## {i}"),
+            cell(output({TOY: toy.stored(), "text/plain": toy.alt})),
+        ]
     write(folder / "notebooks", "01.ipynb", *cells)
     film = cell(output({TOY: figure.stored(), "text/plain": figure.alt}))
     write(folder / "notebooks", "02.ipynb", new_markdown_cell("# Film"), film)
@@ -66,14 +77,22 @@ def visit(page, browser):
         visit.page.set_viewport_size({"width": 1280, "height": ALL})
         visit.page.goto(page.as_uri())
         visit.page.wait_for_function(DRAWN)
-        visit.page.set_viewport_size({"width": 1280, "height": 1100})  # a taller one takes longer to paint
+        visit.page.set_viewport_size(
+            {"width": 1280, "height": 1100}
+        )  # a taller one takes longer to paint
         yield from until_it_ends(visit)
 
 
 @pytest.fixture(scope="module")
 def phone(page, browser):
     """The page on a phone, in the dark."""
-    looks = {"theme": "dark", "width": 390, "has_touch": True, "is_mobile": True, "device_scale_factor": 0.5}
+    looks = {
+        "theme": "dark",
+        "width": 390,
+        "has_touch": True,
+        "is_mobile": True,
+        "device_scale_factor": 0.5,
+    }
     with Visit(browser, page, **looks) as visit:
         yield from until_it_ends(visit)
 
@@ -117,7 +136,9 @@ def picture(box):
 
 def wait_until(visit, condition, box, arg=None):
     """Wait until condition(box, arg) holds in the page, for a toy draws when the browser is ready for it."""
-    visit.page.wait_for_function(f"([box, arg]) => ({condition})(box, arg)", arg=[box.element_handle(), arg])
+    visit.page.wait_for_function(
+        f"([box, arg]) => ({condition})(box, arg)", arg=[box.element_handle(), arg]
+    )
 
 
 def wait_for_another_picture(visit, box, before):
@@ -145,7 +166,13 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
 
 HANDLES = ["axis", "two_poses_toy", "planar_arm_toy", "cells_toy", "circles_toy", "reach", "fly"]
 HANDLES += ["table", "click"]
-FREE = ("axis", "circles_toy", "fly", "reach", "table")  # on a sphere, the view widens, or where the function was asked
+FREE = (
+    "axis",
+    "circles_toy",
+    "fly",
+    "reach",
+    "table",
+)  # on a sphere, the view widens, or where the function was asked
 
 
 def drag(page, x, y, dx, dy):
@@ -183,7 +210,10 @@ def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name)
 
     def swipe(x, y, dx, dy):
         for k in range(9):
-            kind, at = "touchMove" if k else "touchStart", {"x": x + dx * k / 8, "y": y + dy * k / 8}
+            kind, at = (
+                "touchMove" if k else "touchStart",
+                {"x": x + dx * k / 8, "y": y + dy * k / 8},
+            )
             touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [at]})
             phone.page.wait_for_timeout(16)
         phone.page.wait_for_timeout(60)  # a finger that leaves at rest: the page does not scroll on
@@ -195,9 +225,15 @@ def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name)
         (x, y), scrolled = centre(handle), phone.page.evaluate("scrollY")
         swipe(x, y, 40 if x < 195 else -40, 32)
         assert phone.page.evaluate("scrollY") == scrolled, "the handle moves, not the page"
-        moved = "([e, x, y], b = e.getBoundingClientRect()) => Math.hypot(b.x + 22 - x, b.y + 22 - y) > 10"
+        moved = (
+            "([e, x, y], b = e.getBoundingClientRect()) => Math.hypot(b.x + 22 - x, b.y + 22 - y) "
+            "> 10"
+        )
         phone.page.wait_for_function(moved, arg=[handle.element_handle(), x, y])
-    stage, before = box.locator(".course-stage").first.bounding_box(), phone.page.evaluate("scrollY")
+    stage, before = (
+        box.locator(".course-stage").first.bounding_box(),
+        phone.page.evaluate("scrollY"),
+    )
     swipe(stage["x"] + 8, stage["y"] + stage["height"] - 8, 0, -120)
     phone.page.wait_for_function("before => scrollY > before + 60", arg=before)
 
@@ -235,7 +271,9 @@ def test_all_toys_share_one_context_and_survive_its_loss(visit):
     visit.page.wait_for_function("!gl.isContextLost()")
 
 
-def test_without_webgl_words_and_plane_toys_stay_and_what_failed_is_drawn_when_it_comes_near_again(page, browser):
+def test_without_webgl_words_and_plane_toys_stay_and_what_failed_is_drawn_when_it_comes_near_again(
+    page, browser
+):
     with Visit(browser, None, java_script_enabled=True) as visit:
         visit.page.add_init_script(KEPT)
         visit.page.goto(page.as_uri() + "#none")
@@ -254,7 +292,8 @@ def test_without_webgl_words_and_plane_toys_stay_and_what_failed_is_drawn_when_i
 
 # ---- colours ----
 
-# From now on every toy notes the colours of its words, and of its lines that are no grid and part no cells.
+# From now on every toy notes the colours of its words, and of its lines that are no grid and part
+# no cells.
 NOTE = """() => {
   const context = CanvasRenderingContext2D.prototype, { fillText, stroke } = context, { scene } = window.course;
   const { draw } = scene;
@@ -271,8 +310,8 @@ NOTE = """() => {
   };
 }"""
 STAGES = {"light": "rgb(247, 248, 250)", "dark": "rgb(20, 23, 27)"}
-# Of each toy: its ground, {colour: its contrast with the ground} of the words and of the lines that were noted, and the
-# least contrast of the text below the drawing.
+# Of each toy: its ground, {colour: its contrast with the ground} of the words and of the lines that
+# were noted, and the least contrast of the text below the drawing.
 CONTRASTS = f"""() => [...document.querySelectorAll(".toy-figure")].map((box) => {{
   const style = (e) => getComputedStyle(e), all = (part) => [...box.querySelectorAll(part)];
   const there = document.body.appendChild(document.createElement("p")), noted = box.noted ?? {{ words: [], lines: [] }};
@@ -305,12 +344,18 @@ def test_toys_follow_a_change_of_theme_with_enough_contrast_and_keep_their_confi
         for box, (slider, value, seen) in before.items():
             wait_until(visit, f"(box, seen) => ({PICTURE})(box) {sign} seen", box, seen)
             expect(slider).to_have_value(value)
-        for name, (ground, words, lines, text) in zip(TOYS, visit.page.evaluate(CONTRASTS), strict=True):
+        for name, (ground, words, lines, text) in zip(
+            TOYS, visit.page.evaluate(CONTRASTS), strict=True
+        ):
             assert ground == STAGES[theme], name
             assert words or name in ("belt", "reach", "eight", "fly"), name
             assert lines or name in ("belt", "panda_toy", "reach", "eight"), name
-            assert {colour: contrast for colour, contrast in words.items() if contrast < 4.5} == {}, name
-            assert {colour: contrast for colour, contrast in lines.items() if contrast < 3} == {}, name
+            assert {
+                colour: contrast for colour, contrast in words.items() if contrast < 4.5
+            } == {}, name
+            assert {colour: contrast for colour, contrast in lines.items() if contrast < 3} == {}, (
+                name
+            )
             assert text > 4.5, name
 
 
@@ -323,20 +368,40 @@ def put(box, label, value):
 
 
 SAYS = [  # what is put into a toy's ranges, and what it then says
-    ("axis", {"Angle": 360}, rf"\({MINUS}1.000, 0.000, 0.000, 0.000\).*R is the identity again, but q is"),
+    (
+        "axis",
+        {"Angle": 360},
+        rf"\({MINUS}1.000, 0.000, 0.000, 0.000\).*R is the identity again, but q is",
+    ),
     (
         "belt",
         {"Rotate the box": 360, "Move the box, without rotating it": 1},
         rf"\({MINUS}1.000.*changed its direction",
     ),
     ("belt", {"Rotate the box": 720, "Move the box, without rotating it": 1}, "flat again"),
-    ("planar_arm_toy", {"Damping (m²)": -2, "Step size": 0.8}, r"(?<!\d)([6-9]|\d\d) steps, distance left \d·10⁻[⁷⁸]"),
+    (
+        "planar_arm_toy",
+        {"Damping (m²)": -2, "Step size": 0.8},
+        r"(?<!\d)([6-9]|\d\d) steps, distance left \d·10⁻[⁷⁸]",
+    ),
     ("planar_arm_toy", {"Damping (m²)": -2, "Step size": 4}, r"200 steps, distance left (?!\d·10)"),
     ("drive", {"Step dt": 0}, r"is \d{2,} cm and"),
     ("drive", {"Step dt": -2}, r"is \d\.\d cm and"),
-    ("circles_toy", {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 50, "From k₂ to p₂": 45}, "twice"),
-    ("circles_toy", {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 20, "From k₂ to p₂": 20}, "farther apart"),
-    ("circles_toy", {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 100, "From k₂ to p₂": 20}, "inside the other"),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 50, "From k₂ to p₂": 45},
+        "twice",
+    ),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 20, "From k₂ to p₂": 20},
+        "farther apart",
+    ),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 100, "From k₂ to p₂": 20},
+        "inside the other",
+    ),
 ]
 
 
@@ -353,8 +418,13 @@ def test_pitch_drives_the_gimbals_into_lock(visit):
     assert "Gimbal lock" not in box.locator("p[role=status]").inner_text()
     for sign, counts in (("+", f"difference roll {MINUS} yaw"), (MINUS, "sum roll + yaw")):
         box.get_by_role("button", name=f"Drive to {sign}90°").click()
-        expect(box.locator("p[role=status]")).to_contain_text(re.compile(f"Gimbal lock.*{re.escape(counts)}"))
-        before, yaw = box.locator(".matrix").get_attribute("aria-label"), box.get_by_label("Yaw (outer ring, about z)")
+        expect(box.locator("p[role=status]")).to_contain_text(
+            re.compile(f"Gimbal lock.*{re.escape(counts)}")
+        )
+        before, yaw = (
+            box.locator(".matrix").get_attribute("aria-label"),
+            box.get_by_label("Yaw (outer ring, about z)"),
+        )
         angle = yaw.input_value()
         box.get_by_role("button", name=f"Yaw +10°, roll {sign}10°").click()
         expect(yaw).not_to_have_value(angle)
@@ -384,7 +454,9 @@ def test_the_elbow_moves_and_the_flange_stays_within_a_micrometre(visit):
     for share in (0.0, 0.3, 1.0):
         put(box, "Elbow (flange stays)", share)
         expect(box.locator(".numbers")).to_contain_text("the flange moved by")
-        moved = f"(box, before) => ({JOINTS})(box).some((angle, i) => Math.abs(angle - before[i]) > 3)"
+        moved = (
+            f"(box, before) => ({JOINTS})(box).some((angle, i) => Math.abs(angle - before[i]) > 3)"
+        )
         wait_until(visit, moved, box, before)
         words = box.locator(".numbers").inner_text()
         assert float(re.search(r"flange moved by (\S+) mm", words)[1]) < 1e-3
@@ -399,7 +471,9 @@ def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows
     box.get_by_role("button", name="Start again").click()
     expect(status).to_contain_text("0.0 cm and 0° off")
     left, ahead = (box.get_by_role("button", name=name, exact=True) for name in ("Left", "Ahead"))
-    ahead.press("Enter")  # half a second: on a straight line Euler's method is right, and on the spot
+    ahead.press(
+        "Enter"
+    )  # half a second: on a straight line Euler's method is right, and on the spot
     left.press("Enter")
     expect(status).to_contain_text("0.0 cm and 0° off")
     x, y = centre(ahead)
@@ -431,7 +505,9 @@ def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(
     def said():
         return [float(x) for x in re.findall(r"[\d.]+(?= mm)", words.inner_text())]
 
-    expect(words).to_contain_text(re.compile(r"Residual [01]\.\d mm .* is [01]\.\d mm from the mug"))
+    expect(words).to_contain_text(
+        re.compile(r"Residual [01]\.\d mm .* is [01]\.\d mm from the mug")
+    )
     handle, at_first, before = box.locator(".handle").nth(1), said(), picture(box)
     handle.focus()
     for _ in range(2):  # 10 pixels: at 0.6 m about 5 mm
@@ -442,19 +518,28 @@ def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(
     assert off[0] > at_first[0] + 0.8
     assert off[1] > at_first[1] + 0.4
     x, y = centre(handle)
-    visit.page.mouse.click(x - 8, y)  # clicked, not dragged: also where the handle covers the picture
+    visit.page.mouse.click(
+        x - 8, y
+    )  # clicked, not dragged: also where the handle covers the picture
     expect(words).not_to_contain_text(f"Residual {off[0]} mm")
     assert centre(handle)[0] == pytest.approx(x - 8, abs=1)
     other = box.locator("canvas").first.bounding_box()
     visit.page.mouse.click(other["x"] + 60, other["y"] + 60)
-    expect(box.get_by_label("Point to click, 0 to 6")).to_have_value("0")  # both are clicked: the next that is not
+    expect(box.get_by_label("Point to click, 0 to 6")).to_have_value(
+        "0"
+    )  # both are clicked: the next that is not
 
 
 def test_picture_controls_and_numbers_are_in_view_together(visit, phone):
     for page in (visit.page, phone.page):
-        page.evaluate("document.querySelectorAll('.course-toy details').forEach((part) => (part.open = false))")
+        page.evaluate(
+            "document.querySelectorAll('.course-toy details').forEach((part) => (part.open = "
+            "false))"
+        )
         page.evaluate(SETTLED, 200)
-        heights = page.evaluate("[...document.querySelectorAll('.course-toy')].map((toy) => toy.offsetHeight)")
+        heights = page.evaluate(
+            "[...document.querySelectorAll('.course-toy')].map((toy) => toy.offsetHeight)"
+        )
         assert {name: high for name, high in zip(TOYS, heights, strict=True) if high > 640} == {}
 
 
@@ -467,14 +552,18 @@ SETTINGS = """(box) => Object.fromEntries([...box.querySelectorAll(".setting")]
   .map((row) => [row.querySelector("label").textContent, row.querySelector("output").textContent]))"""
 
 
-@pytest.mark.parametrize(("name", "moved"), [("jog", "Joint"), ("gimbals", "Yaw"), ("belt", "Rotate")])
+@pytest.mark.parametrize(
+    ("name", "moved"), [("jog", "Joint"), ("gimbals", "Yaw"), ("belt", "Rotate")]
+)
 def test_a_dragged_body_rotates_about_its_joint_and_no_other_does(visit, name, moved):
     box = figure_of(visit, name)
     if name == "belt":
         put(box, "Rotate the box", 180)
     canvas = box.locator("canvas").first
     place, grabs = canvas.bounding_box(), []
-    for share in np.arange(0.3, 0.86, 0.08):  # of the picture's width and height: where the pointer is above a body
+    for share in np.arange(
+        0.3, 0.86, 0.08
+    ):  # of the picture's width and height: where the pointer is above a body
         for high in (0.35, 0.5, 0.65):
             x, y = place["x"] + share * place["width"], place["y"] + high * place["height"]
             visit.page.mouse.move(x, y)
@@ -499,7 +588,9 @@ def test_the_library_follows_each_of_several_solutions_while_the_target_moves(vi
     assert "8 solutions" in box.inner_text()
     box.get_by_label("Rotate about z").first.focus()
     visit.page.keyboard.press("ArrowRight")
-    wait_until(visit, "(box, before) => box.querySelector('.numbers').innerText !== before", box, before)
+    wait_until(
+        visit, "(box, before) => box.querySelector('.numbers').innerText !== before", box, before
+    )
     assert "8 solutions" in box.inner_text()
     assert box.locator(".numbers > div").count() == 8
     assert "from the target" not in box.locator(".numbers").inner_text(), "all eight reach it"
@@ -535,7 +626,9 @@ def test_the_range_moves_the_bodies_along_screws_and_reduced_motion_stands_still
         page.keyboard.press("ArrowRight")
     assert slider.get_attribute("aria-valuetext") == "0.05 s"
     half = poses[0] @ rigid.exp_se3(0.5 * rigid.log_se3(rigid.inverse(poses[0]) @ poses[1]))
-    page.wait_for_function("x => Math.abs(window.poses.at(-1)[0][3] - x) < 1e-4", arg=half[-1, 0, 3])
+    page.wait_for_function(
+        "x => Math.abs(window.poses.at(-1)[0][3] - x) < 1e-4", arg=half[-1, 0, 3]
+    )
     assert_allclose(page.evaluate("window.poses"), half, atol=1e-4)
 
 
@@ -543,7 +636,9 @@ def test_play_moves_it_and_pause_holds_it(film):
     page, box = film
     slider, before = page.get_by_role("slider", name="Time"), picture(box)
     page.get_by_role("button", name="Play").click()
-    page.wait_for_function(f"([box, before]) => ({PICTURE})(box) !== before", arg=[box.element_handle(), before])
+    page.wait_for_function(
+        f"([box, before]) => ({PICTURE})(box) !== before", arg=[box.element_handle(), before]
+    )
     page.get_by_role("button", name="Pause").click()
     page.get_by_role("button", name="Play").wait_for()
     page.evaluate(SETTLED, 500)  # what was begun before the click is drawn, and drawn finely

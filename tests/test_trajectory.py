@@ -37,7 +37,11 @@ def changed(row, column, value):
 
 def test_csv_is_read_by_the_names_of_its_columns(file):
     shuffled = [",".join(np.array(line.split(","))[[3, 0, 2, 4, 1]]) for line in (HEADER, *ROWS)]
-    for path in (file(HEADER, *ROWS), file(*shuffled, name="b.csv"), file(HEADER, "", *ROWS, "", name="c.CSV")):
+    for path in (
+        file(HEADER, *ROWS),
+        file(*shuffled, name="b.csv"),
+        file(HEADER, "", *ROWS, "", name="c.CSV"),
+    ):
         read = load(path, LIMITS)
         assert read.t.tolist() == [0, 0.5, 1]
         assert read.q.tolist() == [[0.1, 0.2], [0.3, -0.4], [0.5, 0.6]]
@@ -46,7 +50,9 @@ def test_csv_is_read_by_the_names_of_its_columns(file):
 
 def test_a_spreadsheets_csv_is_read(file):
     quoted = '"' + HEADER.replace(",", '" , "') + '"'
-    assert load(file(quoted, *(row.replace(",", ";") for row in ROWS), ",,,,", encoding="utf-8-sig")).q.shape == (3, 2)
+    assert load(
+        file(quoted, *(row.replace(",", ";") for row in ROWS), ",,,,", encoding="utf-8-sig")
+    ).q.shape == (3, 2)
 
 
 def test_npy_is_read(tmp_path):
@@ -103,7 +109,9 @@ def test_other_broken_files(file, tmp_path):
 
 
 def test_bad_arguments(file, tmp_path):
-    with pytest.raises(ValueError, match=r"path must name a \.csv, \.tsv, \.txt, \.dat or \.npy file"):
+    with pytest.raises(
+        ValueError, match=r"path must name a \.csv, \.tsv, \.txt, \.dat or \.npy file"
+    ):
         load(tmp_path / "a.xlsx")
     for units in (("h", "rad"), ("s",), ("s", "turns")):
         with pytest.raises(ValueError, match=r"^units must be"):
@@ -111,7 +119,9 @@ def test_bad_arguments(file, tmp_path):
     assert load(file(HEADER, *ROWS), units=("ms", "deg")).t.tolist() == [0, 0.0005, 0.001]
     with pytest.raises(FileNotFoundError):
         load(tmp_path / "none.csv")
-    with pytest.raises(ValueError, match=r"^limits must be an array of real numbers of shape \(2, 2\)"):
+    with pytest.raises(
+        ValueError, match=r"^limits must be an array of real numbers of shape \(2, 2\)"
+    ):
         load(file(HEADER, *ROWS), np.zeros((7, 2)))
     with pytest.raises(ValueError, match=r"^trajectory must be a Trajectory"):
         save(tmp_path / "a.csv", np.zeros((3, 3)))
@@ -132,9 +142,13 @@ SEVEN = np.tile([-0.5, 0.5], (7, 1))
 STEP = 4 * np.pi / 200
 
 
-@pytest.mark.parametrize("how", [{"delimiter": ","}, {}, {"delimiter": ";"}, {"delimiter": ",", "header": "joints"}])
+@pytest.mark.parametrize(
+    "how", [{"delimiter": ","}, {}, {"delimiter": ";"}, {"delimiter": ",", "header": "joints"}]
+)
 @pytest.mark.parametrize("upright", [False, True])
-def test_positions_and_velocities_in_two_files_with_joints_as_rows_or_columns(tmp_path, how, upright):
+def test_positions_and_velocities_in_two_files_with_joints_as_rows_or_columns(
+    tmp_path, how, upright
+):
     tables = [table.T if upright else table for table in (ANGLES, 2 * ANGLES)]
     for paths in (two_files(tmp_path, *tables, **how), two_files(tmp_path, *tables, kind="npy")):
         read = load(paths[0], SEVEN, velocities=paths[1], step=STEP)
@@ -147,17 +161,23 @@ def test_a_bad_cell_of_two_files_is_named_where_it_stands(tmp_path):
     q, qd = ANGLES.copy(), ANGLES.copy()
     qd[2, 39] = np.nan
     paths = two_files(tmp_path, q, qd, delimiter=",")
-    with pytest.raises(ValueError, match=r"velocities\.csv: row 3, column 40 is not a finite number"):
+    with pytest.raises(
+        ValueError, match=r"velocities\.csv: row 3, column 40 is not a finite number"
+    ):
         load(paths[0], SEVEN, paths[1], STEP)
     q[6, 0] = 0.7
     paths = two_files(tmp_path, q.T, ANGLES.T)
-    with pytest.raises(ValueError, match=r"positions\.csv: row 1, column 7 is 0\.7000 rad, outside"):
+    with pytest.raises(
+        ValueError, match=r"positions\.csv: row 1, column 7 is 0\.7000 rad, outside"
+    ):
         load(paths[0], SEVEN, paths[1], STEP)
 
 
 def test_two_files_that_do_not_belong_together(tmp_path):
     paths = two_files(tmp_path, ANGLES, ANGLES[:, 1:], delimiter=",")
-    with pytest.raises(ValueError, match=r"positions and velocities must have one shape; they are \(200, 7\) in"):
+    with pytest.raises(
+        ValueError, match=r"positions and velocities must have one shape; they are \(200, 7\) in"
+    ):
         load(paths[0], SEVEN, paths[1], STEP)
     with pytest.raises(ValueError, match="velocities need the time step"):
         load(paths[0], SEVEN, velocities=paths[1])
@@ -170,14 +190,18 @@ def test_two_files_that_do_not_belong_together(tmp_path):
 def swinging(step, factor=1.0, n=200):
     t = STEP * np.arange(n)
     speed = np.linspace(0.5, 2, 7)
-    return Trajectory(step * np.arange(n), np.sin(np.outer(t, speed)), factor * speed * np.cos(np.outer(t, speed)))
+    return Trajectory(
+        step * np.arange(n), np.sin(np.outer(t, speed)), factor * speed * np.cos(np.outer(t, speed))
+    )
 
 
 def table(m, deg=False, ms=False, rows=9):
     """t, seven angles and seven velocities, the first m columns; the rows are those of swinging."""
     motion = swinging(STEP, n=rows)
     scale = np.rad2deg(1) if deg else 1
-    return np.column_stack([motion.t * (1000 if ms else 1), scale * motion.q / 2, scale * motion.qd / 2])[:, :m]
+    return np.column_stack(
+        [motion.t * (1000 if ms else 1), scale * motion.q / 2, scale * motion.qd / 2]
+    )[:, :m]
 
 
 def text(rows, by=",", head="", form="%.6f", comma=False, more=lambda row: row):
@@ -187,11 +211,22 @@ def text(rows, by=",", head="", form="%.6f", comma=False, more=lambda row: row):
 
 
 def named(*forms, by=",", first=1):
-    return by.join(form if "{}" not in form else by.join(form.format(i + first) for i in range(7)) for form in forms)
+    return by.join(
+        form if "{}" not in form else by.join(form.format(i + first) for i in range(7))
+        for form in forms
+    )
 
 
 def ns(row):  # time as ROS 1 prints it, then what a message of joint states has beside its numbers
-    return [str(1763942400000000000 + round(1e9 * float(row[0]))), "7", "0", "", *"abcdefg", *row[1:], *7 * ["0.0"]]
+    return [
+        str(1763942400000000000 + round(1e9 * float(row[0]))),
+        "7",
+        "0",
+        "",
+        *"abcdefg",
+        *row[1:],
+        *7 * ["0.0"],
+    ]
 
 
 def excel(m, *titles, **how):
@@ -204,15 +239,20 @@ def ros(*titles, first=0, m=15, more=lambda row: row, **how):
 
 def moveit(*titles, more=0):
     head = named(*titles, first=0)
-    return text(np.pad(table(8), [(0, 0), (0, more)])[:, not head.startswith("time") :], head=head, form="%g")
+    return text(
+        np.pad(table(8), [(0, 0), (0, more)])[:, not head.startswith("time") :],
+        head=head,
+        form="%g",
+    )
 
 
 NAMES, EFFORT = "field.name{}", "field.effort{}"
 FULL, SEVEN_Q = "9 rows, t in s, 7 angles in rad, 7 velocities", "7 angles in rad, no velocities"
 NO_HEADER, STEPS = FULL + ", no header", "9 rows, steps of 0.1 s, " + SEVEN_Q
-# Sources: the documentation of writematrix, writetable and save -ascii (MathWorks); of Excel's formats with German
-# settings (Microsoft); of rostopic echo -p, bagpy and PlotJuggler's CSV export; of numpy.savetxt; and, of MoveIt,
-# moveit_core/robot_state/conversions, robotStateToStream, and trajectory_msgs/JointTrajectoryPoint.
+# Sources: the documentation of writematrix, writetable and save -ascii (MathWorks); of Excel's
+# formats with German settings (Microsoft); of rostopic echo -p, bagpy and PlotJuggler's CSV export;
+# of numpy.savetxt; and, of MoveIt, moveit_core/robot_state/conversions, robotStateToStream, and
+# trajectory_msgs/JointTrajectoryPoint.
 FILES = {
     "matlab writematrix.csv": (text(table(15), form="%.15g"), NO_HEADER),
     "matlab ascii.dat": (text(table(15), "  ", form="  %.7e"), NO_HEADER),
@@ -266,7 +306,10 @@ def test_a_slow_motion_whose_velocities_fit_seconds_is_not_asked_about(file):
 
 def test_times_that_disagree_with_the_velocities_are_said():
     assert disagreement(swinging(STEP)) == ""
-    said = "The velocities fit times that are 1.26 times as far apart: a mean step of about 0.063 s, not 0.05 s."
+    said = (
+        "The velocities fit times that are 1.26 times as far apart: a mean step of about 0.063 s, "
+        "not 0.05 s."
+    )
     assert disagreement(swinging(0.05)) == said
     assert "0.0175 times as far apart" in disagreement(swinging(STEP, np.rad2deg(1)))
     assert "not those of the positions" in disagreement(swinging(STEP, -1))

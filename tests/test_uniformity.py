@@ -6,7 +6,12 @@ from scipy.stats import chisquare, kstest
 
 from course_lib import rotations
 from course_lib.checks import rotations as check
-from course_lib.checks.exercises.rotations.sampling import angle_p_value, arvo, axis_p_value, trace_p_value
+from course_lib.checks.exercises.rotations.sampling import (
+    angle_p_value,
+    arvo,
+    axis_p_value,
+    trace_p_value,
+)
 
 MANY = 20_000
 
@@ -21,7 +26,9 @@ def _euler_angles(rng):
 
 
 def _rotations_about(k):
-    return lambda rng: [rotations.rot_x, rotations.rot_y, rotations.rot_z][k](2 * np.pi * rng.random(MANY))
+    return lambda rng: [rotations.rot_x, rotations.rot_y, rotations.rot_z][k](
+        2 * np.pi * rng.random(MANY)
+    )
 
 
 def _every_other_cell(rng):
@@ -43,7 +50,9 @@ UNIFORMITY = {
 
 @pytest.mark.parametrize("text", UNIFORMITY)
 def test_each_property_of_uniform_rotations_distinguishes_them_from_others(text):
-    (wanted,) = (each for each in check.random_rotations.exercise.properties if each.text.startswith(text))
+    (wanted,) = (
+        each for each in check.random_rotations.exercise.properties if each.text.startswith(text)
+    )
     for seed in range(3):
         rng = np.random.default_rng(seed)
         assert wanted.holds(_haar(rng), MANY, rng)
@@ -53,7 +62,11 @@ def test_each_property_of_uniform_rotations_distinguishes_them_from_others(text)
 def test_p_values_of_uniform_rotations_are_uniform():
     """So that the level of a test is how often it refuses a right sampler."""
     drawn = [_haar(np.random.default_rng(seed)) for seed in range(60)]
-    for p_value in [angle_p_value, trace_p_value, *(lambda R, k=k: axis_p_value(R, k) for k in range(3))]:
+    for p_value in [
+        angle_p_value,
+        trace_p_value,
+        *(lambda R, k=k: axis_p_value(R, k) for k in range(3)),
+    ]:
         assert kstest([p_value(R) for R in drawn], "uniform").pvalue > 1e-3
 
 

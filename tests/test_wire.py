@@ -48,7 +48,9 @@ _leaves = st.one_of(
 _trees = st.recursive(
     _leaves,
     lambda inner: st.one_of(
-        st.lists(inner, max_size=3), st.lists(inner, max_size=3).map(tuple), st.dictionaries(_keys, inner, max_size=3)
+        st.lists(inner, max_size=3),
+        st.lists(inner, max_size=3).map(tuple),
+        st.dictionaries(_keys, inner, max_size=3),
     ),
     max_leaves=6,
 )
@@ -95,7 +97,10 @@ class EqualArray(Equal, np.ndarray):
 
 @pytest.mark.parametrize(
     "value",
-    [np.zeros(2).view(EqualArray), *(type("Of", (Equal, type(of)), {})(of) for of in (2.0, "a", [1.0]))],
+    [
+        np.zeros(2).view(EqualArray),
+        *(type("Of", (Equal, type(of)), {})(of) for of in (2.0, "a", [1.0])),
+    ],
     ids=["array", "float", "text", "list"],
 )
 def test_of_a_subclass_only_the_data_are_left(value):
@@ -110,7 +115,16 @@ def _holding_itself():
     return value
 
 
-NOT_PLAIN = [object(), Equal(), len, {1, 2}, b"bytes", (x for x in [1]), range(3), np.random.default_rng(0)]
+NOT_PLAIN = [
+    object(),
+    Equal(),
+    len,
+    {1, 2},
+    b"bytes",
+    (x for x in [1]),
+    range(3),
+    np.random.default_rng(0),
+]
 NOT_PLAIN += [_holding_itself(), functools.reduce(lambda inner, _: [inner], range(20), 1)]
 NOT_PLAIN += [[1, {"a": object()}], {(): object()}, 10**4300, [1.0, -(10**9000)]]
 NOT_PLAIN += [np.array(entries) for entries in ([object()], [1, None], [b"bytes"])]
@@ -127,11 +141,32 @@ def _array(dtype="<f8", shape=(2,), data="AAAAAAAAAAAAAAAAAAAAAA=="):
     return json.dumps({"array": dtype, "shape": shape, "bytes": data})
 
 
-UNREADABLE = [None, b"\xff", 7, "", "1 2", "nonsense", "[1, 2]", "{}", '{"other": 1}', '{"array": "<f8"}']
-UNREADABLE += ['{"list": 1}', '{"seed": "x"}', '{"seed": null}', '{"dict": [[1]]}', '{"dict": [[{"list": []}, 1]]}']
+UNREADABLE = [
+    None,
+    b"\xff",
+    7,
+    "",
+    "1 2",
+    "nonsense",
+    "[1, 2]",
+    "{}",
+    '{"other": 1}',
+    '{"array": "<f8"}',
+]
+UNREADABLE += [
+    '{"list": 1}',
+    '{"seed": "x"}',
+    '{"seed": null}',
+    '{"dict": [[1]]}',
+    '{"dict": [[{"list": []}, 1]]}',
+]
 UNREADABLE += ["[" * 100_000, '{"list": [' * 50 + "]}" * 50, '{"list": [' * 3000 + "]}" * 3000]
-UNREADABLE += [_array(data=data) for data in ("AAAAAAAAAAAAAAAAAAAA", "AAAAAAAAAAAAAAAAAAAAAA=", "!!!!", 7)]
-UNREADABLE += [_array(shape=shape) for shape in ([3], [10**9, 10**9], [-1, -2], [-2], [np.nan], [np.inf], None)]
+UNREADABLE += [
+    _array(data=data) for data in ("AAAAAAAAAAAAAAAAAAAA", "AAAAAAAAAAAAAAAAAAAAAA=", "!!!!", 7)
+]
+UNREADABLE += [
+    _array(shape=shape) for shape in ([3], [10**9, 10**9], [-1, -2], [-2], [np.nan], [np.inf], None)
+]
 UNREADABLE += [_array(shape=[0, 10**30], data="")]
 UNREADABLE += [_array(dtype=dtype) for dtype in ("|O", "O", "|V8", "<M8[s]", "nonsense", None)]
 UNREADABLE += [_array(dtype=dtype, shape=[1]) for dtype in ("<U4", "|S16", "<f8,<f8")]

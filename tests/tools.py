@@ -29,7 +29,10 @@ class Machine:
         hidden = {name for names in TOOLS.values() for name in names}
         self.folder = tempfile.TemporaryDirectory(prefix="bare-")
         self.before = {name: os.environ.get(name) for name in ("PATH", "BROWSER_PATH")}
-        self.found = {tool: next(filter(None, map(shutil.which, names)), None) for tool, names in TOOLS.items()}
+        self.found = {
+            tool: next(filter(None, map(shutil.which, names)), None)
+            for tool, names in TOOLS.items()
+        }
         self.found["browser"] = self.before["BROWSER_PATH"] or self.found["browser"]
         for folder in os.get_exec_path():
             for path in sorted(Path(folder).glob("*")):
@@ -40,7 +43,11 @@ class Machine:
     def show(self, item):
         """Let a test see the tools that it declares; skip it, or let it fail, where one is missing."""
         declared = {name for mark in item.iter_markers("tools") for name in mark.args}
-        declared |= {tool for fixture, tool in FIXTURES.items() if fixture in getattr(item, "fixturenames", ())}
+        declared |= {
+            tool
+            for fixture, tool in FIXTURES.items()
+            if fixture in getattr(item, "fixturenames", ())
+        }
         path = [self.folder.name]
         for tool in sorted(declared):
             if self.found[tool] is None:

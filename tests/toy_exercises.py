@@ -20,7 +20,12 @@ NEAREST_SO = Exercise(
     name="nearest_so",
     points=3,
     arguments=("M",),
-    cases=lambda rng: [(np.diag([2.0, 1, 1]),), (rng.normal(size=(3, 3)),), (np.diag([2.0, 1, -1]),), (np.eye(2),)],
+    cases=lambda rng: [
+        (np.diag([2.0, 1, 1]),),
+        (rng.normal(size=(3, 3)),),
+        (np.diag([2.0, 1, -1]),),
+        (np.eye(2),),
+    ],
     returns=numbers(np.shape),
     properties=(
         Property("R^T R is the identity", lambda R, M: orthogonality_error(R) < 1e-9),
@@ -46,7 +51,11 @@ IS_SMALL = Exercise(
     arguments=("x", "tol"),
     cases=lambda rng: [(0.5, 1.0), (1.0, 0.5), (rng.uniform(0.1, 0.9), 1.0), (-2.0, 1.0)],
     returns=boolean,
-    properties=(Property("it is True if |x| <= tol, else False", lambda said, x, tol: said == (abs(x) <= tol)),),
+    properties=(
+        Property(
+            "it is True if |x| <= tol, else False", lambda said, x, tol: said == (abs(x) <= tol)
+        ),
+    ),
     hints=("Compare.", "abs(x) <= tol."),
     library=lambda x, tol: abs(x) <= tol,
 )
@@ -80,7 +89,10 @@ TEST_LOG = WriteTest(
     name="test_log",
     points=4,
     arguments=("log",),
-    hints=("Take rotations whose logarithm you know.", "Compare exp(log(R)) with R, at half a turn too."),
+    hints=(
+        "Take rotations whose logarithm you know.",
+        "Compare exp(log(R)) with R, at half a turn too.",
+    ),
     shapes=((3, 3),),
     versions=(
         Version("that is the library's", rotations.log_so3, right=True),

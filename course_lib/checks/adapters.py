@@ -1,7 +1,7 @@
 """Adapters, which call a student's function in its own process, with plain data as arguments and answer.
 
-An adapter is called as adapter(function, names, arguments) with the names and values of the function's arguments, and
-returns what the function answers, as plain data if possible.
+An adapter is called as adapter(function, names, arguments) with the names and values of the
+function's arguments, and returns what the function answers, as plain data if possible.
 """
 
 import numpy as np
@@ -29,9 +29,10 @@ def directly(function, names, arguments):
 def with_symbols(function, names, arguments):
     """Return what the function answers, called with SymPy symbols for its floats, as numbers for these floats.
 
-    Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and differ from all
-    symbols made elsewhere. Expressions are evaluated in SymPy's matrices and arrays, and in numpy's arrays, lists and
-    tuples; any other answer is passed on unchanged. No text is ever parsed as an expression.
+    Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and
+    differ from all symbols made elsewhere. Expressions are evaluated in SymPy's matrices and
+    arrays, and in numpy's arrays, lists and tuples; any other answer is passed on unchanged. No
+    text is ever parsed as an expression.
 
     Parameters
     ----------

@@ -4,7 +4,9 @@ import numpy as np
 
 from course_lib.checks.exercise import Mistake, Unreadable
 
-OTHER_FORM = Mistake("the answer has another form than asked for", "Print your answer and its np.shape.")
+OTHER_FORM = Mistake(
+    "the answer has another form than asked for", "Print your answer and its np.shape."
+)
 NOT_A_NUMBER = Mistake(
     "something is divided by zero, or a function is asked outside its domain",
     "Print each intermediate value for this input: where does the first nan or inf appear?",
@@ -44,12 +46,13 @@ def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
     shape_of : callable
         shape_of(*arguments) is the shape that the answer should have.
     known : dict or callable, optional
-        The mistakes that an array of another shape reveals: {shape: Mistake}, or known(array, *arguments), which
-        returns a Mistake or None.
+        The mistakes that an array of another shape reveals: {shape: Mistake}, or known(array,
+        *arguments), which returns a Mistake or None.
     gaps : bool, optional
         True to allow nan and inf.
     nan : callable, optional
-        nan(*arguments) is the Mistake that nan or inf reveals, or None if nothing particular is known.
+        nan(*arguments) is the Mistake that nan or inf reveals, or None if nothing particular is
+        known.
     exact : bool, optional
         True to read no other shape, where an answer to many items has one row for each.
 
@@ -68,7 +71,9 @@ def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
     def reader(value, *case):
         shape = tuple(shape_of(*case))
         array = _array(value, f"an array of shape {shape}")
-        vectors = len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
+        vectors = (
+            len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
+        )
         number = shape == () and array.size == 1
         if array.shape != shape and (exact or not (vectors or number)):
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
@@ -95,8 +100,8 @@ def rows(width, expected, most=16, known=None):
     Returns
     -------
     callable
-        reader(value, *arguments) returns an array (n, width), or (n,) with a width of 1, or raises Unreadable. A single
-        item needs no list around it.
+        reader(value, *arguments) returns an array (n, width), or (n,) with a width of 1, or raises
+        Unreadable. A single item needs no list around it.
 
     Examples
     --------
@@ -110,9 +115,13 @@ def rows(width, expected, most=16, known=None):
         one_item = array.ndim <= 1 and array.size == width
         column = width == 1 and array.size == max(array.shape, default=1)
         if array.size and not (one_item or column or array.shape[1:] in ((width,), (width, 1))):
-            raise Unreadable(f"the answer is {expected}. Yours is {_form(array)}.", _named(known, array, case))
+            raise Unreadable(
+                f"the answer is {expected}. Yours is {_form(array)}.", _named(known, array, case)
+            )
         if array.size > most * width:
-            raise Unreadable(f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM)
+            raise Unreadable(
+                f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM
+            )
         items = _finite(array).reshape(array.size // width, width)
         return items[:, 0] if width == 1 else items
 
@@ -129,11 +138,16 @@ def _finite(array, gaps=False, mistake=None):
     """Return the entries as floats; raise Unreadable if they are complex, or not numbers unless gaps allows that."""
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
-            raise Unreadable("the answer's entries are real numbers. Yours are complex.", OTHER_FORM)
+            raise Unreadable(
+                "the answer's entries are real numbers. Yours are complex.", OTHER_FORM
+            )
         array = array.real
     array = array.astype(float)
     if not gaps and not np.isfinite(array).all():
-        raise Unreadable("every entry of the answer is a number. Yours holds nan or inf.", mistake or NOT_A_NUMBER)
+        raise Unreadable(
+            "every entry of the answer is a number. Yours holds nan or inf.",
+            mistake or NOT_A_NUMBER,
+        )
     return array
 
 
@@ -144,7 +158,9 @@ def _array(value, expected):
         kind = f"a {type(value).__name__} whose parts differ in shape"
         raise Unreadable(f"the answer is {expected}. Yours is {kind}.", OTHER_FORM) from None
     if array.dtype.kind not in "biufc":
-        raise Unreadable(f"the answer is {expected}. Yours is of type {type(value).__name__}.", OTHER_FORM)
+        raise Unreadable(
+            f"the answer is {expected}. Yours is of type {type(value).__name__}.", OTHER_FORM
+        )
     return array
 
 

@@ -12,15 +12,18 @@ _ANOTHER_SYMBOL = Mistake(
 )
 _NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
 _LIST_FOR_ARRAY = Mistake(
-    "a list is taken for an array", "np.array(x, float) makes an array of a list: arrays can be added and multiplied."
+    "a list is taken for an array",
+    "np.array(x, float) makes an array of a list: arrays can be added and multiplied.",
 )
 _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",
-    "float(...), math functions and `if` want a single number. numpy's functions work on whole arrays.",
+    "float(...), math functions and `if` want a single number. numpy's functions work on whole "
+    "arrays.",
 )
 _NUMBER_FOR_ARRAY = Mistake(
     "a number is taken for an array or a list",
-    "A number has no entries to index or to loop over. numpy's functions work on numbers and on arrays.",
+    "A number has no entries to index or to loop over. numpy's functions work on numbers and on "
+    "arrays.",
 )
 _WHOLE_NUMBERS = Mistake(
     "decimals are added in place, by += or -=, to an array of whole numbers",
@@ -35,25 +38,48 @@ _OTHER_SHAPE = Mistake(
     "an array has another shape than this line takes it to have",
     "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is (n, 1).",
 )
-_RAISED = Mistake("your own line raises this error", "What does the task want to be returned in this case?")
+_RAISED = Mistake(
+    "your own line raises this error", "What does the task want to be returned in this case?"
+)
 _NOT_FINITE = Mistake(
     "something is divided by zero, or the result, nan or infinity, is used further",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
 )
-_KNOWN = (  # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
+# in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
+_KNOWN = (
     ("UFuncTypeError", "Cannot cast", _WHOLE_NUMBERS),
-    ("TypeError", "'list' and 'list'|can't multiply sequence by non-int|list indices must be", _LIST_FOR_ARRAY),
-    ("AttributeError", "'list' object has no attribute '(shape|ndim|T|sum|mean|reshape)'", _LIST_FOR_ARRAY),
-    ("TypeError", r"'(float|int|numpy\.float64)' object is not (iterable|subscriptable)", _NUMBER_FOR_ARRAY),
+    (
+        "TypeError",
+        "'list' and 'list'|can't multiply sequence by non-int|list indices must be",
+        _LIST_FOR_ARRAY,
+    ),
+    (
+        "AttributeError",
+        "'list' object has no attribute '(shape|ndim|T|sum|mean|reshape)'",
+        _LIST_FOR_ARRAY,
+    ),
+    (
+        "TypeError",
+        r"'(float|int|numpy\.float64)' object is not (iterable|subscriptable)",
+        _NUMBER_FOR_ARRAY,
+    ),
     ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
     ("IndexError", "out of bounds for axis|too many indices for array", _OTHER_SHAPE),
     ("TypeError", r"operand type\(s\) for \^|bitwise_xor", _NO_POWER),
-    ("TypeError", "only (0-dimensional|length-1|size-1) arrays can be converted", _ARRAY_FOR_NUMBER),
+    (
+        "TypeError",
+        "only (0-dimensional|length-1|size-1) arrays can be converted",
+        _ARRAY_FOR_NUMBER,
+    ),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
     ("ZeroDivisionError", "", _NOT_FINITE),
     ("ValueError", "read-only", _READ_ONLY),
-    ("ValueError", "matmul|could not be broadcast|must match exactly|same number of dim|at least one array", _SHAPES),
+    (
+        "ValueError",
+        "matmul|could not be broadcast|must match exactly|same number of dim|at least one array",
+        _SHAPES,
+    ),
 )
 
 
@@ -66,14 +92,19 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
     kind, message : str
         The name of the exception's type, and its text.
     line, source, cell : str, optional
-        The number and the text of the student's last line that ran, and the function whose cell holds it if that is
-        another one.
+        The number and the text of the student's last line that ran, and the function whose cell
+        holds it if that is another one.
     """
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if kind == "NotImplementedError":
         return "waits", _waits(exercise.name, message), None, False
     if kind == "NotPlain":
-        return "wrong", f"the answer is numbers, booleans, arrays or lists. Yours is {message}.", None, False
+        return (
+            "wrong",
+            f"the answer is numbers, booleans, arrays or lists. Yours is {message}.",
+            None,
+            False,
+        )
     if kind == "NotAllowed":
         mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
         return "wrong", "compute the answer yourself.", mistake, False
@@ -82,13 +113,22 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
     if kind == "KeyboardInterrupt":
         return "error", f"{call} was interrupted.", None, False
     if kind == "NoNumber":
-        reason = f"with numbers for the arguments each entry of the answer is a number. One of yours is {message}."
+        reason = (
+            f"with numbers for the arguments each entry of the answer is a number. One of yours is "
+            f"{message}."
+        )
         return "wrong", reason, _ANOTHER_SYMBOL, False
     where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
     said = f"{kind}: {message}" if message else kind
     own = [(type_, re.escape(words), mistake) for type_, words, mistake in exercise.errors]
-    known = (mistake for type_, words, mistake in (*own, *_KNOWN) if type_ == kind and re.search(words, message))
-    shows_case = not exercise.through  # otherwise the function was not given the numbers of the case
+    known = (
+        mistake
+        for type_, words, mistake in (*own, *_KNOWN)
+        if type_ == kind and re.search(words, message)
+    )
+    shows_case = (
+        not exercise.through
+    )  # otherwise the function was not given the numbers of the case
     mistake = next(known, _RAISED if source.startswith("raise ") else None)
     return "error", f"{where if source else f'Calling {call} raises'} {said}", mistake, shows_case
 
@@ -98,4 +138,7 @@ def _waits(name, message):
     found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
     if found is None or found[1] == name:
         return ""
-    return f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this check again."
+    return (
+        f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this "
+        f"check again."
+    )

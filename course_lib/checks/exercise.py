@@ -15,14 +15,18 @@ from course_lib.checks.naming import Naming, attempt, predict, same
 from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
-MOST_SETS, OFTEN_SECONDS = 50, 0.4  # of cases asked in the notebook, and the processor time after which none follows
+MOST_SETS, OFTEN_SECONDS = (
+    50,
+    0.4,
+)  # of cases asked in the notebook, and the processor time after which none follows
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
 
 FORGOTTEN_RETURN = Mistake(
     "the function returns None: a return is missing, or returns nothing for this input",
-    "Look at every branch of the function: does each end in `return`, with a value of the kind that the task asks for?",
+    "Look at every branch of the function: does each end in `return`, with a value of the kind "
+    "that the task asks for?",
 )
 
 
@@ -35,15 +39,16 @@ class Property:
     text : str
         What should hold, as a sentence that can follow "What should hold:".
     holds : callable
-        holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at all answers together
-        and returns the position of the first wrong one, or None.
+        holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at
+        all answers together and returns the position of the first wrong one, or None.
     says : callable, optional
         says(value, *arguments): a sentence on what was found instead.
     where : callable, optional
         where(*arguments): whether the property applies to this case.
     across : bool
     mistake : Mistake or callable, optional
-        The mistake that is named if no mistake of the exercise explains the answers; or mistake(value, *arguments).
+        The mistake that is named if no mistake of the exercise explains the answers; or
+        mistake(value, *arguments).
     points : int
         Partial credit: the points earned if this property holds and another does not.
 
@@ -73,7 +78,9 @@ class Property:
 
 @dataclass(frozen=True, eq=False)
 class Exercise:
-    """One task of a notebook. Its mistakes stand below it, as functions with the decorator `EXERCISE.mistake`.
+    """One task of a notebook.
+
+    Its mistakes stand below it, as functions with the decorator `EXERCISE.mistake`.
 
     Parameters
     ----------
@@ -85,27 +92,30 @@ class Exercise:
     cases : callable
         cases(rng): tuples of arguments, an ordinary simple one first, special cases after it.
     returns : callable
-        returns(value, *arguments): the answer in the form that the properties expect (see answer_types.py); raises
-        Unreadable.
+        returns(value, *arguments): the answer in the form that the properties expect (see
+        answer_types.py); raises Unreadable.
     properties : tuple of Property
         In the order in which they are examined.
     hints : tuple of str
         In steps; the last one may give the formula.
     library : callable
-        A right answer: the library's function, or one that the check defines if the library has none.
+        A right answer: the library's function, or one that the check defines if the library has
+        none.
     forbidden : tuple of str
         Dotted names that the answer may not call.
     through : str
         How the function is called: a key of adapters.ADAPTERS.
     errors : tuple of (str, str, Mistake)
-        Known errors of the student's code: the type's name, a part of the message, and the mistake they point to.
+        Known errors of the student's code: the type's name, a part of the message, and the mistake
+        they point to.
     alike : callable
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
     broken : callable, optional
-        If the task is to find a bug: a function that answers as the broken code does, None included.
+        If the task is to find a bug: a function that answers as the broken code does, None
+        included.
     tries_arguments : bool
-        Whether to try the right answer for changed arguments, as it is done for every exercise; False where
-        `library` is slow.
+        Whether to try the right answer for changed arguments, as it is done for every exercise;
+        False where `library` is slow.
     mistakes : Mistakes
         In the order in which they are tried; the decorators `mistake` and `seen` fill it.
 
@@ -149,7 +159,10 @@ class Exercise:
         return self.mistakes.add_seen
 
     def questions(self, rng):
-        """Return the cases, and a function that answers calls of candidates; here None. See WriteTest."""
+        """Return the cases, and a function that answers calls of candidates; here None.
+
+        See WriteTest.
+        """
         return self.cases(rng), None
 
     def verdict(self, cases, answers):
@@ -164,7 +177,9 @@ class Exercise:
             if answer["changed"]:
                 return _changed(self, answer["changed"][0], case, value)
             if value is None:
-                return Verdict(self, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None)
+                return Verdict(
+                    self, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None
+                )
         for position, case in enumerate(cases):
             try:
                 values[position] = self.returns(values[position], *case)
@@ -175,7 +190,9 @@ class Exercise:
             failing = wanted.failing(cases, values)
             if failing:
                 return self._wrong(wanted, cases, answers, values, failing)
-        note = next((f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), "")
+        note = next(
+            (f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), ""
+        )
         return Verdict(self, RIGHT, note=note)
 
     def _ended(self, position, cases, answers):
@@ -184,7 +201,9 @@ class Exercise:
         verdict = no_answer(self, cases[position], **error)
         credit = 0 if error["type"] == "NotAllowed" else self._credit(cases, answers)
         if credit and verdict.state == NOT_ATTEMPTED:
-            return Verdict(self, WRONG, "no case is left unwritten.", case=cases[position], credit=credit)
+            return Verdict(
+                self, WRONG, "no case is left unwritten.", case=cases[position], credit=credit
+            )
         return replace(verdict, credit=credit)
 
     def _of_other_form(self, position, cases, answers, other_kind):
@@ -201,18 +220,26 @@ class Exercise:
         mistake = Naming(self, cases, values).mistake(failing) or wanted.mistake
         if callable(mistake):
             mistake = attempt(mistake, value, *case)
-        shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value  # a pair as it was returned
-        return Verdict(self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers))
+        shown = (
+            answers[failing[0]]["value"] if isinstance(value, tuple) else value
+        )  # a pair as it was returned
+        return Verdict(
+            self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers)
+        )
 
     def _credit(self, cases, answers):
         """Return the partial credit: points of the properties that hold wherever they apply, whatever else is wrong."""
         earned = 0
         for part in self.properties:
             if part.points:
-                about = [k for k, case in enumerate(cases) if part.where is None or part.where(*case)]
+                about = [
+                    k for k, case in enumerate(cases) if part.where is None or part.where(*case)
+                ]
                 values = [attempt(self.returns, answers[k].get("value"), *cases[k]) for k in about]
                 missing = any(value is None for value in values)
-                earned += 0 if missing or part.failing([cases[k] for k in about], values) else part.points
+                earned += (
+                    0 if missing or part.failing([cases[k] for k in about], values) else part.points
+                )
         return min(earned, self.points - 1)
 
     def _named_before(self, position, cases, answers):
@@ -224,8 +251,12 @@ class Exercise:
         return replace(before, credit=0) if before and before.mistake in self.mistakes else None
 
     def _is_unchanged(self, cases, values):
-        pairs = [(predict(self.broken, case), value) for case, value in zip(cases, values, strict=True)]
-        return all(broken is None if value is None else same(value, broken) for broken, value in pairs)
+        pairs = [
+            (predict(self.broken, case), value) for case, value in zip(cases, values, strict=True)
+        ]
+        return all(
+            broken is None if value is None else same(value, broken) for broken, value in pairs
+        )
 
 
 class Unreadable(ValueError):
@@ -258,7 +289,8 @@ class Verdict:
     credit : int
         The points of a wrong answer.
     calls : tuple of str
-        The names of the notebook's functions that the answer uses, as the student's process reports them.
+        The names of the notebook's functions that the answer uses, as the student's process reports
+        them.
     blames : str
         The name of another exercise that the answer calls and that is not right yet.
     """
@@ -298,8 +330,9 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     ----------
     exercise : Exercise
     student : object
-        Its reply(questions, consult) passes JSON text to call_student.reply in the function's process: Here, or a
-        stand-in for another process. The reply is read as plain data and not trusted otherwise.
+        Its reply(questions, consult) passes JSON text to call_student.reply in the function's
+        process: Here, or a stand-in for another process. The reply is read as plain data and not
+        trusted otherwise.
     seed : int
         Of the cases.
     seconds : float
@@ -310,15 +343,30 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     Verdict
     """
     cases, consult = exercise.questions(np.random.default_rng(seed))
-    asked = {"cases": [list(case) for case in cases], "forbidden": list(exercise.forbidden), "seconds": seconds}
-    asked |= {"through": exercise.through, "names": list(exercise.arguments), "exercise": exercise.name}
+    asked = {
+        "cases": [list(case) for case in cases],
+        "forbidden": list(exercise.forbidden),
+        "seconds": seconds,
+    }
+    asked |= {
+        "through": exercise.through,
+        "names": list(exercise.arguments),
+        "exercise": exercise.name,
+    }
     try:
         claims = json.loads(student.reply(write(asked), consult))
         answers = [_claim(answer, exercise.arguments) for answer in claims["answers"]]
         if len(answers) != len(cases):
             raise NotPlain("not one answer for each case")
         calls = tuple(str(name)[:100] for name in claims["calls"][:100])
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as problem:
+    except (
+        ValueError,
+        LookupError,
+        TypeError,
+        AttributeError,
+        RecursionError,
+        OverflowError,
+    ) as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
     with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
         return replace(exercise.verdict(cases, answers), calls=calls)
@@ -357,7 +405,11 @@ def _claim(answer, arguments):
         parts = ("type", "message", "line", "source", "cell")
         return {"error": {key: str(answer["error"].get(key) or "")[:300] for key in parts}}
     changed = [arguments[int(position)] for position in answer["changed"]]
-    return {"value": from_json(answer["value"]), "changed": changed, "warning": str(answer.get("warning", ""))[:300]}
+    return {
+        "value": from_json(answer["value"]),
+        "changed": changed,
+        "warning": str(answer.get("warning", ""))[:300],
+    }
 
 
 def _changed(exercise, name, case, value):

@@ -21,7 +21,11 @@ def format_tuple(numbers):
     >>> format_tuple([0.1, -2, 1e-17])
     '(0.1, -2, 0)'
     """
-    return "(" + ", ".join(f"{0 if abs(number) <= 1e-12 else number:.4g}" for number in np.ravel(numbers)) + ")"
+    return (
+        "("
+        + ", ".join(f"{0 if abs(number) <= 1e-12 else number:.4g}" for number in np.ravel(numbers))
+        + ")"
+    )
 
 
 def format_array(numbers, digits=4):

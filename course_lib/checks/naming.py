@@ -10,15 +10,19 @@ from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.wire import Seed
 
-_MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = 4, 16, 6  # of which all orders, and all signs, are tried
+_MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
+    4,
+    16,
+    6,
+)  # of which all orders, and all signs, are tried
 _FEW = 3  # numbers that differ: fewer agree with some transform by chance
 
 
 def same(value, predicted, *arguments, tolerance=1e-6):
     """Return whether two answers are equal within a tolerance, absolute and relative to the size of `predicted`.
 
-    Complex numbers, and anything that is not numbers, are equal to nothing. The arguments of the case are not used; see
-    `alike` of an Exercise.
+    Complex numbers, and anything that is not numbers, are equal to nothing. The arguments of the
+    case are not used; see `alike` of an Exercise.
     """
     try:
         if np.iscomplexobj(value):
@@ -48,7 +52,11 @@ def predict(answer, case):
 
 
 def _given(argument):
-    return np.random.default_rng(argument.number) if isinstance(argument, Seed) else copy.deepcopy(argument)
+    return (
+        np.random.default_rng(argument.number)
+        if isinstance(argument, Seed)
+        else copy.deepcopy(argument)
+    )
 
 
 class Naming:
@@ -69,19 +77,26 @@ class Naming:
     def mistake(self, failing):
         """Return the Mistake that accounts for the wrong answers, those at the positions `failing`, or None.
 
-        One that explains all answers is preferred to one that explains the failing ones only; a few True or False,
-        or signs, fit many mistakes by chance, so these must explain all.
+        One that explains all answers is preferred to one that explains the failing ones only; a few
+        True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
-        found = next((known for known in own if self._explains(known, failing, everywhere=True)), None)
-        found = found or next((known for known in everyday(self) if self._explains_enough(known, failing)), None)
+        found = next(
+            (known for known in own if self._explains(known, failing, everywhere=True)), None
+        )
+        found = found or next(
+            (known for known in everyday(self) if self._explains_enough(known, failing)), None
+        )
         if found is None and not self.few_bits():
             found = next((known for known in own if self._explains(known, failing)), None)
         return found or (self._few_digits(failing) if self._nearly_right(failing) else None)
 
     def few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
-        return all(bool(attempt(lambda bits: np.isin(bits, (-1, 0, 1)).all(), value)) for value in self.values)
+        return all(
+            bool(attempt(lambda bits: np.isin(bits, (-1, 0, 1)).all(), value))
+            for value in self.values
+        )
 
     def _nearly_right(self, failing):
         """Return whether most answers are wrong, and each of them is right to its first digits."""
@@ -91,16 +106,25 @@ class Naming:
 
     def _few_digits(self, failing):
         off = max(_gap(self.values[i], self.right(i)) for i in failing)
-        return Mistake(f"the answer is right to its first digits only: it is off by {off:.2g}", _FEW_DIGITS)
+        return Mistake(
+            f"the answer is right to its first digits only: it is off by {off:.2g}", _FEW_DIGITS
+        )
 
     def of_other_form(self, position, value):
         """Return the Mistake of an answer of another shape than asked for, or None."""
         right = self.right(position)
         if right is None or not isinstance(value, (np.ndarray, list, tuple, int, float)):
             return None
-        forms = ((Mistake(name, hint), attempt(change, right)) for name, hint, change in _OTHER_FORMS)
+        forms = (
+            (Mistake(name, hint), attempt(change, right)) for name, hint, change in _OTHER_FORMS
+        )
         return next(
-            (mistake for mistake, form in forms if form is not None and _telling(form) and same(value, form)), None
+            (
+                mistake
+                for mistake, form in forms
+                if form is not None and _telling(form) and same(value, form)
+            ),
+            None,
         )
 
     def right(self, position):
@@ -108,18 +132,25 @@ class Naming:
         if position not in self._rights:
             library = self.exercise.library
             answer = predict(library, self.cases[position]) if library else None
-            self._rights[position] = attempt(np.asarray, answer, float) if answer is not None else None
+            self._rights[position] = (
+                attempt(np.asarray, answer, float) if answer is not None else None
+            )
         return self._rights[position]
 
     def _explains(self, mistake, failing, everywhere=False):
-        if mistake.seen is not None and all(attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing):
+        if mistake.seen is not None and all(
+            attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing
+        ):
             return True
-        return any(self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers)
+        return any(
+            self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers
+        )
 
     def _accounts_for(self, mistake, answer, failing, everywhere):
         """Return whether a variant predicts the failing answers, and contradicts none, or few, of the others.
 
-        Few: right answers which the mistake would have made wrong, as long as they are fewer than the failing ones.
+        Few: right answers which the mistake would have made wrong, as long as they are fewer than
+        the failing ones.
         """
         if not all(self._predicts(mistake, answer, i) for i in failing):
             return False
@@ -127,7 +158,11 @@ class Naming:
         contradicted = [i for i in others if self._predicts(mistake, answer, i) is False]
         if everywhere:
             return not contradicted
-        right = [i for i in contradicted if attempt(self.exercise.alike, self.values[i], self.right(i), *self.cases[i])]
+        right = [
+            i
+            for i in contradicted
+            if attempt(self.exercise.alike, self.values[i], self.right(i), *self.cases[i])
+        ]
         return len(right) < len(failing)
 
     def _explains_enough(self, mistake, failing):
@@ -137,18 +172,32 @@ class Naming:
         if not mistake.answers:
             return True
         if any(self._is_right(mistake.answers[0], i) for i in failing):
-            return False  # a list of solutions in reverse order, for example: this is not what is wrong
-        changed = [value for i, value in enumerate(self.values) if self._predicts(mistake, mistake.answers[0], i)]
-        return sum(np.size(value) for value in {str(value): value for value in changed}.values()) >= _FEW
+            # a list of solutions in reverse order, for example: this is not what is wrong
+            return False
+        changed = [
+            value
+            for i, value in enumerate(self.values)
+            if self._predicts(mistake, mistake.answers[0], i)
+        ]
+        return (
+            sum(np.size(value) for value in {str(value): value for value in changed}.values())
+            >= _FEW
+        )
 
     def _is_right(self, answer, position):
         case, right = self.cases[position], self.right(position)
-        return right is not None and attempt(self.exercise.alike, right, self._predicted(answer, position), *case)
+        return right is not None and attempt(
+            self.exercise.alike, right, self._predicted(answer, position), *case
+        )
 
     def _predicted(self, answer, position):
         """Return what a variant of a mistake answers to a case, or None."""
         case = self.cases[position]
-        return attempt(answer, self.right(position), *case) if isinstance(answer, _Changed) else predict(answer, case)
+        return (
+            attempt(answer, self.right(position), *case)
+            if isinstance(answer, _Changed)
+            else predict(answer, case)
+        )
 
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply there."""
@@ -162,7 +211,8 @@ class Naming:
             right = right[mistake.part]
         if alike is not same or right is None or not same(predicted, right, tolerance=1e-3):
             return bool(attempt(alike, value, predicted, *case))
-        # The prediction is close to the right answer: the answer must be much closer to the one than to the other.
+        # The prediction is close to the right answer: the answer must be much closer to the one
+        # than to the other.
         between = _gap(predicted, right)
         if between <= 1e-13 * max(1, _gap(right, 0)):
             return None
@@ -174,7 +224,9 @@ def everyday(naming):
     exercise, values = naming.exercise, naming.values
     if isinstance(values[0], bool):
         for always in (True, False):
-            yield Mistake(f"the answer is always {always}", _ALWAYS, lambda *case, always=always: always)
+            yield Mistake(
+                f"the answer is always {always}", _ALWAYS, lambda *case, always=always: always
+            )
         return
     no_number = attempt(lambda value: np.isnan(value).all(), values[0])
     if len({str(value) for value in values}) == 1 < len(values) and not no_number:
@@ -183,7 +235,12 @@ def everyday(naming):
         return
     right = naming.right(0)
     folds = () if naming.few_bits() else _folded(right)
-    for name, hint, change in (*_OF_THE_ANSWER, *_in_other_order(right), *_of_other_sign(right), *folds):
+    for name, hint, change in (
+        *_OF_THE_ANSWER,
+        *_in_other_order(right),
+        *_of_other_sign(right),
+        *folds,
+    ):
         yield Mistake(name, hint, _Changed(lambda right, *case, change=change: change(right)))
     yield Mistake(*_WHOLE, seen=_cut_off)
     for k, argument in enumerate(exercise.arguments):
@@ -192,12 +249,19 @@ def everyday(naming):
     if not exercise.tries_arguments:
         return
     for (i, one), (j, other) in itertools.combinations(enumerate(exercise.arguments), 2):
-        yield Mistake(f"{one} and {other} have changed places", _ORDER, _asked(exercise.library, _swapped(i, j)))
+        yield Mistake(
+            f"{one} and {other} have changed places",
+            _ORDER,
+            _asked(exercise.library, _swapped(i, j)),
+        )
     numbers_first = sorted(
-        enumerate(exercise.arguments), key=lambda each: attempt(np.ndim, naming.cases[0][each[0]]) or 0
+        enumerate(exercise.arguments),
+        key=lambda each: attempt(np.ndim, naming.cases[0][each[0]]) or 0,
     )
     for k, argument in numbers_first:
-        yield Mistake(f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k]))
+        yield Mistake(
+            f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k])
+        )
         for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
 
@@ -209,11 +273,15 @@ def _gap(value, other):
 
 def _telling(numbers):
     """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so is nan."""
-    return np.isfinite(numbers).all() and (np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all())
+    return np.isfinite(numbers).all() and (
+        np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
+    )
 
 
 def _close(value, right):
-    return np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
+    return (
+        np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
+    )
 
 
 class _Changed:
@@ -232,7 +300,11 @@ def _in_other_order(right):
     for axis, what in enumerate(_AXES.get(np.ndim(right), ())):
         n = np.shape(right)[axis]
         for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
-            yield f"{what} of the answer are in another order", _ENTRIES, lambda x, o=order, a=axis: np.take(x, o, a)
+            yield (
+                f"{what} of the answer are in another order",
+                _ENTRIES,
+                lambda x, o=order, a=axis: np.take(x, o, a),
+            )
 
 
 def _of_other_sign(right):
@@ -272,14 +344,20 @@ def _asked(right, change):
 
     def answer(*case):
         other = change(case)
-        return None if other is None else _unless_equal(*(np.asarray(right(*each), float) for each in (other, case)))
+        return (
+            None
+            if other is None
+            else _unless_equal(*(np.asarray(right(*each), float) for each in (other, case)))
+        )
 
     return answer
 
 
 def _unless_equal(other, exact):
     """Return the other answer; None if it has another shape, or is the same."""
-    if other.shape != exact.shape or np.allclose(other, exact, rtol=1e-9, atol=1e-12, equal_nan=True):
+    if other.shape != exact.shape or np.allclose(
+        other, exact, rtol=1e-9, atol=1e-12, equal_nan=True
+    ):
         return None
     return other
 
@@ -298,10 +376,18 @@ def _of_an_entry(argument):
     vector = attempt(_numbers, argument)
     n = len(vector) if np.ndim(vector) == 1 else 0
     for j in range(n if 1 < n <= _MOST_LINES else 0):
-        yield f"entry [{j}] of {{}} has the wrong sign", _SIGN, lambda x, j=j: x * np.where(np.arange(n) == j, -1, 1)
+        yield (
+            f"entry [{j}] of {{}} has the wrong sign",
+            _SIGN,
+            lambda x, j=j: x * np.where(np.arange(n) == j, -1, 1),
+        )
         yield f"entry [{j}] of {{}} is not used", _SAME, lambda x, j=j: x * (np.arange(n) != j)
     for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
-        yield "the entries of {} are in another order", _ENTRIES, lambda x, order=order: x[list(order)]
+        yield (
+            "the entries of {} are in another order",
+            _ENTRIES,
+            lambda x, order=order: x[list(order)],
+        )
 
 
 def _swapped(i, j):
@@ -315,7 +401,9 @@ def _swapped(i, j):
 
 def _at(k, change):
     def changed(case):
-        return [change(_numbers(argument)) if i == k else argument for i, argument in enumerate(case)]
+        return [
+            change(_numbers(argument)) if i == k else argument for i, argument in enumerate(case)
+        ]
 
     return changed
 
@@ -330,7 +418,11 @@ def _numbers(argument):
 
 def _cut_off(value, *case):
     """Return whether an answer to lists or arrays of whole numbers is made of such."""
-    whole = any(attempt(np.asarray, each).dtype.kind == "i" for each in case if isinstance(each, np.ndarray | list))
+    whole = any(
+        attempt(np.asarray, each).dtype.kind == "i"
+        for each in case
+        if isinstance(each, np.ndarray | list)
+    )
     return whole and np.size(value) >= _FEW and np.array_equal(value, np.trunc(value))
 
 
@@ -384,14 +476,20 @@ _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
 _HALF = "np.arctan2(y, x) takes sine and cosine apart, and knows the angle on all of the circle."
-_COPIES = "An array that changes in place changes wherever it stands: does a list hold it more than once?"
+_COPIES = (
+    "An array that changes in place changes wherever it stands: does a list hold it more than once?"
+)
 
 _WHOLE = (
     "digits after the point are cut off",
-    "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has room for digits.",
+    "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has "
+    "room for digits.",
 )
 
-_FEW_DIGITS = "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is np.pi."
+_FEW_DIGITS = (
+    "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is "
+    "np.pi."
+)
 
 _OF_THE_ANSWER = (
     ("the answer is the transpose of what it should be", _ROWS, _transposed),
@@ -404,7 +502,11 @@ _OF_THE_ANSWER = (
     ("the entries of the answer are in reverse order", _ENTRIES, _reversed),
     ("the two halves of the answer have changed places", _HALVES, _halves_swapped),
     ("the answer is without its signs", "Which line loses the sign?", np.abs),
-    ("0 stands where nan is asked for", "Could 0 be a right answer? What would it say here?", np.nan_to_num),
+    (
+        "0 stands where nan is asked for",
+        "Could 0 be a right answer? What would it say here?",
+        np.nan_to_num,
+    ),
     ("True and False have changed places", "What does True mean in the task?", _negated_bits),
     ("each item is the last one", _COPIES, lambda x: x[[-1] * len(x)]),
     ("each item after the first is the last one", _COPIES, lambda x: x[[0] + [-1] * (len(x) - 1)]),
@@ -415,16 +517,27 @@ _OF_THE_ANSWER = (
 )
 
 _OF_THE_ANSWER += tuple(
-    (f"the answer is rounded to {k} digits", _FEW_DIGITS, functools.partial(np.round, decimals=k)) for k in range(2, 7)
+    (f"the answer is rounded to {k} digits", _FEW_DIGITS, functools.partial(np.round, decimals=k))
+    for k in range(2, 7)
 )
 _FOLDS = (
-    ("an angle comes from arcsin, which knows half of the circle only", lambda x: np.arcsin(np.sin(x))),
+    (
+        "an angle comes from arcsin, which knows half of the circle only",
+        lambda x: np.arcsin(np.sin(x)),
+    ),
     ("a sign is lost, as that of an angle by arccos", lambda x: np.arccos(np.cos(x))),
-    ("an angle comes from arctan, which knows half of the circle only", lambda x: np.arctan(np.tan(x))),
+    (
+        "an angle comes from arctan, which knows half of the circle only",
+        lambda x: np.arctan(np.tan(x)),
+    ),
 )
 
 _OF_A_CHANGE = (  # of an argument, to which the answer adds something
-    ("only the change of {} is returned", "What is asked for: the change, or what comes after it?", np.subtract),
+    (
+        "only the change of {} is returned",
+        "What is asked for: the change, or what comes after it?",
+        np.subtract,
+    ),
     ("the change of {} has the opposite sign", _SIGN, lambda right, before: 2 * before - right),
 )
 
@@ -442,15 +555,35 @@ _OF_AN_ARGUMENT = (
     ("the two halves of {} have changed places", _HALVES, _halves_swapped),
     ("{} is without its signs", "Which line loses the sign?", lambda x: _no_matrix(np.abs(x))),
     ("{} is not used: the answer is that for 0", _SAME, lambda x: _no_matrix(0.0 * x)),
-    ("{} is not used: the answer is that for the identity", _SAME, lambda x: 0 * x + np.eye(len(_of_dimension(x, 2)))),
+    (
+        "{} is not used: the answer is that for the identity",
+        _SAME,
+        lambda x: 0 * x + np.eye(len(_of_dimension(x, 2))),
+    ),
 )
 
 _OTHER_FORMS = (
-    ("an axis of length 1 is lost", "One item, too, is a row of the answer. Which line drops the axis?", np.squeeze),
-    ("only the first item is returned", "Collect the results of all items, and return them together.", lambda x: x[0]),
-    ("only the last item is returned", "Is the result overwritten in each pass of the loop?", lambda x: x[-1]),
+    (
+        "an axis of length 1 is lost",
+        "One item, too, is a row of the answer. Which line drops the axis?",
+        np.squeeze,
+    ),
+    (
+        "only the first item is returned",
+        "Collect the results of all items, and return them together.",
+        lambda x: x[0],
+    ),
+    (
+        "only the last item is returned",
+        "Is the result overwritten in each pass of the loop?",
+        lambda x: x[-1],
+    ),
     ("rows and columns have changed places", "Compare the shape with the task.", _transposed),
-    ("only the upper left block is returned", "The last row and column belong to the answer.", lambda x: x[:-1, :-1]),
+    (
+        "only the upper left block is returned",
+        "The last row and column belong to the answer.",
+        lambda x: x[:-1, :-1],
+    ),
     ("only the last column is returned", "The whole matrix is asked for.", lambda x: x[:-1, -1]),
     ("the last row is missing", "The whole matrix is asked for.", lambda x: x[:-1]),
     ("only the first half is returned", "Both halves are asked for.", lambda x: x[: len(x) // 2]),
@@ -458,5 +591,9 @@ _OTHER_FORMS = (
     ("the last item is missing", "How many items are there, both ends included?", lambda x: x[:-1]),
     ("the first item is missing", "How many items are there, both ends included?", lambda x: x[1:]),
     ("the answer is flattened", "Keep the rows.", np.ravel),
-    ("there is one pair of brackets too many", "Print your answer and its np.shape.", lambda x: x[None]),
+    (
+        "there is one pair of brackets too many",
+        "Print your answer and its np.shape.",
+        lambda x: x[None],
+    ),
 )

@@ -9,16 +9,30 @@ import textwrap
 
 import numpy as np
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Here, Verdict, review, with_blame
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    UNCHANGED,
+    WRONG,
+    Here,
+    Verdict,
+    review,
+    with_blame,
+)
 from course_lib.checks.naming import attempt, predict, same
 
-# A mark and a colour for the rule beside each message. The words say the same; the colours suit light and dark themes.
+# A mark and a colour for the rule beside each message. The words say the same; the colours suit
+# light and dark themes.
 _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _NOTHING = object()
 _LONG = 40  # numbers: of a longer array one item is shown
-_WIDTH, _IN_VIEW = 100, 8  # columns and lines that JupyterLab shows beside its file browser on a small laptop
+_WIDTH, _IN_VIEW = (
+    100,
+    8,
+)  # columns and lines that JupyterLab shows beside its file browser on a small laptop
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
@@ -27,22 +41,25 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     Parameters
     ----------
     module : str
-        The notebook's module in course_lib.checks. The folder of the same name in `exercises` has a module for each
-        exercise, which holds it as EXERCISE.
+        The notebook's module in course_lib.checks. The folder of the same name in `exercises` has a
+        module for each exercise, which holds it as EXERCISE.
     exercises : tuple of str
         The names of the core's exercises, in the order of the notebook.
     predictions : tuple of Prediction
     more : tuple of str, optional
         The names of the exercises of More, in the order of the notebook.
     stop : tuple of str, optional
-        The last exercise of the first sitting, and the title of the section at which the second one begins.
+        The last exercise of the first sitting, and the title of the section at which the second one
+        begins.
 
     Returns
     -------
     dict
     """
     folder = module.replace("course_lib.checks.", "course_lib.checks.exercises.")
-    checks = [Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises + more]
+    checks = [
+        Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises + more
+    ]
     for check in checks:
         check.siblings = checks
         check.more = check.exercise.name in more
@@ -87,7 +104,10 @@ class Check:
         return self.exercise.library
 
     def __call__(self, function=_NOTHING, *more):
-        """Judge the function and show one message. Under nbgrader a wrong answer raises, so that points follow."""
+        """Judge the function and show one message.
+
+        Under nbgrader a wrong answer raises, so that points follow.
+        """
         if more or not callable(function):
             self.verdict = Verdict(self.exercise, ERROR, self._how_to_call(function))
         else:
@@ -101,8 +121,14 @@ class Check:
         verdict = review(self.exercise, Here(function))
         if verdict.state in (WRONG, ERROR) and verdict.calls:
             own = function.__globals__
-            others = [s.exercise for s in self.siblings if s is not self and s.exercise.name in verdict.calls]
-            verdict = with_blame(verdict, (review(other, Here(own[other.name])) for other in others))
+            others = [
+                s.exercise
+                for s in self.siblings
+                if s is not self and s.exercise.name in verdict.calls
+            ]
+            verdict = with_blame(
+                verdict, (review(other, Here(own[other.name])) for other in others)
+            )
         return verdict
 
     def _how_to_call(self, function):
@@ -110,7 +136,8 @@ class Check:
         if function is _NOTHING:
             return f"Pass the function to its check: check.{name}({name})."
         return (
-            f"The check takes the function itself, without brackets behind its name: check.{name}({name}). "
+            f"The check takes the function itself, without brackets behind its name: "
+            f"check.{name}({name}). "
             f"What came is of type {type(function).__name__}."
         )
 
@@ -127,14 +154,19 @@ class Check:
     def use(self, function):
         """Return the student's function if its check has passed, else the library's, and show which one it is.
 
-        So unfinished work does not stop what follows. The function returned has an attribute `whose`, "yours" or
-        "the library's"; the student's function then returns arrays instead of lists.
+        So unfinished work does not stop what follows. The function returned has an attribute
+        `whose`, "yours" or "the library's"; the student's function then returns arrays instead of
+        lists.
         """
         mine = self.verdict.state == RIGHT
         used = _giving_arrays(function) if mine else functools.partial(self.library)
         used.whose = "yours" if mine else "the library's"
         until = "" if mine else ", until yours passes its check"
-        _show(f"{self.exercise.name} from here on: {used.whose}{until}", _MARKS[NOT_ATTEMPTED][1], "course-use")
+        _show(
+            f"{self.exercise.name} from here on: {used.whose}{until}",
+            _MARKS[NOT_ATTEMPTED][1],
+            "course-use",
+        )
         return used
 
 
@@ -177,7 +209,9 @@ class Predict:
             return
         letter = str(choice).strip().lower()
         if letter not in self.prediction.replies:
-            _show(f"○ Choose one of {', '.join(self.prediction.replies)}.", _MARKS[NOT_ATTEMPTED][1])
+            _show(
+                f"○ Choose one of {', '.join(self.prediction.replies)}.", _MARKS[NOT_ATTEMPTED][1]
+            )
             return
         self.choice = letter
         state = RIGHT if letter == self.prediction.right else WRONG
@@ -192,7 +226,8 @@ class Progress:
     checks : list of Check
     predictions : list of Predict, optional
     stop : tuple of str, optional
-        The last exercise of the first sitting, and the title of the section at which the second one begins.
+        The last exercise of the first sitting, and the title of the section at which the second one
+        begins.
     """
 
     def __init__(self, checks, predictions=(), stop=None):
@@ -205,15 +240,23 @@ class Progress:
         lines = [_bar("Core", core), *map(_line, core)]
         if last:
             lines.insert(names.index(last) + 2, f"Second sitting, from the section “{section}”:")
-        if any(v.state != NOT_ATTEMPTED for v in more):  # whoever leaves More out reads nothing of it
+        if any(
+            v.state != NOT_ATTEMPTED for v in more
+        ):  # whoever leaves More out reads nothing of it
             lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
         choices = [each.choice for each in self.predictions if not each.prediction.more]
         if choices:
-            lines.append(f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}")
+            lines.append(
+                f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}"
+            )
         following = next((v.exercise.name for v in core if v.state != RIGHT), None)
         lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
         later = core[names.index(last) + 1 :] if last else []
-        if later and later[0].exercise.name == following and {v.state for v in later} == {NOT_ATTEMPTED}:
+        if (
+            later
+            and later[0].exercise.name == following
+            and {v.state for v in later} == {NOT_ATTEMPTED}
+        ):
             lines.append(f"You can stop here; next time begin at “{section}”.")
         _show("\n".join(lines), _MARKS[RIGHT][1])
 
@@ -263,11 +306,15 @@ def _said(verdict):
         return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
     if verdict.state == UNCHANGED:
         return (
-            f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an example whose "
+            f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an "
+            f"example whose "
             "answer you know."
         )
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
-    lines = [f"{mark} {exercise.name}: " + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)]
+    lines = [
+        f"{mark} {exercise.name}: "
+        + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)
+    ]
     if verdict.blames:
         lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
         lines.append(f"Correct {verdict.blames} first, then run this check again.")
@@ -286,17 +333,24 @@ def _shown(verdict):
     if verdict.case is None or verdict.blames:
         return ""
     named = zip(verdict.exercise.arguments, verdict.case, strict=True)
-    blocks = [_labelled("and " if i else "For ", f"{name} = ", value) for i, (name, value) in enumerate(named)]
+    blocks = [
+        _labelled("and " if i else "For ", f"{name} = ", value)
+        for i, (name, value) in enumerate(named)
+    ]
     if verdict.state == WRONG:
         for i, part in enumerate(_wrong_parts(verdict)):
-            blocks.append(_labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict)))
+            blocks.append(
+                _labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict))
+            )
     return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
 
 
 def _wrong_parts(verdict):
     """Return the arrays of a pair that are wrong, or one if they have the same shape; of another answer it alone."""
     answer, library = verdict.answer, verdict.exercise.library
-    if not isinstance(answer, tuple | list) or not any(isinstance(part, np.ndarray) for part in answer):
+    if not isinstance(answer, tuple | list) or not any(
+        isinstance(part, np.ndarray) for part in answer
+    ):
         return [answer]
     joined = attempt(np.array, answer)
     if joined is not None and joined.dtype != object:
@@ -324,7 +378,11 @@ def _side_by_side(blocks):
 def _offer(verdict):
     """Return how to get a hint if the message contains none, or ""."""
     named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
-    return "" if named or not verdict.exercise.hints else f"check.{verdict.exercise.name}.hint() gives a hint."
+    return (
+        ""
+        if named or not verdict.exercise.hints
+        else f"check.{verdict.exercise.name}.hint() gives a hint."
+    )
 
 
 def _first_wrong(verdict):
@@ -344,7 +402,9 @@ def _labelled(before, label, value, item=0):
         text = f"numpy.random.default_rng({value.number})"
     elif isinstance(value, np.ndarray) and value.size > _LONG:
         which = f"whose item {item} is" if item else "that begins with"
-        return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled("    ", "", value[item])
+        return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
+            "    ", "", value[item]
+        )
     elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
         text = _six_digits(value)
     elif isinstance(value, np.ndarray):
@@ -370,12 +430,19 @@ def _six_digits(array):
 
 def _show_choices(prediction):
     """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a kernel."""
-    calls = " or ".join(f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies)
+    calls = " or ".join(
+        f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies
+    )
     replies = [
         f"<details><summary>{letter}</summary>{html.escape(f'{_mark(prediction, letter)} {reply}')}</details>"
         for letter, reply in prediction.replies.items()
     ]
-    _show(f"{_NO_CHOICE} {calls}", _MARKS[NOT_ATTEMPTED][1], "course-predict", _NO_CHOICE + "".join(replies))
+    _show(
+        f"{_NO_CHOICE} {calls}",
+        _MARKS[NOT_ATTEMPTED][1],
+        "course-predict",
+        _NO_CHOICE + "".join(replies),
+    )
 
 
 def _mark(prediction, letter):

@@ -1,4 +1,7 @@
-"""Predictions: a question about what the next cell will show, answered before that cell runs. No points."""
+"""Predictions: a question about what the next cell will show, answered before that cell runs.
+
+No points.
+"""
 
 from dataclasses import dataclass
 
@@ -7,7 +10,8 @@ from dataclasses import dataclass
 class Prediction:
     """A question with two to four choices, each with an answer of its own.
 
-    The notebook contains the question and the choices; only this object contains which one is right.
+    The notebook contains the question and the choices; only this object contains which one is
+    right.
 
     Parameters
     ----------
@@ -34,4 +38,7 @@ class Prediction:
 
     def __post_init__(self):
         if self.right not in self.replies or not 2 <= len(self.replies) <= 4:
-            raise ValueError(f"{self.name}: two to four choices, the right one among them; {list(self.replies)} came")
+            raise ValueError(
+                f"{self.name}: two to four choices, the right one among them; {list(self.replies)} "
+                f"came"
+            )

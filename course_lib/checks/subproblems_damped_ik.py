@@ -21,8 +21,14 @@ PREDICTIONS = (
         {
             "a": "Yes. Each circle reaches 30 degrees along the arc of 70 degrees from k1 to k2; 10 degrees remain "
             "between them.",
-            "b": "They would touch if the two angles added up to the 70 degrees between the axes. 30 + 30 is less.",
-            "c": "For that the circles have to overlap: their angles would have to add up to more than 70 degrees.",
+            "b": (
+                "They would touch if the two angles added up to the 70 degrees between the axes. "
+                "30 + 30 is less."
+            ),
+            "c": (
+                "For that the circles have to overlap: their angles would have to add up to more "
+                "than 70 degrees."
+            ),
         },
     ),
     Prediction(
@@ -41,7 +47,10 @@ PREDICTIONS = (
         "too_large",
         "b",
         {
-            "a": "Overshooting by less than the error itself would converge. Here each step overshoots by more.",
+            "a": (
+                "Overshooting by less than the error itself would converge. Here each step "
+                "overshoots by more."
+            ),
             "b": "Yes: near the target each step overshoots by more than the error was. That cannot go on forever: the "
             "tip stays within 4 m of the base.",
             "c": "That would take steps in one direction. Look at the sign: each step overshoots, so the next one goes "
@@ -52,7 +61,10 @@ PREDICTIONS = (
         "wrist_rates",
         "c",
         {
-            "a": "One joint has to follow a direction that is nearly lost. Look at the determinant, -sin b2.",
+            "a": (
+                "One joint has to follow a direction that is nearly lost. Look at the determinant, "
+                "-sin b2."
+            ),
             "b": "The largest rate is inversely proportional to sin b2, not to its square root.",
             "c": "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate, and most of their "
             "motion cancels.",
@@ -63,7 +75,10 @@ PREDICTIONS = (
         "paths",
         "c",
         {
-            "a": "For the joints, yes. The path of the tip gets longer: with strong damping it is no longer straight.",
+            "a": (
+                "For the joints, yes. The path of the tip gets longer: with strong damping it is "
+                "no longer straight."
+            ),
             "b": "For the joints the opposite holds: strong damping saves joint motion.",
             "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
             "measure.",

@@ -11,8 +11,13 @@ from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
 COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
-SOLVERS = tuple(f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root"))
-SOLVERS += ("course_lib.ik.solve", "course_lib.ik.damped_path")  # none of them in an exercise that asks for one
+SOLVERS = tuple(
+    f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root")
+)
+SOLVERS += (
+    "course_lib.ik.solve",
+    "course_lib.ik.damped_path",
+)  # none of them in an exercise that asks for one
 
 
 def unit(rng):
@@ -66,8 +71,14 @@ def remembered(function):
 
 def partial_sum(M, terms):
     """Return the sum of so many terms of the exponential series of M; None if it has converged."""
-    total = sum(itertools.accumulate(range(1, terms), lambda term, k: term @ M / k, initial=np.eye(len(M))))
-    following = sum(itertools.accumulate(range(1, terms + 1), lambda term, k: term @ M / k, initial=np.eye(len(M))))
+    total = sum(
+        itertools.accumulate(range(1, terms), lambda term, k: term @ M / k, initial=np.eye(len(M)))
+    )
+    following = sum(
+        itertools.accumulate(
+            range(1, terms + 1), lambda term, k: term @ M / k, initial=np.eye(len(M))
+        )
+    )
     return None if np.allclose(total, following, rtol=1e-11, atol=1e-11) else total
 
 
@@ -90,20 +101,27 @@ def two_link_angles(xy):
 
 _Q1 = Mistake(
     "the angle of the elbow is right, and the first one is not",
-    "In which direction is the tip, from -pi to pi? On which side of it is the first link, for each elbow?",
+    "In which direction is the tip, from -pi to pi? On which side of it is the first link, for "
+    "each elbow?",
 )
 _Q2 = Mistake(
     "the angle of the elbow is another one",
-    "Which cosine follows from the squared distance of the tip? Does your inverse function know angles from 0 to pi?",
+    "Which cosine follows from the squared distance of the tip? Does your inverse function know "
+    "angles from 0 to pi?",
 )
-_NONE = Mistake("a position within reach has no answer", "What makes it nan: a range, a division, or a comparison?")
+_NONE = Mistake(
+    "a position within reach has no answer",
+    "What makes it nan: a range, a division, or a comparison?",
+)
 
 
 def other_bend(angles, tip):
     """Return the Mistake of two pairs of joint angles (2, 2) that do not lead to the tip (2,)."""
     if np.isnan(angles).any():
         return _NONE
-    return _Q1 if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < 1e-6 else _Q2
+    return (
+        _Q1 if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < 1e-6 else _Q2
+    )
 
 
 # ---- comparisons; as `alike` of an exercise, they also take the arguments of the case ----
@@ -163,7 +181,9 @@ def _no_rotation(R):
     return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
 
 
-def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1", mistake=None):
+def rotation(
+    block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1", mistake=None
+):
     """Return the Property that block(answer) is a rotation; mistake: as of a Property."""
     return Property(
         text,
@@ -174,14 +194,17 @@ def rotation(block=lambda answer: answer, text="R is a rotation: R^T R = I and d
 
 
 ENTRY_BY_ENTRY = Mistake(
-    "the answer is not a product of rotations", "In numpy the product of matrices is @; * works entry by entry."
+    "the answer is not a product of rotations",
+    "In numpy the product of matrices is @; * works entry by entry.",
 )
 
 LAST_ROW = Property(  # of a pose, or of each in an array of them
     "the last row is (0, ..., 0, 1)",
     lambda T, *case: near(T[..., -1, :], np.eye(T.shape[-1])[-1]),
     says=lambda T, *case: f"Yours is {format_array(T[..., -1, :])}.",
-    mistake=Mistake("the last row is not that of a pose", "What becomes of the 1 at the end of a point?"),
+    mistake=Mistake(
+        "the last row is not that of a pose", "What becomes of the 1 at the end of a point?"
+    ),
 )
 
 
@@ -197,28 +220,38 @@ def part_is(text, right, part, mistake=None):
     def says(answer, *case):
         right, found = wanted(*case), answer[part]
         return (
-            f"That is {compared(right, found)}." if right.ndim < 2 else first_off(found, right, "There the {} column")
+            f"That is {compared(right, found)}."
+            if right.ndim < 2
+            else first_off(found, right, "There the {} column")
         )
 
-    return Property(text, lambda answer, *case: near(answer[part], wanted(*case)), says, mistake=mistake)
+    return Property(
+        text, lambda answer, *case: near(answer[part], wanted(*case)), says, mistake=mistake
+    )
 
 
 def first_off(found, wanted, what="The {} column"):
     """Return in words which column is the first that is off; for rows, give both transposed."""
-    i = int(np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)]))
+    i = int(
+        np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)])
+    )
     return f"{what.format(ORDINALS[i])} should be {compared(wanted[:, i], found[:, i])}."
 
 
 def compared(wanted, found):
     """Return in words what is wanted and what was found, and by how much it is off if the digits shown agree."""
     right, yours = format_tuple(wanted), format_tuple(found)
-    return f"{right}; yours is {yours}" + (f", off by {np.abs(found - wanted).max():.2g}" if right == yours else "")
+    return f"{right}; yours is {yours}" + (
+        f", off by {np.abs(found - wanted).max():.2g}" if right == yours else ""
+    )
 
 
 def _first_otherwise(values, cases):
     """The position of the first case that was asked before and answered otherwise."""
     for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
-        if all(np.array_equal(a, b) for a, b in zip(earlier, later, strict=True)) and not near(values[j], values[i]):
+        if all(np.array_equal(a, b) for a, b in zip(earlier, later, strict=True)) and not near(
+            values[j], values[i]
+        ):
             return j
     return None
 
@@ -229,7 +262,8 @@ SAME_TWICE = Property(
     across=True,
     mistake=Mistake(
         "something is kept from one call to the next",
-        "A list outside the function, or a default like products=[], is made once only and grows or shrinks with "
+        "A list outside the function, or a default like products=[], is made once only and grows "
+        "or shrinks with "
         "each call. Make it inside the function.",
     ),
 )

@@ -1,8 +1,8 @@
 """Plain data between processes: arguments and answers, written as JSON and read without trusting the writer.
 
-Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of a random generator,
-and a Candidate in place of a function that a student's test judges. Nothing else is written, so nothing else can be
-read, such as an object that claims to equal everything.
+Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of
+a random generator, and a Candidate in place of a function that a student's test judges. Nothing
+else is written, so nothing else can be read, such as an object that claims to equal everything.
 """
 
 import base64
@@ -68,7 +68,14 @@ def read(text):
     """
     try:
         return from_json(json.loads(text))
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as problem:
+    except (
+        ValueError,
+        TypeError,
+        KeyError,
+        AttributeError,
+        RecursionError,
+        OverflowError,
+    ) as problem:
         raise NotPlain(f"not plain data: {problem}") from None
 
 
@@ -116,7 +123,9 @@ def _array_to_json(value):
                 return to_json(array.tolist())
             raise NotPlain(f"an array of type {array.dtype}")
         widest = {"f": "<f8", "c": "<c16"}.get(array.dtype.kind)
-        if widest and array.dtype.itemsize > np.dtype(widest).itemsize:  # long doubles differ between machines
+        if (
+            widest and array.dtype.itemsize > np.dtype(widest).itemsize
+        ):  # long doubles differ between machines
             array = array.astype(widest)
         array = array.astype(array.dtype.newbyteorder("<"))
     return {
@@ -149,7 +158,9 @@ def from_json(node, depth=0):
     if "tuple" in node:
         return tuple(from_json(item, depth + 1) for item in node["tuple"])
     pairs = node["dict"]
-    if not all(isinstance(key, str) for key, _ in pairs):  # numbers can be chosen so that all share one hash
+    if not all(
+        isinstance(key, str) for key, _ in pairs
+    ):  # numbers can be chosen so that all share one hash
         raise NotPlain("a dict whose keys are not all texts")
     return {key: from_json(value, depth + 1) for key, value in pairs}
 
@@ -160,7 +171,11 @@ def _array_from_json(node):
     if len(shape) > _DEPTH or max(shape, default=0) > _MOST_ENTRIES:
         raise NotPlain("an array too large to be an answer")
     data = base64.b64decode(node["bytes"], validate=True)
-    if dtype.kind not in "biufc" or min(shape, default=0) < 0 or len(data) != dtype.itemsize * math.prod(shape):
+    if (
+        dtype.kind not in "biufc"
+        or min(shape, default=0) < 0
+        or len(data) != dtype.itemsize * math.prod(shape)
+    ):
         raise NotPlain("an array whose bytes do not fit its shape")
     array = np.frombuffer(data, dtype).reshape(shape).copy()
     return array if shape else array[()]

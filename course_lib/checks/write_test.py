@@ -1,10 +1,10 @@
 """Exercises in which the student writes a test: a function that takes a candidate and returns whether it is right.
 
-The candidates are several forms of the library's function, and wrong versions of it. None of them is in the student's
-process. The student's test calls a stand-in, which sends the arguments to the process that judges and returns that
-process's answer. Grading asks about each candidate in a process of its own, to which only that one answers: so a test
-can distinguish candidates only by their answers, and not by comparing one with another. Their order is drawn from the
-seed.
+The candidates are several forms of the library's function, and wrong versions of it. None of them
+is in the student's process. The student's test calls a stand-in, which sends the arguments to the
+process that judges and returns that process's answer. Grading asks about each candidate in a
+process of its own, to which only that one answers: so a test can distinguish candidates only by
+their answers, and not by comparing one with another. Their order is drawn from the seed.
 """
 
 import json
@@ -34,13 +34,16 @@ _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "Keyboa
 
 ALWAYS_TRUE = Mistake(
     "your test accepts everything",
-    "With which arguments does it call the function that it is given, and would a wrong answer show there? Compare it "
+    "With which arguments does it call the function that it is given, and would a wrong answer "
+    "show there? Compare it "
     "with something that must hold for every right version.",
 )
 ALWAYS_FALSE = Mistake(
     "your test refuses everything",
-    "A right version passes too. Compare with a tolerance (np.allclose). Does your test ask for one of two right "
-    "answers, as at an angle of exactly pi (either sign is right)? Does it compare NaN with a number, which is never "
+    "A right version passes too. Compare with a tolerance (np.allclose). Does your test ask for "
+    "one of two right "
+    "answers, as at an angle of exactly pi (either sign is right)? Does it compare NaN with a "
+    "number, which is never "
     "equal?",
 )
 
@@ -52,14 +55,16 @@ class Version:
     Parameters
     ----------
     kind : str
-        What is special about it, to follow "one": "that is wrong only near pi", "that returns lists".
+        What is special about it, to follow "one": "that is wrong only near pi", "that returns
+        lists".
     function : callable
         Called with arrays; it may raise ValueError.
     right : bool
     example : bool
         Whether the task shows it as an example: a test that misjudges it earns nothing.
     mistake : Mistake, optional
-        What a test overlooks that refuses it, a right version, and accepts another right one of the same kind.
+        What a test overlooks that refuses it, a right version, and accepts another right one of the
+        same kind.
     """
 
     kind: str
@@ -82,7 +87,8 @@ class WriteTest(Exercise):
     refuses : Mistake
         What a test overlooks that refuses everything.
     given : callable, optional
-        The weak test that the student's cell begins with: as long as theirs judges alike, it is not attempted.
+        The weak test that the student's cell begins with: as long as theirs judges alike, it is not
+        attempted.
     """
 
     cases: None = None
@@ -97,7 +103,9 @@ class WriteTest(Exercise):
     def questions(self, rng):
         """Return a case for each version, in random order, and the function that answers calls of candidates."""
         order = [self.versions[i] for i in rng.permutation(len(self.versions))]
-        return [(_Case(number, version),) for number, version in enumerate(order)], self._consultant(order)
+        return [
+            (_Case(number, version),) for number, version in enumerate(order)
+        ], self._consultant(order)
 
     def verdict(self, cases, answers):
         """Return the Verdict on the student's judgements; an exception counts as refusing, as in pytest."""
@@ -108,7 +116,10 @@ class WriteTest(Exercise):
                 return replace(no_answer(self, None, **error), case=None)
             if error and case.version.right:
                 verdict = no_answer(self, None, **error)
-                reason = f"{verdict.reason}\nYour test raised this for a right version: one {case.version.kind}."
+                reason = (
+                    f"{verdict.reason}\nYour test raised this for a right version: one "
+                    f"{case.version.kind}."
+                )
                 return replace(verdict, state=ERROR, reason=reason, case=None)
             if not error and answer["value"] is None:
                 return Verdict(self, WRONG, "your test returns True or False.", FORGOTTEN_RETURN)
@@ -117,9 +128,13 @@ class WriteTest(Exercise):
             except Unreadable as wrong_kind:
                 return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake)
         scored = self._scored(judged)
-        as_given = [accepted == bool(attempt(self.given, version.function)) for version, accepted in judged]
+        as_given = [
+            accepted == bool(attempt(self.given, version.function)) for version, accepted in judged
+        ]
         if self.given and scored.state == WRONG and all(as_given):
-            return Verdict(self, NOT_ATTEMPTED, f"{NOT_ATTEMPTED}: it judges as the given test does")
+            return Verdict(
+                self, NOT_ATTEMPTED, f"{NOT_ATTEMPTED}: it judges as the given test does"
+            )
         return scored
 
     def _scored(self, judged):
@@ -128,9 +143,11 @@ class WriteTest(Exercise):
         n_right = sum(version.right for version, _ in judged)
         n_wrong = len(judged) - n_right
         if not refused and not missed:
-            return Verdict(self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused")
-        # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one input, refuses hardly
-        # more. One that always returns the same, or guesses, earns nothing.
+            return Verdict(
+                self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused"
+            )
+        # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one
+        # input, refuses hardly more. One that always returns the same, or guesses, earns nothing.
         share = max(1 - (len(refused) / n_right + len(missed) / n_wrong) / 0.3, 0)
         said = "your test accepts every right version and refuses every wrong one."
         said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"
@@ -138,7 +155,9 @@ class WriteTest(Exercise):
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = self.refuses if len(refused) == n_right and not missed else always
         accepted = [version.kind for version, accepted in judged if version.right and accepted]
-        always = next((each.mistake for each in refused if each.mistake and each.kind in accepted), always)
+        always = next(
+            (each.mistake for each in refused if each.mistake and each.kind in accepted), always
+        )
         failed_example = any(version.example for version in (*refused, *missed))
         credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, said, always, credit=credit)
@@ -158,7 +177,14 @@ class WriteTest(Exercise):
                 arguments = self._arguments([from_json(node) for node in asked["arguments"]])
                 with np.errstate(all="ignore"):
                     return json.dumps({"value": to_json(order[number].function(*arguments))})
-            except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError) as problem:
+            except (
+                ValueError,
+                LookupError,
+                TypeError,
+                AttributeError,
+                ArithmeticError,
+                RecursionError,
+            ) as problem:
                 return json.dumps({"error": str(problem)[:200]})
 
         return consult
@@ -168,9 +194,17 @@ class WriteTest(Exercise):
             raise ValueError(f"the function takes {len(self.shapes)} arguments; {len(given)} came")
         arrays = [np.asarray(value) for value in given]
         for array, shape in zip(arrays, self.shapes, strict=True):
-            if array.dtype.kind not in "biuf" or array.shape != shape or not np.isfinite(array).all():
-                wanted = f"an array of finite numbers of shape {shape}" if shape else "one finite number"
-                raise ValueError(f"the function takes {wanted}; an argument of shape {array.shape} came")
+            if (
+                array.dtype.kind not in "biuf"
+                or array.shape != shape
+                or not np.isfinite(array).all()
+            ):
+                wanted = (
+                    f"an array of finite numbers of shape {shape}" if shape else "one finite number"
+                )
+                raise ValueError(
+                    f"the function takes {wanted}; an argument of shape {array.shape} came"
+                )
         return [array.astype(float) for array in arrays]
 
 

@@ -1,6 +1,7 @@
 """Every picture of the course. Each function returns a figure; show puts it into the notebook.
 
-The toys, which are interactive figures, show themselves as the last line of a cell. They are imported when first used.
+The toys, which are interactive figures, show themselves as the last line of a cell. They are
+imported when first used.
 """
 
 from importlib import import_module

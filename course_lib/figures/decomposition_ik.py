@@ -16,7 +16,8 @@ _EDGE = "#555555"
 def two_elbows(solutions, xy):
     """Return the 2R arm at two pairs of joint angles, and the desired position.
 
-    solutions: (2, 2), joint angles in radians, a row for each elbow, q2 >= 0 first. xy: (2,), the desired position.
+    solutions: (2, 2), joint angles in radians, a row for each elbow, q2 >= 0 first. xy: (2,), the
+    desired position.
     """
     fig, (ax,) = plane_figure(5.2, 4.2)
     looks = ((BLUE, "-", r"$q_2 \geq 0$"), (RED, "--", r"$q_2 \leq 0$"))
@@ -32,21 +33,28 @@ def two_elbows(solutions, xy):
     in_metres(ax)
     ax.margins(0.12)
     ax.legend(frameon=False)
-    alt = f"An arm with two links twice, its elbows at {' and '.join(elbows)} m, and the desired position "
+    alt = (
+        f"An arm with two links twice, its elbows at {' and '.join(elbows)} m, and the desired "
+        f"position "
+    )
     alt += f"({xy[0]:g}, {xy[1]:g}) m. "
     if max(off) < 0.01:
         return Picture(
-            fig, alt + "Both tips are there; the two form a rhombus.", "Both elbows lead to the same position."
+            fig,
+            alt + "Both tips are there; the two form a rhombus.",
+            "Both elbows lead to the same position.",
         )
-    caption = f"Neither tip is at the desired position: they miss it by {off[0]:.1f} and {off[1]:.1f} cm."
+    caption = (
+        f"Neither tip is at the desired position: they miss it by {off[0]:.1f} and {off[1]:.1f} cm."
+    )
     return Picture(fig, alt + "Neither tip is there.", caption)
 
 
 def samples(xy, cell, low, high, n):
     """Return the samples in the workspace, and a part of it, coloured by their cells; neighbours differ.
 
-    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n cells along each side.
-    Of more than 30,000 samples every second is drawn.
+    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n
+    cells along each side. Of more than 30,000 samples every second is drawn.
     """
     xy, cell = (each[:: 1 + len(each) // 30_000] for each in (xy, cell))
     first = np.array([0.7 * n, 0.75 * n]).astype(int)
@@ -70,8 +78,10 @@ def samples(xy, cell, low, high, n):
     return Picture(
         fig,
         f"Left, {len(xy):,} positions: a band between the radii {radius.min():.2f} and "
-        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, {high[1]:.1f}) m. Right, a "
-        "part of them at the outer edge, with the lines of the grid: each has the colour of its cell.",
+        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, "
+        f"{high[1]:.1f}) m. Right, a "
+        "part of them at the outer edge, with the lines of the grid: each has the colour of its "
+        "cell.",
         "The samples are denser near the outer edge, which cuts many cells.",
     )
 
@@ -91,17 +101,22 @@ def clusters(contents):
         ax.axhline(0, color=GREY, linewidth=1)
         ax.set(title=title, **labels)
         ax.margins(0.12)
-        ranges = " and ".join(f"{group[:, 1].min():.0f} to {group[:, 1].max():.0f}" for group in groups)
+        ranges = " and ".join(
+            f"{group[:, 1].min():.0f} to {group[:, 1].max():.0f}" for group in groups
+        )
         said.append(f"{title}: q2 from {ranges} degrees in the two clusters")
     axes[0].legend(frameon=False, loc="center")
-    alt = f"Joint angles of {len(said)} cells, q2 over q1, with two clusters each. {'; '.join(said)}."
+    alt = (
+        f"Joint angles of {len(said)} cells, q2 over q1, with two clusters each. {'; '.join(said)}."
+    )
     return Picture(fig, alt, "Compare each cut with the line q2 = 0, which separates the elbows.")
 
 
 def two_cells(q, xy, in_joints, in_plane):
     """Return samples in joint space, and where they lead: those of a cell of joint space, and of one of the workspace.
 
-    q, xy: (m, 2), joint angles and positions. in_joints, in_plane: (m,), whether a sample lies in each of the cells.
+    q, xy: (m, 2), joint angles and positions. in_joints, in_plane: (m,), whether a sample lies in
+    each of the cells.
     """
     fig, axes = plane_figure(9.6, 4.2, 2)
     for ax, points in zip(axes, (np.rad2deg(q), xy), strict=True):
@@ -111,20 +126,27 @@ def two_cells(q, xy, in_joints, in_plane):
     axes[0].set(title="joint angles", xlabel="$q_1$ (degrees)", ylabel="$q_2$ (degrees)")
     in_metres(axes[1], title="positions")
     up = np.rad2deg(q[in_plane, 1])
-    ranges = " and ".join(f"{part.min():.0f} to {part.max():.0f}" for part in (up[up > 0], up[up <= 0]))
+    ranges = " and ".join(
+        f"{part.min():.0f} to {part.max():.0f}" for part in (up[up > 0], up[up <= 0])
+    )
     alt = (
-        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one patch of positions; "
+        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one "
+        "patch of positions; "
     )
     alt += f"a red rectangle of positions is reached from two patches of joint angles, with q2 from {ranges} degrees."
     return Picture(
-        fig, alt, "In how many patches does the blue cell appear on the other side, and in how many the red one?"
+        fig,
+        alt,
+        "In how many patches does the blue cell appear on the other side, and in how many the red "
+        "one?",
     )
 
 
 def errors(contents, caption):
     """Return errors at positions in the plane, by size and colour.
 
-    contents: {title: (xy (m, 2), error (m,) in cm, NaN where there is no answer)}, a panel for each.
+    contents: {title: (xy (m, 2), error (m,) in cm, NaN where there is no answer)}, a panel for
+    each.
     """
     fig, axes = plane_figure(4.8 * len(contents), 3.8, len(contents))
     said = []
@@ -152,14 +174,24 @@ def errors(contents, caption):
 def convergence(sizes, curves, slopes):
     """Return the largest error of the position over the size of the cell.
 
-    sizes: (n,), widths of the cell. curves: {name: largest errors (n,), in metres}. slopes: {name: slope of the curve
-    on logarithmic axes}.
+    sizes: (n,), widths of the cell. curves: {name: largest errors (n,), in metres}. slopes: {name:
+    slope of the curve on logarithmic axes}.
     """
-    said = "; ".join(f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}" for name, e in curves.items())
+    said = "; ".join(
+        f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}"
+        for name, e in curves.items()
+    )
     shown = {f"{name}: slope {slopes[name]:.1f}": 100 * e for name, e in curves.items()}
     return Picture(
-        lines(100 * sizes, shown, xlabel="width of the cell (cm)", ylabel="largest error (cm)", log="xy"),
-        f"The largest error of the position in a cell, in cm, over the width of the cell, both logarithmic: {said}.",
+        lines(
+            100 * sizes,
+            shown,
+            xlabel="width of the cell (cm)",
+            ylabel="largest error (cm)",
+            log="xy",
+        ),
+        f"The largest error of the position in a cell, in cm, over the width of the cell, both "
+        f"logarithmic: {said}.",
         "At the workspace's edge the degree of the polynomial does not change the slope.",
     )
 
@@ -173,8 +205,10 @@ def by_bend(edges, mean):
     curve = {"affine, split by the sign": mean}
     return Picture(
         lines(middles, curve, xlabel="$|q_2|$ (degrees)", ylabel="mean error (cm)"),
-        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, between "
-        f"{edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near {edges[-1]} degrees.",
+        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, "
+        f"between "
+        f"{edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near {edges[-1]} "
+        f"degrees.",
         "Up to 36 degrees the tip is within a cell's diagonal, 10 cm, of the edge.",
     )
 
@@ -187,12 +221,17 @@ def costs(memory, error):
     fig, (ax,) = plane_figure(5.4, 4.4)
     for (name, size), marker, colour in zip(memory.items(), "osD^vP*", COLOURS, strict=False):
         ax.plot(size, error[name], marker, color=colour, markersize=9, alpha=0.8, label=name)
-    ax.set(xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)")
+    ax.set(
+        xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)"
+    )
     ax.margins(0.15, 0.12)
     legend_above(fig, 2)
-    said = "; ".join(f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items())
+    said = "; ".join(
+        f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items()
+    )
     return Picture(
         fig,
         f"Mean error of both branches over memory, both logarithmic. {said}.",
-        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples another.",
+        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples "
+        "another.",
     )

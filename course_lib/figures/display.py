@@ -4,7 +4,8 @@ import io
 from itertools import accumulate
 from typing import NamedTuple
 
-TOY = "application/vnd.course.toy+json"  # MIME type of figures that a script of the course draws (see toys/toy.py)
+# MIME type of figures that a script of the course draws (see toys/toy.py)
+TOY = "application/vnd.course.toy+json"
 
 
 class Picture(NamedTuple):
@@ -34,7 +35,8 @@ def show(fig, *, alt="", caption=""):
     alt : str
         What the figure shows, in a sentence or two, for those who do not see it.
     caption : str, optional
-        What to notice in it, one sentence in Markdown, formulas between dollars. It does not repeat `alt`.
+        What to notice in it, one sentence in Markdown, formulas between dollars. It does not repeat
+        `alt`.
 
     Raises
     ------
@@ -62,7 +64,10 @@ def show(fig, *, alt="", caption=""):
     if not hasattr(fig, "savefig"):
         raise ValueError(f"fig must be a matplotlib figure; it is of type {type(fig).__name__}")
     width, height = (round(96 * inches) for inches in fig.get_size_inches())
-    data = {"image/png": _png(fig), "text/plain": alt}  # before the cuts: drawing it puts its panels into place
+    data = {
+        "image/png": _png(fig),
+        "text/plain": alt,
+    }  # before the cuts: drawing it puts its panels into place
     metadata = {"alt": alt, "width": width, "height": height} | _cuts(fig, width)
     display(data, raw=True, metadata={"image/png": metadata})
     show_caption(caption)
@@ -73,14 +78,22 @@ def show_caption(caption):
     from IPython.display import display
 
     if caption:
-        display({"text/markdown": caption, "text/plain": caption}, raw=True, metadata={"caption": caption})
+        display(
+            {"text/markdown": caption, "text/plain": caption},
+            raw=True,
+            metadata={"caption": caption},
+        )
 
 
 def _cuts(fig, width):
     """Where pages may cut a drawn figure between columns of panels, in pixels from the left; {} if it is not wide."""
-    boxes = [ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>" and width > 700]
+    boxes = [
+        ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>" and width > 700
+    ]
     boxes.sort(key=lambda box: box.x0)
-    ends = accumulate((box.x1 for box in boxes), max)  # of each panel and those that begin left of it
+    ends = accumulate(
+        (box.x1 for box in boxes), max
+    )  # of each panel and those that begin left of it
     cuts = [(end + box.x0) / 2 for end, box in zip(ends, boxes[1:], strict=False) if end < box.x0]
     return {"cuts": [round(x / fig.bbox.width * width) for x in cuts]} if cuts else {}
 
@@ -89,7 +102,14 @@ def _png(fig):
     """The figure as PNG at 1.5 times the shown resolution, without the version of matplotlib, which would change it."""
     buffer = io.BytesIO()
     uncompressed = {"compress_level": 0}  # smaller_png compresses it
-    fig.savefig(buffer, format="png", dpi=144, facecolor="white", metadata={"Software": None}, pil_kwargs=uncompressed)
+    fig.savefig(
+        buffer,
+        format="png",
+        dpi=144,
+        facecolor="white",
+        metadata={"Software": None},
+        pil_kwargs=uncompressed,
+    )
     return smaller_png(buffer.getvalue())
 
 

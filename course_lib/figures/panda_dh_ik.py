@@ -1,6 +1,7 @@
 """The figures of notebook 5: DH parameters, the Panda's frames by both conventions, the pick of a mug, methods.
 
-Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in radians.
+Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in
+radians.
 """
 
 import numpy as np
@@ -9,7 +10,16 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines
-from course_lib.figures.solids import Model, Part, body_poses, link_poses, meshes, scene, shell, shells
+from course_lib.figures.solids import (
+    Model,
+    Part,
+    body_poses,
+    link_poses,
+    meshes,
+    scene,
+    shell,
+    shells,
+)
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
@@ -45,25 +55,43 @@ def four_parameters(a, alpha, d, theta):
     after = along_x @ rigid.transform(rot_z(theta), [0, 0, d])
     z1, o1, o2 = np.array([0, 0, 1.0]), np.zeros(3), along_x[:3, 3]
     x1, z2, x2, foot = along_x[:3, 0], after[:3, 2], after[:3, 0], after[:3, 3]
-    parts = [Part(0, X_RED, meshes.arrow(o1, x1, a, 0.016)), Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016))]
+    parts = [
+        Part(0, X_RED, meshes.arrow(o1, x1, a, 0.016)),
+        Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016)),
+    ]
     parts.append(Part(0, Z_BLUE, meshes.arrow(o2, z2, d, 0.016)))
     for o, z, high in ((o1, z1, 0.5), (o2, z2, d + 0.35)):
         parts += [Part(0, STEEL, meshes.capsule(o - 0.25 * z, o + high * z, 0.012))]
         parts += [Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11))]
     tilt, swing = _arc(o2, z1, z2, 0.33), _arc(foot, x1, x2, 0.364)
-    paths = [(np.array([o, o + long * e]), GREY, (7, 5)) for o, long, e in ((o2, 0.75, z1), (foot, 0.5, x1))]
+    paths = [
+        (np.array([o, o + long * e]), GREY, (7, 5))
+        for o, long, e in ((o2, 0.75, z1), (foot, 0.5, x1))
+    ]
     paths += [(tilt, ORANGE, ()), (swing, ORANGE, ())]
-    ends = {"z₁": 0.56 * z1, "z₂": o2 + (d + 0.41) * z2, "x₁": 0.35 * a * x1 - 0.06 * z1, "x₂": foot + 0.66 * x2}
+    ends = {
+        "z₁": 0.56 * z1,
+        "z₂": o2 + (d + 0.41) * z2,
+        "x₁": 0.35 * a * x1 - 0.06 * z1,
+        "x₂": foot + 0.66 * x2,
+    }
     middles = {"a": 0.7 * a * x1 - 0.06 * z1, "d": o2 + 0.6 * d * z2 - 0.07 * x1}
     middles |= {"\u03b1": tilt[8] + 0.1 * (tilt[8] - o2), "θ": swing[8] + 0.15 * (swing[8] - foot)}
-    words = [(word, at, colour) for named, colour in ((ends, INK), (middles, BLUE)) for word, at in named.items()]
+    words = [
+        (word, at, colour)
+        for named, colour in ((ends, INK), (middles, BLUE))
+        for word, at in named.items()
+    ]
     return still(
         parts,
-        f"Two joint axes, z1 and z2, that do not meet. The common perpendicular along x1 has the length a = {a:g} m; "
-        f"about it, z2 is rotated against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, the next "
+        f"Two joint axes, z1 and z2, that do not meet. The common perpendicular along x1 has the "
+        f"length a = {a:g} m; "
+        f"about it, z2 is rotated against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, "
+        f"the next "
         f"perpendicular x2 is d = {d:g} m further on, and about z2 it is rotated by theta = "
         f"{np.rad2deg(theta):.0f} degrees.",
-        "Two numbers belong to $x$, the length $a$ and the angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. "
+        "Two numbers belong to $x$, the length $a$ and the angle $\\alpha$; two belong to $z$, $d$ "
+        "and $\\theta$. "
         "Only $\\theta$ changes when the joint rotates.",
         paths=paths,
         words=words,
@@ -75,14 +103,16 @@ def _arc(centre, start, end, radius):
     """Points (17, 3) of the arc from one unit vector to another."""
     angle = np.arccos(np.clip(start @ end, -1, 1))
     t = np.linspace(0, 1, 17)[:, None]
-    return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle)
+    return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(
+        angle
+    )
 
 
 def conventions(modified, standard, base):
     """Return the Panda twice, seen through, with the frames 1 to n of both conventions.
 
-    modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the modified ones, those of
-    `arms.panda()`, are. base: (3,), where the arm stands.
+    modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the
+    modified ones, those of `arms.panda()`, are. base: (3,), where the arm stands.
     """
     stands = rigid.transform(np.eye(3), -np.asarray(base))
     poses, groups, said = stands @ body_poses(panda(), modified, base), {}, []
@@ -97,8 +127,10 @@ def conventions(modified, standard, base):
     return beside(
         groups,
         1.0,
-        f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: {'; '.join(said)}.",
-        "A modified frame lies on its own joint's axis, a standard one on the axis of the next joint.",
+        f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: "
+        f"{'; '.join(said)}.",
+        "A modified frame lies on its own joint's axis, a standard one on the axis of the next "
+        "joint.",
         view=(1.3, -1.5, 0.7),
         high=-0.12,
     )
@@ -131,22 +163,60 @@ def pose_errors(T, T_target):
     }
     fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
     for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
-        for pose, colour, name in ((T, BLUE, "now"), (T_target, GREEN, "    target"), (np.eye(4), INK, "base")):
+        for pose, colour, name in (
+            (T, BLUE, "now"),
+            (T_target, GREEN, "    target"),
+            (np.eye(4), INK, "base"),
+        ):
             for k, width in ((0, 3), (1, 1.5)):
-                ax.plot(*np.transpose([pose[:2, 3], pose[:2, 3] + 0.16 * pose[:2, k]]), color=colour, linewidth=width)
-            ax.text(*pose[:2, 3] - [0.03, 0.09], name, color=colour, ha="left" if pose is T_target else "right")
+                ax.plot(
+                    *np.transpose([pose[:2, 3], pose[:2, 3] + 0.16 * pose[:2, k]]),
+                    color=colour,
+                    linewidth=width,
+                )
+            ax.text(
+                *pose[:2, 3] - [0.03, 0.09],
+                name,
+                color=colour,
+                ha="left" if pose is T_target else "right",
+            )
         for part in along.T:
-            ax.plot(*np.transpose([start, start + part * (part @ arrow)]), ":", color=CRIMSON, linewidth=2, zorder=3)
-        drawn = {"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
+            ax.plot(
+                *np.transpose([start, start + part * (part @ arrow)]),
+                ":",
+                color=CRIMSON,
+                linewidth=2,
+                zorder=3,
+            )
+        drawn = {
+            "arrowstyle": "-|>",
+            "color": CRIMSON,
+            "linewidth": 2.5,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        }
         ax.annotate("", start + arrow, start, arrowprops=drawn)
-        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95), aspect="equal")
-        ax.text(0.98, 0.04, f"{np.linalg.norm(arrow):.2f} m", transform=ax.transAxes, ha="right", color=CRIMSON)
-    lengths = ", ".join(f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items())
+        ax.set(
+            title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95), aspect="equal"
+        )
+        ax.text(
+            0.98,
+            0.04,
+            f"{np.linalg.norm(arrow):.2f} m",
+            transform=ax.transAxes,
+            ha="right",
+            color=CRIMSON,
+        )
+    lengths = ", ".join(
+        f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items()
+    )
     return Picture(
         fig,
-        f"A base, a current pose, blue, and a target, green, rotated by {angle:.0f} degrees against it. Three panels "
+        f"A base, a current pose, blue, and a target, green, rotated by {angle:.0f} degrees "
+        f"against it. Three panels "
         f"show the linear part of one error each as a red arrow: {lengths}.",
-        "The same motion by three arrows, dotted their components. Only the last one ends at the target; the first "
+        "The same motion by three arrows, dotted their components. Only the last one ends at the "
+        "target; the first "
         "belongs to a point of the body that is, at this moment, at the base.",
     )
 
@@ -157,7 +227,8 @@ def pose_errors(T, T_target):
 def pinhole(K, T_cm, key_points):
     """Return a pinhole camera from the side, with the ray to the key point that is farthest from its axis.
 
-    K: (3, 3), of a camera. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the mug's frame.
+    K: (3, 3), of a camera. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the
+    mug's frame.
     """
     seen = key_points @ T_cm[:3, :3].T + T_cm[:3, 3]
     k = np.abs(seen[:, 0]).argmax()
@@ -182,29 +253,45 @@ def pinhole(K, T_cm, key_points):
     side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,
-        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a depth of {z:.2f} m, "
+        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a "
+        f"depth of {z:.2f} m, "
         f"is seen {abs(K[0, 0] * x / z):.0f} pixels beside the principal point.",
-        "The blue line is the image plane. Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to $z$.",
+        "The blue line is the image plane. Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to "
+        "$z$.",
     )
 
 
 def motion(times, clearances, trajectory_times, speeds, accelerations):
     """Return how near a motion comes to its surroundings, and what share of their bounds the motors use.
 
-    times (m,) and clearances {what: (m,)} in metres; trajectory_times, speeds, accelerations (n,), 1 is a bound.
+    times (m,) and clearances {what: (m,)} in metres; trajectory_times, speeds, accelerations (n,),
+    1 is a bound.
     """
     fig, (near, hard) = plane_figure(9, 3.4, 2)
     for what, gap in clearances.items():
         near.plot(times, 100 * gap, label=what, linewidth=2)
     worst = {what: gap.min() for what, gap in clearances.items()}
     near.axhspan(min(-2, 100 * min(worst.values()) - 1), 0, color=CRIMSON, alpha=0.15)
-    near.set(xlabel="time (s)", ylabel="clearance (cm)", ylim=(min(-2, 100 * min(worst.values()) - 1), 25))
+    near.set(
+        xlabel="time (s)",
+        ylabel="clearance (cm)",
+        ylim=(min(-2, 100 * min(worst.values()) - 1), 25),
+    )
     top = min(3, 1.1 * max(1.2, speeds.max(), accelerations.max()))
     for share, name in ((speeds, "speed"), (accelerations, "acceleration")):
-        hard.plot(trajectory_times, np.minimum(share, top), label=name, linewidth=2, drawstyle="steps-post")
+        hard.plot(
+            trajectory_times,
+            np.minimum(share, top),
+            label=name,
+            linewidth=2,
+            drawstyle="steps-post",
+        )
         if share.max() > top:
             hard.annotate(
-                f"to {share.max():.0f}", (trajectory_times[share.argmax()], top), (6, -14), textcoords="offset points"
+                f"to {share.max():.0f}",
+                (trajectory_times[share.argmax()], top),
+                (6, -14),
+                textcoords="offset points",
             )
     hard.axhline(1, color=CRIMSON, linewidth=1.5)
     hard.set(xlabel="time (s)", ylabel="share of the bound", ylim=(0, top))
@@ -213,7 +300,8 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     said = ", ".join(f"{what} {100 * gap:.1f} cm" for what, gap in worst.items())
     return Picture(
         fig,
-        f"Left, the clearance over time; its least value: {said}. Right, the largest share of a joint's bound: speed "
+        f"Left, the clearance over time; its least value: {said}. Right, the largest share of a "
+        f"joint's bound: speed "
         f"{speeds.max():.3g}, acceleration {accelerations.max():.3g}.",
         "Left, the red band is contact. Right, nothing may be above the red line.",
     )
@@ -224,14 +312,18 @@ def at_the_mug(q, T_mug, base):
 
     base: (3,), where the arm stands in the world.
     """
-    mug = [Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))]
+    mug = [
+        Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))
+    ]
     tip = panda().home[-1] @ IN_FLANGE
     gripper = shells.gripper(7, tip)
     for side in (1, -1):
         at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
         gripper += [part.moved(at) for part in shells.finger(7, side)]
     near = Model.of(gripper + mug).placed(link_poses(panda(), np.asarray(q, float)))[::9]
-    alt = "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
+    alt = (
+        "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
+    )
     caption = "Rotate the picture: which part of the gripper is in the mug?"
     return _panda(q, gripper + mug, alt, caption, view=(1.0, -1.4, 0.3), near=near)
 
@@ -239,20 +331,36 @@ def at_the_mug(q, T_mug, base):
 def pick(frames, grippers, openings, mugs, times, base, camera):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
-    Of the m times: frames: (m, 8, 4, 4), poses of the frames of `arms.panda()` in the world. grippers: (m, 4, 4), the
-    pose between the fingertips: z away from the arm, the fingers move along y. openings: (m,), distances between the
-    fingertips. mugs: (m, 4, 4), poses of the mug: the middle of its bottom, the handle along x.
+    Of the m times: frames: (m, 8, 4, 4), poses of the frames of `arms.panda()` in the world.
+    grippers: (m, 4, 4), the pose between the fingertips: z away from the arm, the fingers move
+    along y. openings: (m,), distances between the fingertips. mugs: (m, 4, 4), poses of the mug:
+    the middle of its bottom, the handle along x.
 
-    base: (3,), where the arm stands: on the table. camera: (4, 4), the pose of a camera, which looks along its z axis.
+    base: (3,), where the arm stands: on the table. camera: (4, 4), the pose of a camera, which
+    looks along its z axis.
     """
-    length = abs(np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1)))
-    parts = shells.gripper(8, np.eye(4), length) + shells.finger(9, 1, length) + shells.finger(10, -1, length)
+    length = abs(
+        np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1))
+    )
+    parts = (
+        shells.gripper(8, np.eye(4), length)
+        + shells.finger(9, 1, length)
+        + shells.finger(10, -1, length)
+    )
     parts = [*shell(panda()), *parts, Part(11, MUG_RED, meshes.mug())]
-    pads = [grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0])) for side in (-1, 1)]
-    poses = np.concatenate([body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1)
+    pads = [
+        grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0]))
+        for side in (-1, 1)
+    ]
+    poses = np.concatenate(
+        [body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1
+    )
     poses = np.concatenate([poses, np.broadcast_to(camera, (len(poses), 1, 4, 4))], 1)
     lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
-    parts += [Part(12, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])), Part(12, STEEL, lens)]
+    parts += [
+        Part(12, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])),
+        Part(12, STEEL, lens),
+    ]
     look = {"name": "pick", "paths": [(grippers[:, :3, 3], BLUE, ())], "ground": base[2]}
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
     over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
@@ -260,8 +368,10 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         parts,
         poses,
         times,
-        f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on the table, comes down "
-        f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, carries it "
+        f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on "
+        f"the table, comes down "
+        f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, "
+        f"carries it "
         f"{100 * over:.0f} cm across the table, sets it down, opens and rises. "
         "A camera hangs above the table and looks down.",
         "The blue line is the path between the fingertips, which close on both sides of the mug.",
@@ -277,14 +387,18 @@ def descents(errors):
     """Return the length of the error after each step of several methods, {method: n lengths}."""
     shown = {name: np.maximum(size, 1e-15) for name, size in errors.items()}
     ends = [
-        f"{name} below 1e-6 after step {np.argmax(size < 1e-6)}" if size.min() < 1e-6 else f"{name} {size[-1]:.2g}"
+        f"{name} below 1e-6 after step {np.argmax(size < 1e-6)}"
+        if size.min() < 1e-6
+        else f"{name} {size[-1]:.2g}"
         for name, size in shown.items()
     ]
     steps = np.arange(len(next(iter(errors.values()))))
     return Picture(
         lines(steps, shown, xlabel="iteration", ylabel="length of the error", log="y"),
-        f"The length of the pose error after each step, on a logarithmic axis. At the end: {'; '.join(ends)}.",
-        "A straight line is a constant factor with each step. A line that bends down gains ever more digits, as "
+        f"The length of the pose error after each step, on a logarithmic axis. At the end: "
+        f"{'; '.join(ends)}.",
+        "A straight line is a constant factor with each step. A line that bends down gains ever "
+        "more digits, as "
         "Newton's method does.",
     )
 
@@ -300,9 +414,13 @@ def iterations(counts, most):
         ax.set(title=title, xlabel="iterations")
     axes[0].set_ylabel("targets reached")
     some = {name: taken for name, taken in counts.items() if len(taken)}
-    said = [f"{name} {len(taken)} targets, median {np.median(taken):.0f}" for name, taken in some.items()]
+    said = [
+        f"{name} {len(taken)} targets, median {np.median(taken):.0f}"
+        for name, taken in some.items()
+    ]
     return Picture(
         fig,
         f"Histograms: how many iterations the reached targets took. {'; '.join(said)}.",
-        f"Each panel has its own scale. The last bar also counts the targets that took more than {most}.",
+        f"Each panel has its own scale. The last bar also counts the targets that took more than "
+        f"{most}.",
     )

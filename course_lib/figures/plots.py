@@ -6,7 +6,16 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MultipleLocator
 
 from course_lib.figures.display import Picture
-from course_lib.figures.style import BLUE, CRIMSON, FRAME_COLOURS, GREEN, GREY, PURPLE, RED, plane_figure
+from course_lib.figures.style import (
+    BLUE,
+    CRIMSON,
+    FRAME_COLOURS,
+    GREEN,
+    GREY,
+    PURPLE,
+    RED,
+    plane_figure,
+)
 
 STYLES = ("-", "--", ":", "-.")
 _JOINTS = (BLUE, PURPLE, GREEN, RED)
@@ -47,7 +56,11 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
         scale = ax.xaxis if axis == "x" else ax.yaxis
         low, high = scale.get_view_interval()
         if high < 30 * low:  # too few powers of ten to read it by
-            scale.set(major_locator=LogLocator(subs=[1, 2, 5]), major_formatter="{x:g}", minor_formatter="")
+            scale.set(
+                major_locator=LogLocator(subs=[1, 2, 5]),
+                major_formatter="{x:g}",
+                minor_formatter="",
+            )
     if parts_of_pi:
         pi_ticks(ax.xaxis, parts_of_pi)
     if many:
@@ -66,9 +79,9 @@ def draw_lines(ax, x, series):
 def draw_arms(contents, every, window=None):
     """Return a figure of arms side by side, drawn at several instants, the later the darker, with the tip's path.
 
-    contents: {title: points (n, links + 1, 2)}, the base first, the tip last, in metres. Every so many instants are
-    drawn, and the last. window: (2, 2), the lowest and the highest x and y shown; if None, what links of one metre can
-    reach.
+    contents: {title: points (n, links + 1, 2)}, the base first, the tip last, in metres. Every so
+    many instants are drawn, and the last. window: (2, 2), the lowest and the highest x and y shown;
+    if None, what links of one metre can reach.
     """
     half = max(points.shape[1] for points in contents.values()) - 0.7
     low, high = np.array([[-half] * 2, [half] * 2] if window is None else window)
@@ -78,7 +91,12 @@ def draw_arms(contents, every, window=None):
         last = len(points) - 1
         for i in [*range(0, last, every), last]:
             look = {"color": CRIMSON if i == last else GREY, "alpha": 0.25 + 0.75 * i / last}
-            look |= {"linewidth": 5, "markersize": 8, "markeredgecolor": "white", "solid_capstyle": "round"}
+            look |= {
+                "linewidth": 5,
+                "markersize": 8,
+                "markeredgecolor": "white",
+                "solid_capstyle": "round",
+            }
             ax.plot(*points[i].T, "-o", **look)
         ax.plot(*points[:, -1].T, color=BLUE, linestyle="--", linewidth=2)
         ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
@@ -88,8 +106,8 @@ def draw_arms(contents, every, window=None):
 def velocities_of_the_tip(contents, frame=""):
     """Return planar arms with the velocity that each joint gives the tip, at 1 rad/s about an axis out of the page.
 
-    contents: {title: points (n + 1, 2)}, the joints from the base on, and the tip, in metres, along x and y of the
-    frame that is drawn at the origin, with its name `frame`.
+    contents: {title: points (n + 1, 2)}, the joints from the base on, and the tip, in metres, along
+    x and y of the frame that is drawn at the origin, with its name `frame`.
     """
     fig, axes = in_columns(contents, 4.4, 3.6, xlabel="x (m)", ylabel="y (m)")
     said = []
@@ -97,15 +115,35 @@ def velocities_of_the_tip(contents, frame=""):
         tip = points[-1]
         velocities = (tip - points[:-1]) @ np.array([[0, 1], [-1, 0]])
         ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
-        for i, (joint, velocity, colour) in enumerate(zip(points, velocities, _JOINTS, strict=False), 1):
-            ax.plot(*np.transpose([joint, tip]), "--o", color=colour, linewidth=1.5, markersize=10, markevery=[0])
-            ax.annotate("", tip + velocity, tip, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
+        for i, (joint, velocity, colour) in enumerate(
+            zip(points, velocities, _JOINTS, strict=False), 1
+        ):
+            ax.plot(
+                *np.transpose([joint, tip]),
+                "--o",
+                color=colour,
+                linewidth=1.5,
+                markersize=10,
+                markevery=[0],
+            )
+            ax.annotate(
+                "",
+                tip + velocity,
+                tip,
+                arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5},
+            )
             words = f"joint {i}: ({velocity[0]:.3g}, {velocity[1]:.3g})"
             ax.plot(*np.transpose([tip, tip + velocity]), color=colour, linewidth=2)
             ahead = velocity * 12 / np.linalg.norm(velocity)
             beside = ahead[::-1] * [1, -1]
-            at = ahead if (velocities @ beside > 1e-9).any() else beside  # not where another arrow ends
-            look = {"color": colour, "va": "center", "ha": {-1: "right", 1: "left"}.get(round(at[0] / 9), "center")}
+            at = (
+                ahead if (velocities @ beside > 1e-9).any() else beside
+            )  # not where another arrow ends
+            look = {
+                "color": colour,
+                "va": "center",
+                "ha": {-1: "right", 1: "left"}.get(round(at[0] / 9), "center"),
+            }
             ax.annotate(words, tip + velocity, at, textcoords="offset points", **look)
             said.append(f"{title}, {words} m/s")
         for end, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
@@ -113,8 +151,15 @@ def velocities_of_the_tip(contents, frame=""):
         ax.annotate(frame, (0, 0), (4, -14), textcoords="offset points")
         ax.set_aspect("equal", adjustable="datalim")
         ax.margins(0.3, 0.15)
-    alt = f"Planar arms, and the velocity that each joint gives the tip at 1 rad/s: {plain('; '.join(said))}."
-    return Picture(fig, alt, "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long.")
+    alt = (
+        f"Planar arms, and the velocity that each joint gives the tip at 1 rad/s: "
+        f"{plain('; '.join(said))}."
+    )
+    return Picture(
+        fig,
+        alt,
+        "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long.",
+    )
 
 
 def in_columns(titles, width, height, *, xlabel, ylabel):

@@ -1,6 +1,7 @@
 """The figures of notebook 4: screws, the iiwa along its trajectory, velocities in three frames.
 
-Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in radians.
+Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in
+radians.
 """
 
 import numpy as np
@@ -10,7 +11,15 @@ from course_lib.figures.plots import STYLES, in_metres, legend_above, pi_ticks, 
 from course_lib.figures.solids import Part, link_poses, scene, shell
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import VIOLET
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, FRAME_COLOURS, GREY, plane_figure
+from course_lib.figures.style import (
+    BLACK,
+    BLUE,
+    COLOURS,
+    CRIMSON,
+    FRAME_COLOURS,
+    GREY,
+    plane_figure,
+)
 from course_lib.figures.toys.film import film
 
 
@@ -21,7 +30,9 @@ def wrong_frame(paths, table):
         ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
         ax.plot(*path[-1, [0, 2]], "o", color=colour, markersize=9)
     ax.axhspan(table - 0.06, table, color="#b08a5a", alpha=0.8)
-    ax.text(0.01, table - 0.03, "table", transform=ax.get_yaxis_transform(), va="center", color="white")
+    ax.text(
+        0.01, table - 0.03, "table", transform=ax.get_yaxis_transform(), va="center", color="white"
+    )
     in_metres(ax, ylabel="z (m)", xlim=(-0.9, -0.1))
     ax.legend(frameon=False, loc="upper right")
     ax.margins(y=0.15)
@@ -31,8 +42,13 @@ def wrong_frame(paths, table):
     through = "One path goes into the table." if lowest < table else "No path touches the table."
     farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
     first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
-    caption = f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it stays there."
-    return Picture(fig, f"The gripper's path seen from the side, above a table. {ends}. {through}", caption)
+    caption = (
+        f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it "
+        f"stays there."
+    )
+    return Picture(
+        fig, f"The gripper's path seen from the side, above a table. {ends}. {through}", caption
+    )
 
 
 def arc_of_a_twist(a):
@@ -47,17 +63,24 @@ def arc_of_a_twist(a):
         ((0, 0), (x, 0), f"forward: $\\frac{{|v|}}{{a}} \\sin a = {x:.3g}$", BLUE),
         ((x, 0), (x, y), f"sideways: $\\frac{{|v|}}{{a}} (1 - \\cos a) = {y:.3g}$", CRIMSON),
     ):
-        ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5})
+        ax.annotate(
+            "", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5}
+        )
         ax.text((start[0] + end[0]) / 2 + 0.05, (start[1] + end[1]) / 2 - 0.1, words, color=colour)
     in_metres(ax, xlim=(-0.2, 2.05), ylim=(-0.2, 1.2))
     alt = f"A quarter of a circle of radius 1 m about (0, 1), from (0, 0) to ({x:.3g}, {y:.3g}) m."
-    return Picture(fig, alt, "The origin runs along an arc: forward along $v$, and sideways along $n \\times v$.")
+    return Picture(
+        fig,
+        alt,
+        "The origin runs along an arc: forward along $v$, and sideways along $n \\times v$.",
+    )
 
 
 def screw_motion(poses, through, axis):
     """Return a frame at four instants of its motion along a screw, and the path of its origin.
 
-    poses: (n, 4, 4). through, axis: (3,), a point on the screw axis and its direction, a unit vector.
+    poses: (n, 4, 4). through, axis: (3,), a point on the screw axis and its direction, a unit
+    vector.
     """
     path = poses[:, :3, 3]
     along = (path - through) @ axis
@@ -73,8 +96,10 @@ def screw_motion(poses, through, axis):
         parts,
         np.concatenate([shown, np.eye(4)[None]])[None],
         [0.0],
-        f"A frame moves along a helix about a screw axis, which it does not touch, and rises by {rise:.2f} m.",
-        "The frame rotates about the axis and slides along it; its origin keeps its distance from the axis.",
+        f"A frame moves along a helix about a screw axis, which it does not touch, and rises by "
+        f"{rise:.2f} m.",
+        "The frame rotates about the axis and slides along it; its origin keeps its distance from "
+        "the axis.",
         paths=[(path, BLUE, ())],
         words=[(word, point, BLACK) for word, point in words.items()],
         view=(1.4, 0.9, 0.6),
@@ -84,12 +109,16 @@ def screw_motion(poses, through, axis):
 def arm_movie(arm, motion):
     """Return a film of an arm that moves along a Trajectory, with the path of its end-effector."""
     path = arm.fk(motion.q)[:, :3, 3]
-    size = ", ".join(f"{c} from {a:.2f} to {b:.2f} m" for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True))
+    size = ", ".join(
+        f"{c} from {a:.2f} to {b:.2f} m"
+        for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True)
+    )
     return film(
         [*shell(arm), *scene.triad(arm.n, arm.home[-1], 0.16)],
         link_poses(arm, motion.q),
         motion.t,
-        f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its end-effector has {size}.",
+        f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its "
+        f"end-effector has {size}.",
         "The end-effector follows the dashed path.",
         name="iiwa",
         paths=[(path, BLUE, (7, 5))],
@@ -107,8 +136,12 @@ def plane_projections(path):
         ax.margins(0.15)
     legend_above(fig, 1, axes[0])
     size = " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
-    alt = f"The path of the end-effector in the three coordinate planes; in space it takes {size} m."
-    return Picture(fig, alt, "One path in space, three projections. In which of them does it cross itself?")
+    alt = (
+        f"The path of the end-effector in the three coordinate planes; in space it takes {size} m."
+    )
+    return Picture(
+        fig, alt, "One path in space, three projections. In which of them does it cross itself?"
+    )
 
 
 def _mark(samples):
@@ -120,15 +153,26 @@ def velocities_over_time(t, v):
     """Return the components of linear velocities over times (n,), one panel for each of {frame: velocities (n, 3)}."""
     fig, axes = plane_figure(5.4, 6.4, rows=len(v), sharex=True, sharey=True)
     for ax, (frame, part) in zip(axes, v.items(), strict=True):
-        for letter, values, style, colour in zip("xyz", part.T, STYLES, FRAME_COLOURS, strict=False):
-            ax.plot(t, values, marker=_mark(t), label=f"$v_{letter}$", linestyle=style, color=colour, linewidth=2)
+        for letter, values, style, colour in zip(
+            "xyz", part.T, STYLES, FRAME_COLOURS, strict=False
+        ):
+            ax.plot(
+                t,
+                values,
+                marker=_mark(t),
+                label=f"$v_{letter}$",
+                linestyle=style,
+                color=colour,
+                linewidth=2,
+            )
         ax.set_ylabel(f"{frame}: v (m/s)")
     axes[-1].set_xlabel("time (s)")
     legend_above(fig, 3, axes[0])
     speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
     return Picture(
         fig,
-        f"Three panels: the components of the linear velocity over time, as each frame sees it: {speeds}.",
+        f"Three panels: the components of the linear velocity over time, as each frame sees it: "
+        f"{speeds}.",
         "The body and the hybrid twist have the same speed at each instant; only the axes differ.",
     )
 
@@ -145,7 +189,8 @@ def velocities_against_each_other(v):
         row[1].set_title(title, fontweight="bold", pad=10)
     return Picture(
         fig,
-        f"Components of the linear velocity plotted against one another, a row for each of: {', '.join(v)}.",
+        f"Components of the linear velocity plotted against one another, a row for each of: "
+        f"{', '.join(v)}.",
         "A row for each frame: in which one can you name the curves?",
     )
 
@@ -153,7 +198,8 @@ def velocities_against_each_other(v):
 def singular_values(arm, generic, straight):
     """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
 
-    arm: the iiwa. generic, straight: joint angles (7,) of an ordinary configuration, and of it with a straight wrist.
+    arm: the iiwa. generic, straight: joint angles (7,) of an ordinary configuration, and of it with
+    a straight wrist.
     """
     varied = {
         "$q_4$ varies (elbow)": (4, generic),
@@ -173,4 +219,8 @@ def singular_values(arm, generic, straight):
     pi_ticks(ax.xaxis, 4)
     ax.legend(frameon=False)
     alt = f"The smallest singular value of the Jacobian over an angle. {plain('; '.join(said))}."
-    return Picture(fig, alt, "Where a curve touches zero the arm is singular; a straight wrist alone is not enough.")
+    return Picture(
+        fig,
+        alt,
+        "Where a curve touches zero the arm is singular; a straight wrist alone is not enough.",
+    )

@@ -1,4 +1,6 @@
-"""The figures of notebook 2, rigid motion in the plane. Each function returns a Picture, for `show`.
+"""The figures of notebook 2, rigid motion in the plane.
+
+Each function returns a Picture, for `show`.
 
 Poses are rows (x, y, theta), in metres and radians; times are in seconds.
 """
@@ -7,7 +9,16 @@ import numpy as np
 from matplotlib.patches import Circle
 
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import STYLES, draw_arms, draw_lines, in_columns, in_metres, legend_above, lines, pi_ticks
+from course_lib.figures.plots import (
+    STYLES,
+    draw_arms,
+    draw_lines,
+    in_columns,
+    in_metres,
+    legend_above,
+    lines,
+    pi_ticks,
+)
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.figures.toys.film import flat_film
 from course_lib.planar import pose_matrix
@@ -17,10 +28,18 @@ RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
 _CAPTIONS = {  # of films
-    "body-interpolated": "The body is slow at both ends, and rotates in proportion to the distance that it has moved.",
-    "body-propagated": "While the body rotates its path bends; in the third part it moves sideways, without rotating.",
+    "body-interpolated": (
+        "The body is slow at both ends, and rotates in proportion to the distance that it has "
+        "moved."
+    ),
+    "body-propagated": (
+        "While the body rotates its path bends; in the third part it moves sideways, without "
+        "rotating."
+    ),
     "arm-interpolated": "Both joints move in proportion, and the tip draws a curve.",
-    "arm-linear": "Left linear in time, right cubic: one path, one duration. Which arm starts abruptly?",
+    "arm-linear": (
+        "Left linear in time, right cubic: one path, one duration. Which arm starts abruptly?"
+    ),
     "arm-propagated": "First joint, second joint, both: one second each.",
 }
 
@@ -49,8 +68,8 @@ def _rotation(theta):
 def parking(poses, dock, table, keep_away):
     """Return the path of a robot that is to stop in its dock, and the round table on its way.
 
-    poses: (n, 3), of the robot. dock: (3,), the pose in which it is to stop. table: (x, y, r), its middle and
-    its radius. keep_away: how far from there the robot's centre has to stay.
+    poses: (n, 3), of the robot. dock: (3,), the pose in which it is to stop. table: (x, y, r), its
+    middle and its radius. keep_away: how far from there the robot's centre has to stay.
     """
     middle = np.asarray(table[:2], float)
     fig, (ax,) = plane_figure(4.6, 4.8)
@@ -58,10 +77,18 @@ def parking(poses, dock, table, keep_away):
     ax.add_patch(Circle(middle, table[2], facecolor="#e4e0d8", edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
     ax.plot(*poses[:, :2].T, color=BLUE, linewidth=2, label="path")
-    for x, y, theta in poses[np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))]:  # a line to its front
+    for x, y, theta in poses[
+        np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))
+    ]:  # a line to its front
         look = {"facecolor": "#cfe0ec", "edgecolor": BLUE, "linewidth": 2, "zorder": 3}
         ax.add_patch(Circle((x, y), RADIUS, **look))
-        ax.plot([x, x + RADIUS * np.cos(theta)], [y, y + RADIUS * np.sin(theta)], color=BLUE, linewidth=2, zorder=4)
+        ax.plot(
+            [x, x + RADIUS * np.cos(theta)],
+            [y, y + RADIUS * np.sin(theta)],
+            color=BLUE,
+            linewidth=2,
+            zorder=4,
+        )
     T = pose_matrix(dock)
     corners = RADIUS * np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])
     ax.fill(*(T[:2, :2] @ corners.T + T[:2, 2:]), color=BLACK, label="dock")
@@ -69,9 +96,15 @@ def parking(poses, dock, table, keep_away):
     ax.margins(0.04)
     legend_above(fig, 2)
     nearest = np.linalg.norm(poses[:, :2] - middle, axis=1).min()
-    alt = f"A robot drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at {_point(dock)}. On its way "
+    alt = (
+        f"A robot drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at "
+        f"{_point(dock)}. On its way "
+    )
     alt += f"its centre comes as near as {nearest:.2f} m to the middle of a round table; {keep_away:g} m are allowed."
-    caption = "The centre of the robot has to stay outside the dashed circle, and to end before the dock, facing it."
+    caption = (
+        "The centre of the robot has to stay outside the dashed circle, and to end before the "
+        "dock, facing it."
+    )
     return Picture(fig, alt, caption)
 
 
@@ -80,7 +113,11 @@ def wheels(left, right, track):
     fig, (ax,) = plane_figure(5.4, 4.4)
     v, omega = (left + right) / 2, (right - left) / track
     pole, t = v / omega, np.linspace(-0.3, 1.2, 61)
-    for name, speed, colour in (("left", left, BLUE), ("robot", v, GREY), ("right", right, CRIMSON)):
+    for name, speed, colour in (
+        ("left", left, BLUE),
+        ("robot", v, GREY),
+        ("right", right, CRIMSON),
+    ):
         y, radius = pole - speed / omega, speed / omega
         ax.plot(radius * np.sin(t), pole - radius * np.cos(t), ":", color=colour)
         look = {"arrowstyle": "-|>", "color": colour, "lw": 3, "shrinkA": 0, "shrinkB": 0}
@@ -89,7 +126,10 @@ def wheels(left, right, track):
     ax.plot([0, 0], [pole, pole - right / omega], "o-", markevery=2, color=BLACK, linewidth=1)
     ax.annotate(f"pole, {pole:g} m to the left", (0.02, pole))
     in_metres(ax, xlim=(-0.15, 0.45), ylim=(-0.15, pole + 0.05))
-    alt = f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about one "
+    alt = (
+        f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about "
+        f"one "
+    )
     alt += f"point, the pole, {pole:g} m to the left of the robot."
     return Picture(fig, alt, "Twice as far from the pole is twice as fast.")
 
@@ -104,24 +144,34 @@ def body_movie(name, poses, times):
     """
     track = poses[:, :2]
     alt = (
-        f"Moving picture, {times[-1] - times[0]:.3g} s. A body outlined in red moves along a dashed blue path from "
+        f"Moving picture, {times[-1] - times[0]:.3g} s. A body outlined in red moves along a "
+        f"dashed blue path from "
         f"{_point(poses[0])} to {_point(poses[-1])}, {_rotation(poses[:, 2])}."
     )
     still = [(track, BLUE, (7, 5)), (track[:1], BLUE, ()), (track[-1:], BLUE, ())]
     corners = [[outline(pose) for pose in poses]]
-    return flat_film(corners, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, half=HALF, closed=True)
+    return flat_film(
+        corners, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, half=HALF, closed=True
+    )
 
 
 def longer_arc(wrapped, unwrapped):
     """Return a motion along the shorter arc beside one along the longer arc: poses (n, 3), whose angles do not jump."""
     motions = {"wrapped": wrapped, "not wrapped": unwrapped}
-    titled = {f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad": poses for name, poses in motions.items()}
-    return _body_paths(titled, 12, "Both motions end in the same pose; the two rotations differ by $2\\pi$.")
+    titled = {
+        f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad": poses for name, poses in motions.items()
+    }
+    return _body_paths(
+        titled, 12, "Both motions end in the same pose; the two rotations differ by $2\\pi$."
+    )
 
 
 def past_a_gate(paths):
     """Return paths {title: poses (n, 3)} of a body with given velocities at both ends."""
-    caption = "Both leave to the right and arrive upwards; the quintic is straighter at the ends and bends more inside."
+    caption = (
+        "Both leave to the right and arrive upwards; the quintic is straighter at the ends and "
+        "bends more inside."
+    )
     return _body_paths(paths, 16, caption)
 
 
@@ -164,13 +214,17 @@ def euler_paths(paths):
         off = np.linalg.norm(points[-1] - paths[exact][-1])
         if label != exact:
             label += f": {off:.3f} m off"
-            said.append(f'The path "{label}" ends at {_point(points[-1])}, {off:.2f} m from the end of "{exact}".')
+            said.append(
+                f'The path "{label}" ends at {_point(points[-1])}, {off:.2f} m from the end of "{exact}".'
+            )
         few = {"marker": "o", "markersize": 3} if len(points) < 60 else {}
         ax.plot(*points.T, label=label, linestyle=style, linewidth=2, **few)
     in_metres(ax)
     ax.margins(0.08)
     ax.legend(loc="center left", bbox_to_anchor=(0, 0.35), frameon=False)
-    caption = "Euler's method leaves the exact path in the first bend; the smaller the step, the less."
+    caption = (
+        "Euler's method leaves the exact path in the first bend; the smaller the step, the less."
+    )
     return Picture(fig, f"Paths from one point. {' '.join(said)}", caption)
 
 
@@ -180,7 +234,8 @@ def euler_errors(steps, errors):
     return Picture(
         lines(steps, curves, log="xy", xlabel="step dt (s)", ylabel="error at the end (m)"),
         "The error at the end against the step, on logarithmic axes, beside a line of slope one: "
-        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} s.",
+        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} "
+        f"s.",
         "For short steps the slope is 1: the error is proportional to the step.",
     )
 
@@ -191,10 +246,13 @@ def euler_errors(steps, errors):
 def time_scalings(u, curves):
     """Return three time scalings with their velocities and accelerations.
 
-    u: (n,), time as a part of T. curves: {name: (3, n), the values of s, of its velocity and of its acceleration}.
+    u: (n,), time as a part of T. curves: {name: (3, n), the values of s, of its velocity and of its
+    acceleration}.
     """
     fig, axes = plane_figure(10.2, 3.2, 3)
-    for k, (ax, name) in enumerate(zip(axes, ("s", "velocity of s (1/T)", "acceleration of s (1/T²)"), strict=True)):
+    for k, (ax, name) in enumerate(
+        zip(axes, ("s", "velocity of s (1/T)", "acceleration of s (1/T²)"), strict=True)
+    ):
         draw_lines(ax, u, {label: curve[k] for label, curve in curves.items()})
         ax.set(xlabel="time t / T", ylabel=name)
     if len(curves) > 1:
@@ -207,7 +265,8 @@ def time_scalings(u, curves):
     return Picture(
         fig,
         f"Time scalings from 0 to 1. {' '.join(said)}",
-        "At both ends of each curve compare its velocity and its acceleration with those of a body at rest, 0.",
+        "At both ends of each curve compare its velocity and its acceleration with those of a body "
+        "at rest, 0.",
     )
 
 
@@ -217,8 +276,9 @@ def time_scalings(u, curves):
 def arm_movie(name, points, times, beside=None):
     """Return a film of a planar arm in red, with its tip's dashed blue path.
 
-    name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base, joints and tip, at the
-    times (n,); links of one metre. beside: the points of a second arm at these times, which is drawn to its right.
+    name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base,
+    joints and tip, at the times (n,); links of one metre. beside: the points of a second arm at
+    these times, which is drawn to its right.
     """
     links, arms, still = points.shape[1] - 1, [points], []
     room = {"half": links + 0.4}
@@ -229,7 +289,8 @@ def arm_movie(name, points, times, beside=None):
     for each in arms:
         still += [(each[:, -1], BLUE, (7, 5)), (each[0, :1], BLACK, ())]
     alt = (
-        f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip draws a "
+        f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip "
+        f"draws a "
         f"dashed blue curve from {_point(points[0, -1])} to {_point(points[-1, -1] + 0.0)}."
     )
     if beside is not None:
@@ -249,7 +310,10 @@ def arm_paths(contents):
         titled[f"{title}: {length:.2f} m"] = points
         ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
         said.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
-    caption = "Left, the joints move in proportion and the path is a curve; right, the path is a straight line."
+    caption = (
+        "Left, the joints move in proportion and the path is a curve; right, the path is a "
+        "straight line."
+    )
     return Picture(draw_arms(titled, 10), " ".join(said), caption)
 
 

@@ -1,4 +1,7 @@
-"""The figures of notebook 1, rotations. Each function returns a Picture: a figure with its words, for `show`."""
+"""The figures of notebook 1, rotations.
+
+Each function returns a Picture: a figure with its words, for `show`.
+"""
 
 import numpy as np
 from matplotlib.patches import Circle
@@ -21,27 +24,37 @@ def arm_toy():
     x, y, z = np.eye(3)
     origins = [[0, 0, 0], [0, 0, 0.29], [0, 0, 0.56], *3 * [[0.302, 0, 0.63]]]
     home = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
-    return jog(SerialArm.from_screws([z, y, y, x, y, x], origins, home), q=[0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
+    return jog(
+        SerialArm.from_screws([z, y, y, x, y, x], origins, home), q=[0.3, 0.4, -0.5, 0.6, 0.7, -0.8]
+    )
 
 
 def body_frame(R):
     """Return a drone with its frame b, coloured, at the orientation R (3, 3) in the fixed frame a, grey, axes named."""
-    words = [(name, tip, colour) for name, tip, colour in zip("xyz", 1.32 * R.T, FRAME_COLOURS, strict=True)]
+    words = [
+        (name, tip, colour)
+        for name, tip, colour in zip("xyz", 1.32 * R.T, FRAME_COLOURS, strict=True)
+    ]
     words += [(name, 1.45 * e, GREY) for name, e in zip("xyz", np.eye(3), strict=True)]
     axes = "; ".join(f"{name} along ({_numbers(R[:, k])})" for k, name in enumerate("xyz"))
     return still(
         _turned_drone(R, 1.15, 1.35),
-        f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates of a: {axes}.",
-        "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to the room.",
+        f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates "
+        f"of a: {axes}.",
+        "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to "
+        "the room.",
         words=words,
         view=(1.0, 1.3, 0.9),
     )
 
 
-def frames(orientations, caption="The two products end in different orientations: the order matters."):
+def frames(
+    orientations, caption="The two products end in different orientations: the order matters."
+):
     """Return a drone with its frame at several orientations, side by side: x orange, y green, z blue; fixed axes grey.
 
-    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if all are.
+    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if
+    all are.
     """
     groups, said = {}, []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
@@ -53,11 +66,19 @@ def frames(orientations, caption="The two products end in different orientations
         groups[title] = _turned_drone(scale * R, 1.0, 1.25), (), (), words
         lengths = np.linalg.norm(R, axis=0)
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
-        stretched = f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
+        stretched = (
+            f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
+        )
         said.append(f"{title}: {axes}{stretched}")
-    alt = f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: {'; '.join(said)}."
+    alt = (
+        f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: "
+        f"{'; '.join(said)}."
+    )
     if longest > 1.01:
-        caption = f"A rotation keeps all three axes at length one; here the longest grows to {longest:.2f}."
+        caption = (
+            f"A rotation keeps all three axes at length one; here the longest grows to "
+            f"{longest:.2f}."
+        )
     size = max(1, scale * longest)
     return beside(groups, 2.2 * size, alt, caption, view=(1.35, 1.1, 0.8), high=1.5 * size)
 
@@ -73,7 +94,11 @@ def _drone():
         parts += [
             Part(0, SILVER, capsule([0.18 * x, 0.12 * y, 0.02], hub - [0, 0, 0.02], 0.035, 6)),
             Part(0, DARK, revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 6)),
-            Part(0, LIGHT_BLUE if x > 0 else STEEL, revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 12)),
+            Part(
+                0,
+                LIGHT_BLUE if x > 0 else STEEL,
+                revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 12),
+            ),
         ]
     return parts
 
@@ -95,14 +120,25 @@ def rotated_point(w, p, exp):
     angle = np.linalg.norm(w)
     n = w / angle
     arrows = [(VIOLET, 1.25 * n), (LIGHT_BLUE, path[0]), (X_RED, path[-1])]
-    parts = [Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10)) for colour, tip in arrows]
+    parts = [
+        Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10))
+        for colour, tip in arrows
+    ]
     parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
-    words = {"w": 1.32 * n, "p": 1.1 * path[0], "R p": 1.1 * path[-1], **dict(zip("xyz", 1.1 * np.eye(3), strict=True))}
-    words = {name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1}  # not on the axis w
+    words = {
+        "w": 1.32 * n,
+        "p": 1.1 * path[0],
+        "R p": 1.1 * path[-1],
+        **dict(zip("xyz", 1.1 * np.eye(3), strict=True)),
+    }
+    words = {
+        name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1
+    }  # not on the axis w
     where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
     return still(
         parts,
-        f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} perpendicular to it.",
+        f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} "
+        f"perpendicular to it.",
         "The point keeps its height along the axis $w$ and its distance from it.",
         paths=[(path, BLUE, ())],
         words=[(word, at, BLACK) for word, at in words.items()],
@@ -116,31 +152,47 @@ def log_errors(short_of_pi, errors):
     said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
     return Picture(
         lines(short_of_pi, drawn, log="xy", xlabel=r"$\pi - a$ (rad)", ylabel="error (rad)"),
-        f"Errors of logarithms against pi minus the angle, both axes logarithmic. {'; '.join(said)}.",
-        "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit after digit.",
+        f"Errors of logarithms against pi minus the angle, both axes logarithmic. "
+        f"{'; '.join(said)}.",
+        "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit "
+        "after digit.",
     )
 
 
 def euler_rates(beta, smallest):
     """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,), radians."""
-    top, first, last = _numbers([beta[np.argmax(smallest)]]), _numbers(smallest[:1]), _numbers(smallest[-1:])
+    top, first, last = (
+        _numbers([beta[np.argmax(smallest)]]),
+        _numbers(smallest[:1]),
+        _numbers(smallest[-1:]),
+    )
     return Picture(
-        lines(beta, {"": smallest}, xlabel=r"pitch $\beta$ (rad)", ylabel="smallest singular value", parts_of_pi=4),
-        f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch {top} and falls to "
+        lines(
+            beta,
+            {"": smallest},
+            xlabel=r"pitch $\beta$ (rad)",
+            ylabel="smallest singular value",
+            parts_of_pi=4,
+        ),
+        f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch "
+        f"{top} and falls to "
         f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock.",
-        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any rates of the angles.",
+        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any "
+        "rates of the angles.",
     )
 
 
 def projections(M, rotations):
     """Return what each rotation makes of s1 z11 + s2 z22 = tr(R^T M), for a matrix M (2, 2); {title: R (2, 2)}.
 
-    A rotation takes v1 and v2 to two arrows of length one; z11 and z22 are their projections on the axes u1 and u2 of
-    the ellipse that M makes of the unit circle.
+    A rotation takes v1 and v2 to two arrows of length one; z11 and z22 are their projections on the
+    axes u1 and u2 of the ellipse that M makes of the unit circle.
     """
     fig, axes = in_columns(rotations, 4.2, 4.3, xlabel="x", ylabel="y")
     U, s, Vt = np.linalg.svd(M)
-    signs = np.sign(Vt[[0, 1], np.abs(Vt).argmax(1)])  # so that v1 and v2 point along the axes, not against them
+    signs = np.sign(
+        Vt[[0, 1], np.abs(Vt).argmax(1)]
+    )  # so that v1 and v2 point along the axes, not against them
     U, Vt = U * signs, signs[:, None] * Vt
     t = np.linspace(0, 2 * np.pi, 181)
     circle, said, reach = np.array([np.cos(t), np.sin(t)]), [], max(1, s[0]) + 0.3
@@ -151,21 +203,37 @@ def projections(M, rotations):
         for i, colour in enumerate((BLUE, RED)):
             u, tip, size = U[:, i], R @ Vt[i], sizes[i]
             ax.plot(*np.outer(u, [-s[i], s[i]]), color=BLACK, linewidth=1)
-            ax.plot(*np.outer(u, [0, size]), color=colour, linewidth=7, alpha=0.35, solid_capstyle="butt")
+            ax.plot(
+                *np.outer(u, [0, size]),
+                color=colour,
+                linewidth=7,
+                alpha=0.35,
+                solid_capstyle="butt",
+            )
             ax.plot(*np.transpose([tip, size * u]), color=colour, linewidth=1, linestyle=":")
             look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
             ax.annotate("", tip, (0, 0), arrowprops=look)
             aside = 0.15 * np.array([-u[1], u[0]])
-            words = {"ha": "center", "va": "center", "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8}}
+            words = {
+                "ha": "center",
+                "va": "center",
+                "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8},
+            }
             ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **words)
             ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, **words)
         each = " + ".join(rf"{size:.3g} ({z:.2g})" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
         ax.set_title(f"{title}\n$s_1 z_{{11}} + s_2 z_{{22}} = {each} = {s @ sizes:.3g}$")
         said.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {s @ sizes:.2f}")
-    alt = "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 under a rotation, "
+    alt = (
+        "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 "
+        "under a rotation, "
+    )
     alt += f"with their projections on these axes. {'; '.join(said)}."
-    caption = "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is longer than one."
+    caption = (
+        "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is "
+        "longer than one."
+    )
     if np.linalg.det(M) < 0:
         caption = "One arrow lies on its axis, the other points against it: there $z_{ii} = -1$."
     return Picture(fig, alt, caption)
@@ -183,8 +251,14 @@ def on_sphere(samples):
         ax.set_title(f"{title}\n{len(below)} of {len(R)} below the equator")
         up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
         said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
-    alt = f"Spheres seen from below, with a dot where each rotation takes the x axis. {'; '.join(said)}."
-    caption = "Left, the dots crowd at the lower pole and none is in the upper half; right, they are everywhere alike."
+    alt = (
+        f"Spheres seen from below, with a dot where each rotation takes the x axis. "
+        f"{'; '.join(said)}."
+    )
+    caption = (
+        "Left, the dots crowd at the lower pole and none is in the upper half; right, they are "
+        "everywhere alike."
+    )
     return Picture(fig, alt, caption)
 
 
@@ -193,19 +267,28 @@ def angles(samples):
     fig, axes = in_columns(samples, 4.2, 3, xlabel="rotation angle a (rad)", ylabel="density")
     said = []
     for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        heights, edges = np.histogram(np.linalg.norm(log_so3(R), axis=-1), 20, (0, np.pi), density=True)
+        heights, edges = np.histogram(
+            np.linalg.norm(log_so3(R), axis=-1), 20, (0, np.pi), density=True
+        )
         ax.stairs(heights, edges, color=BLUE)
         ax.plot(edges, (1 - np.cos(edges)) / np.pi, color=RED, linestyle="--")
         pi_ticks(ax.xaxis, 4)
         said.append(f"{title}: {np.mean(heights[10:]) * np.pi / 2:.0%} above 90 degrees")
-    return Picture(fig, f"Histograms of rotation angles. {'; '.join(said)}.", "Dashed: $f(a)$, uniform rotations.")
+    return Picture(
+        fig,
+        f"Histograms of rotation angles. {'; '.join(said)}.",
+        "Dashed: $f(a)$, uniform rotations.",
+    )
 
 
 def _size_of_errors(errors):
     """How large errors are, in words that rounding does not change."""
     if max(errors) < 1e-12:
         return "stays below 1e-12"
-    return f"rises to more than {next(bound for bound in ('1e-4', '1e-8', '1e-12') if max(errors) > float(bound))}"
+    return (
+        f"rises to more than "
+        f"{next(bound for bound in ('1e-4', '1e-8', '1e-12') if max(errors) > float(bound))}"
+    )
 
 
 def _direction(v):

@@ -14,8 +14,8 @@ CRIMSON = "#b2182b"  # of moving things: no shade of orange, and about as dark a
 def plane_figure(width, height, columns=1, rows=1, **options):
     """Return a matplotlib figure in the course's style, and its axes (rows * columns,), row by row.
 
-    width, height: of the figure, in inches. options: passed to `matplotlib.figure.Figure.subplots`, such as
-    sharey=True.
+    width, height: of the figure, in inches. options: passed to `matplotlib.figure.Figure.subplots`,
+    such as sharey=True.
     """
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
     axes = fig.subplots(rows, columns, squeeze=False, **options).ravel()

@@ -1,7 +1,8 @@
 """The figures of notebook 3: circles of the subproblems in space; steps of a planar arm, what step size and damping do.
 
-Each function returns a Picture, for `show`. Axes are unit vectors, angles are in radians, lengths in metres, and
-dampings in square metres. `points_of` takes joint angles to an arm's points, base first: (..., joints + 1, 2).
+Each function returns a Picture, for `show`. Axes are unit vectors, angles are in radians, lengths
+in metres, and dampings in square metres. `points_of` takes joint angles to an arm's points, base
+first: (..., joints + 1, 2).
 """
 
 import numpy as np
@@ -11,7 +12,16 @@ from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
 from course_lib.figures.solids import Part
 from course_lib.figures.solids.meshes import Mesh, arrow, ball, basis
-from course_lib.figures.solids.model import AMBER, AXIS, PALE, PALETTE, STEEL, VIOLET, Y_GREEN, Z_BLUE
+from course_lib.figures.solids.model import (
+    AMBER,
+    AXIS,
+    PALE,
+    PALETTE,
+    STEEL,
+    VIOLET,
+    Y_GREEN,
+    Z_BLUE,
+)
 from course_lib.figures.solids.model import BLACK as INK
 from course_lib.figures.solids.model import MUG_RED as RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
@@ -27,16 +37,23 @@ VIEW = (1.3, 1.0, 0.7)
 def rotated_onto(k, p, g, theta):
     """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g."""
     end, foot = _rotated(k, theta, p), (k @ p) * k
-    paths = [_circle(k, p, BLUE), (np.array([foot, p]), GREY, ()), (np.array([foot, end]), CRIMSON, ())]
+    paths = [
+        _circle(k, p, BLUE),
+        (np.array([foot, p]), GREY, ()),
+        (np.array([foot, end]), CRIMSON, ()),
+    ]
     gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
     nearest = min(np.linalg.norm(_rotated(k, t, p) - g) for t in np.linspace(-np.pi, np.pi, 721))
     return _scene(
         {"k": k},
         [(p, "p", INK), (g, "g", INK), (end, "R p", RED)],
         paths,
-        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p itself {start:.3f}.",
-        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is {nearest:.3f} m from it. The "
-        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to $k$ decides it.",
+        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p "
+        f"itself {start:.3f}.",
+        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is "
+        f"{nearest:.3f} m from it. The "
+        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to "
+        "$k$ decides it.",
     )
 
 
@@ -45,7 +62,11 @@ def circles_meet(k1, k2, p1, p2, theta):
 
     theta: (m, 2), the pairs of angles; points that they do not bring together are joined by a line.
     """
-    paths, dots, met = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN)], [(p1, "p1", Z_BLUE), (p2, "p2", Y_GREEN)], 0
+    paths, dots, met = (
+        [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN)],
+        [(p1, "p1", Z_BLUE), (p2, "p2", Y_GREEN)],
+        0,
+    )
     for i, (t1, t2) in enumerate(theta, 1):
         first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
         meet = np.linalg.norm(first - second) < 1e-6
@@ -57,7 +78,8 @@ def circles_meet(k1, k2, p1, p2, theta):
         {"k1": k1, "k2": k2},
         dots,
         paths,
-        f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they {many}.",
+        f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they "
+        f"{many}.",
         "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$.",
     )
 
@@ -74,8 +96,10 @@ def circle_and_sphere(k, p, g, d, theta):
         {"k": k},
         [(p, "p", INK), (g, "g", INK), *answers],
         [_circle(k, p, BLUE)],
-        f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at {_count(theta)}.",
-        f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: {_listed(found)}. All "
+        f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at "
+        f"{_count(theta)}.",
+        f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: "
+        f"{_listed(found)}. All "
         f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$.",
         [Part(0, AMBER, ball(g, d, 32))],
     )
@@ -94,8 +118,10 @@ def circle_and_plane(k, h, p, d, theta):
         {"k": k, "h": n},
         [(p, "p", INK), *answers],
         [_circle(k, p, BLUE)],
-        f"The circle of p about the axis k pierces a plane perpendicular to the direction h at {_count(theta)}.",
-        "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each value between its "
+        f"The circle of p about the axis k pierces a plane perpendicular to the direction h at "
+        f"{_count(theta)}.",
+        "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each "
+        "value between its "
         f"extremes twice. Here it is {_listed([h @ end for end, *_ in answers])}.",
         [Part(0, AMBER, Mesh(corners, np.concatenate([sides, sides[:, ::-1]])))],
     )
@@ -104,10 +130,13 @@ def circle_and_plane(k, h, p, d, theta):
 def orientation_paths(tracks, duration):
     """Return where rotating frames take e_x, on a sphere.
 
-    tracks: {label: rotations (n, 3, 3)}, evenly spaced over the duration in seconds, with the same first and last one.
+    tracks: {label: rotations (n, 3, 3)}, evenly spaced over the duration in seconds, with the same
+    first and last one.
     """
     said, speeds, paths, words = [], [], [], []
-    for colour, dash, (label, R) in zip((BLUE, CRIMSON, GREEN), ((), (9, 6), (3, 5)), tracks.items(), strict=False):
+    for colour, dash, (label, R) in zip(
+        (BLUE, CRIMSON, GREEN), ((), (9, 6), (3, 5)), tracks.items(), strict=False
+    ):
         paths.append((1.005 * R[:, :, 0], colour, dash))
         words.append((label.replace("omega", "ω"), 1.1 * R[len(R) // 2, :, 0], colour))
         step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
@@ -117,14 +146,19 @@ def orientation_paths(tracks, duration):
         speeds.append(label.replace("omega", "$\\omega$") + f", {range_of}")
     ends, e = next(iter(tracks.values()))[[0, -1], :, 0], np.eye(3)
     words += [(word, 1.12 * at, BLACK) for word, at in zip(("start", "end"), ends, strict=True)]
-    parts = [Part(0, PALE, ball(np.zeros(3), 0.98, 32)), *(Part(0, INK, ball(at, 0.025)) for at in ends)]
+    parts = [
+        Part(0, PALE, ball(np.zeros(3), 0.98, 32)),
+        *(Part(0, INK, ball(at, 0.025)) for at in ends),
+    ]
     parts += [Part(0, STEEL, arrow(np.zeros(3), axis, 1.25, 0.01)) for axis in e]
     words += [(name, 1.3 * axis, GREY) for name, axis in zip("xyz", e, strict=True)]
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
     return still(
         parts,
-        f"Where e_x goes on the unit sphere, in motions between the same two orientations: {'; '.join(said)}.",
-        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant rates it does not. "
+        f"Where e_x goes on the unit sphere, in motions between the same two orientations: "
+        f"{'; '.join(said)}.",
+        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant "
+        "rates it does not. "
         f"The bodies rotate at: {'; '.join(speeds)}.",
         paths=paths,
         words=words,
@@ -134,15 +168,27 @@ def orientation_paths(tracks, duration):
 
 def _scene(axes, dots, paths, alt, caption, pale=()):
     """A picture with axes {name: direction} through the origin, dots (point, word, colour), paths and what is pale."""
-    reach = 1.15 * max(np.abs(points).max() for points in [*(at for at, *_ in dots), *(part[0] for part in paths)])
+    reach = 1.15 * max(
+        np.abs(points).max() for points in [*(at for at, *_ in dots), *(part[0] for part in paths)]
+    )
     size, parts, words = 0.025 * reach, [], []
     for name, k in axes.items():
         parts.append(Part(0, VIOLET, arrow(-reach * k, k, 2 * reach, 0.5 * size)))
         words.append((name, 1.08 * reach * np.asarray(k), AXIS))
     for at, word, colour in dots:
         parts.append(Part(0, colour, ball(at, size)))
-        words.append((word, np.add(at, [0, 0, 3 * size]), BLACK if colour == INK else PALETTE[colour]))
-    return still(parts, alt, caption, pale=pale, paths=paths, words=[each for each in words if each[0]], view=VIEW)
+        words.append(
+            (word, np.add(at, [0, 0, 3 * size]), BLACK if colour == INK else PALETTE[colour])
+        )
+    return still(
+        parts,
+        alt,
+        caption,
+        pale=pale,
+        paths=paths,
+        words=[each for each in words if each[0]],
+        view=VIEW,
+    )
 
 
 def _rotated(k, theta, p):
@@ -182,21 +228,37 @@ def arm_by_hand():
     window = {"xlim": (-0.6, 5.6), "ylim": (-0.8, 4.6)}
     in_metres(side, title="seen from the side", **window | {"ylabel": "z (m)"})
     in_metres(top, title="seen from above", **window)
-    alt = "Seen from the side, an arm with links of 3 and 4 m at a right angle; rotated down, its wrist center goes "
+    alt = (
+        "Seen from the side, an arm with links of 3 and 4 m at a right angle; rotated down, its "
+        "wrist center goes "
+    )
     alt += "from (4, 3) to (5, 0). Seen from above, the wrist center goes from (5, 0) to (3, 4)."
-    return Picture(fig, alt, "The dotted lines are 5 m long, like the distance from the shoulder to the goal.")
+    return Picture(
+        fig, alt, "The dotted lines are 5 m long, like the distance from the shoulder to the goal."
+    )
 
 
 def joint_motion(motions):
     """Return the joint motion that a step commands, {label: function of the bend}, over the bend of the last joint."""
     bends = np.geomspace(0.003, 1, 60)
     rows = {label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()}
-    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in rows.items())
+    said = "; ".join(
+        f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in rows.items()
+    )
     caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
     if len(rows) > 1:
-        caption = "The undamped step grows as one over the bend; the damped step stays small at every bend."
+        caption = (
+            "The undamped step grows as one over the bend; the damped step stays small at every "
+            "bend."
+        )
     return Picture(
-        lines(bends, rows, log="xy", xlabel="bend of the last joint (rad)", ylabel="joint motion (rad)"),
+        lines(
+            bends,
+            rows,
+            log="xy",
+            xlabel="bend of the last joint (rad)",
+            ylabel="joint motion (rad)",
+        ),
         f"The joint motion over the bend of the last joint, both logarithmic: {said}.",
         caption,
     )
@@ -205,16 +267,29 @@ def joint_motion(motions):
 def largest_rates(inverse_rate_matrix):
     """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
 
-    inverse_rate_matrix: from the three angles to the matrix (3, 3) that takes angular velocities to rates.
+    inverse_rate_matrix: from the three angles to the matrix (3, 3) that takes angular velocities to
+    rates.
     """
     b2 = np.linspace(0.02, np.pi - 0.02, 301)
     inverses = np.array([inverse_rate_matrix(np.array([0.4, x, 0.0])) for x in b2])
-    together, single = np.linalg.norm(inverses, 2, axis=(1, 2)), np.linalg.norm(inverses, axis=2).max(1)
+    together, single = (
+        np.linalg.norm(inverses, 2, axis=(1, 2)),
+        np.linalg.norm(inverses, axis=2).max(1),
+    )
     rates = {"all three together": together, "largest single rate": single}
-    said = "; ".join(f"{label} from {np.min(y):.2g} to {np.max(y):.0f} rad/s" for label, y in rates.items())
+    said = "; ".join(
+        f"{label} from {np.min(y):.2g} to {np.max(y):.0f} rad/s" for label, y in rates.items()
+    )
     middle = np.abs(b2 - np.pi / 4).argmin()
     return Picture(
-        lines(b2, rates, log="y", parts_of_pi=4, xlabel=r"$b_2$ (rad)", ylabel="rates for 1 rad/s (rad/s)"),
+        lines(
+            b2,
+            rates,
+            log="y",
+            parts_of_pi=4,
+            xlabel=r"$b_2$ (rad)",
+            ylabel="rates for 1 rad/s (rad/s)",
+        ),
         f"The largest rates for an angular velocity of one, over b2, on a logarithmic axis: {said}.",
         r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide. "
         rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s (together).",
@@ -224,7 +299,8 @@ def largest_rates(inverse_rate_matrix):
 def descents(runs, target, caption):
     """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
 
-    runs: {label: arms (n, links + 1, 2), one configuration a step, base first}. target: (2,). caption: what to notice.
+    runs: {label: arms (n, links + 1, 2), one configuration a step, base first}. target: (2,).
+    caption: what to notice.
     """
     fig, (plane, error) = plane_figure(9.6, 4.4, 2, width_ratios=[1, 1.1])
     said, corners, lowest = [], [np.zeros((1, 2)), [target]], np.inf
@@ -235,12 +311,26 @@ def descents(runs, target, caption):
             plane.plot(*tips.T, "o", color=colour, markersize=6, alpha=0.6)
         else:
             plane.plot(*tips.T, color=colour, linestyle=style, linewidth=2)
-            plane.plot(*arms[-1].T, "-o", color=colour, linewidth=5, markersize=7, markeredgecolor="white", alpha=0.5)
+            plane.plot(
+                *arms[-1].T,
+                "-o",
+                color=colour,
+                linewidth=5,
+                markersize=7,
+                markeredgecolor="white",
+                alpha=0.5,
+            )
             corners.append(arms[-1])
         corners.append(tips)
         miss = np.linalg.norm(tips - target, axis=-1)
         lowest = min(lowest, miss.min())
-        error.plot(miss, color=colour, linestyle=style, linewidth=2, label=label.replace("alpha", r"$\alpha$"))
+        error.plot(
+            miss,
+            color=colour,
+            linestyle=style,
+            linewidth=2,
+            label=label.replace("alpha", r"$\alpha$"),
+        )
         end = "less than a micrometre" if miss[-1] < 1e-6 else f"{miss[-1]:.2g} m"
         said.append(f"{label}: {'jumps about and is' if jumps else 'ends'} {end} from it")
     plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
@@ -253,7 +343,10 @@ def descents(runs, target, caption):
     if len(runs) > 1:
         legend_above(fig, 1 if max(map(len, runs)) > 30 else len(runs))
     x, y = target
-    alt = f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. {'; '.join(said)}."
+    alt = (
+        f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. "
+        f"{'; '.join(said)}."
+    )
     return Picture(fig, alt, caption)
 
 
@@ -273,9 +366,16 @@ def race(racers, points_of, target):
         arms = points_of(path)
         miss = np.linalg.norm(arms[:, -1] - target, axis=-1)
         largest = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
-        steps = f"{np.argmax(miss < near)} steps to {100 * near:g} cm" if (miss < near).any() else "never there"
+        steps = (
+            f"{np.argmax(miss < near)} steps to {100 * near:g} cm"
+            if (miss < near).any()
+            else "never there"
+        )
         runs[f"{label}: {steps}, at most {largest:.3g} rad"] = arms
-    caption = "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end alike, as drawn."
+    caption = (
+        "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end "
+        "alike, as drawn."
+    )
     return descents(runs, target, caption)
 
 
@@ -288,19 +388,31 @@ def gains(epsilons, values):
     fig, (ax,) = plane_figure(5.4, 3.8)
     ax.plot(s, 1 / s, color=BLACK, linewidth=1, label="no damping: $1/s$")
     for colour, style, eps in zip(COLOURS, STYLES, epsilons, strict=False):
-        ax.plot(s, s / (s**2 + eps), color=colour, linestyle=style, linewidth=2, label=rf"$\epsilon$ = {eps:g} m$^2$")
+        ax.plot(
+            s,
+            s / (s**2 + eps),
+            color=colour,
+            linestyle=style,
+            linewidth=2,
+            label=rf"$\epsilon$ = {eps:g} m$^2$",
+        )
         if np.sqrt(eps) < s[-1]:
             ax.plot(np.sqrt(eps), 1 / (2 * np.sqrt(eps)), "o", color=colour)
     for label, value in values.items():
         ax.axvline(value, color=GREY, linewidth=1)
         name = f"${label[0]}_{label[1:]}$"
         ax.annotate(name, (value, 2.05), xytext=(4, 0), textcoords="offset points", color=BLACK)
-    ax.set(ylim=(0, 2.2), xlabel="singular value $s$ of the Jacobian (m)", ylabel="joint step per error (rad/m)")
+    ax.set(
+        ylim=(0, 2.2),
+        xlabel="singular value $s$ of the Jacobian (m)",
+        ylabel="joint step per error (rad/m)",
+    )
     legend_above(fig, 2)
     tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
     return Picture(
         fig,
-        "The joint step per metre of error, over the singular value. Without damping it grows without bound towards "
+        "The joint step per metre of error, over the singular value. Without damping it grows "
+        "without bound towards "
         f"zero; with damping it rises from zero to a largest value, {tops}, and falls again.",
         r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ damping cuts the step, for large $s$ hardly.",
     )
@@ -309,8 +421,8 @@ def gains(epsilons, values):
 def step_map(alphas, epsilons, errors, largest, runs):
     """Return the error after a run, for step sizes and dampings, with the limit 2 (1 + eps/s1^2).
 
-    alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest singular value at the
-    target. runs: the pairs (alpha, eps) to mark.
+    alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest
+    singular value at the target. runs: the pairs (alpha, eps) to mark.
     """
     fig, (ax,) = plane_figure(5.4, 4.4)
     levels = TwoSlopeNorm(-2, -8, 0.5)
@@ -318,20 +430,33 @@ def step_map(alphas, epsilons, errors, largest, runs):
     image = ax.pcolormesh(alphas, epsilons, decades, cmap="RdBu_r", norm=levels, rasterized=True)
     limit = 2 * (1 + np.array(epsilons) / largest**2)
     ax.plot(limit, epsilons, color=BLACK, linewidth=2, label=r"$\alpha = 2(1 + \epsilon/s_1^2)$")
-    ax.plot(*np.transpose(runs), "o", color=BLACK, markerfacecolor="white", markersize=8, label="the report's runs")
-    ax.set(xscale="log", yscale="log", xlim=(alphas[0], alphas[-1]), ylim=(epsilons[0], epsilons[-1]))
+    ax.plot(
+        *np.transpose(runs),
+        "o",
+        color=BLACK,
+        markerfacecolor="white",
+        markersize=8,
+        label="the report's runs",
+    )
+    ax.set(
+        xscale="log", yscale="log", xlim=(alphas[0], alphas[-1]), ylim=(epsilons[0], epsilons[-1])
+    )
     ax.set(xlabel=r"step size $\alpha$", ylabel=r"damping $\epsilon$ (m$^2$)")
     legend_above(fig, 2)
-    bar = fig.colorbar(image, ax=ax, label="distance from the target (m)", ticks=[0, -2, -4, -6, -8])
+    bar = fig.colorbar(
+        image, ax=ax, label="distance from the target (m)", ticks=[0, -2, -4, -6, -8]
+    )
     bar.ax.set_yticklabels(["1", "$10^{-2}$", "$10^{-4}$", "$10^{-6}$", "$10^{-8}$"])
     left = np.asarray(alphas)[:, None] < limit
     blue_left, blue_right = (100 * (errors[side] < 0.01).mean() for side in (left, ~left))
     return Picture(
         fig,
-        "A map of the distance after a run, over step size and damping, both logarithmic. Left of a curve, the "
+        "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
+        "a curve, the "
         f"limit of the step size, {blue_left:.0f} % of it is blue, below a centimetre; right of it "
         f"{blue_right:.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}.",
-        "Blue runs converge. Right of the curve the steps are too large; at the left and at the top they are too "
+        "Blue runs converge. Right of the curve the steps are too large; at the left and at the "
+        "top they are too "
         "small.",
     )
 
@@ -344,10 +469,13 @@ def two_arms(paths, points_of):
         spaced = np.linspace(0, length[-1], 61)
         even = np.array([np.interp(spaced, length, angle) for angle in np.transpose(path)]).T
         arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(even)
-    folds = ", ".join(f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items())
+    folds = ", ".join(
+        f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items()
+    )
     return Picture(
         draw_arms(arms, 12, _window(arms.values(), 0.3)),
-        f"Arms between the same start and target, later ones darker. The last elbow bends at most by {folds}.",
+        f"Arms between the same start and target, later ones darker. The last elbow bends at most "
+        f"by {folds}.",
         "With much damping the tip swings out in a bow, and the joints move less.",
     )
 
@@ -358,9 +486,13 @@ def manipulability_along(dampings, values):
     values: (m, n), a row for each of the dampings (m,), one value a step, in square metres.
     """
     rows = {rf"$\epsilon$ = {eps:g} m²": row for eps, row in zip(dampings, values, strict=True)}
-    said = [f"epsilon = {e:g} m²: {min(row):.1f} to {max(row):.1f}" for e, row in zip(dampings, values, strict=True)]
+    said = [
+        f"epsilon = {e:g} m²: {min(row):.1f} to {max(row):.1f}"
+        for e, row in zip(dampings, values, strict=True)
+    ]
     return Picture(
         lines(np.arange(values.shape[1]), rows, xlabel="steps", ylabel="manipulability (m²)"),
         f"The manipulability (m²) over the steps. {'; '.join(said)}.",
-        "With little damping the curve settles within a few steps; with much damping it changes slowly.",
+        "With little damping the curve settles within a few steps; with much damping it changes "
+        "slowly.",
     )

@@ -8,12 +8,19 @@ from course_lib import cells
 def table(columns, rows):
     """Print rows of a table under the names of their columns.
 
-    rows: {name: values, numbers or text, one for each column}. Numbers below 1e-6 are all shown as "< 1e-06".
+    rows: {name: values, numbers or text, one for each column}. Numbers below 1e-6 are all shown as
+    "< 1e-06".
     """
-    shown = [[columns[k], *(_short([*values][k]) for values in rows.values())] for k in range(len(columns))]
+    shown = [
+        [columns[k], *(_short([*values][k]) for values in rows.values())]
+        for k in range(len(columns))
+    ]
     names = ["", *rows]
     for i, name in enumerate(names):
-        print(f"{name:{max(map(len, names))}}" + "".join(f"  {column[i]:>{max(map(len, column))}}" for column in shown))
+        print(
+            f"{name:{max(map(len, names))}}"
+            + "".join(f"  {column[i]:>{max(map(len, column))}}" for column in shown)
+        )
 
 
 def _short(value):
@@ -35,8 +42,8 @@ def dh_tables(modified, standard):
 def mirrored(n, as_given, corrected):
     """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
 
-    Of three points rounding decides: no two machines count the same, and the words say "about half". as_given,
-    corrected: (m,), errors in degrees, one for each shape.
+    Of three points rounding decides: no two machines count the same, and the words say "about
+    half". as_given, corrected: (m,), errors in degrees, one for each shape.
     """
     count, m = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum()), len(corrected)
     about = n == 3 and 0.36 * m < count < 0.64 * m
@@ -46,7 +53,8 @@ def mirrored(n, as_given, corrected):
 def reached(results, rough=()):
     """Print how often each method reaches its targets, {method: (reached (n,), iterations (n,))}.
 
-    rough: methods whose numbers are rounded to one digit, because rounding errors decide many of their targets.
+    rough: methods whose numbers are rounded to one digit, because rounding errors decide many of
+    their targets.
     """
     rows = {}
     for name, (there, taken) in results.items():
@@ -61,9 +69,10 @@ def reached(results, rough=()):
 def compared(errors, exists, rough=()):
     """Print a table that compares methods; return the mean errors, {name: cm}.
 
-    errors: {name: (m, 2), in cm, of the answers for both branches, nan for none}. exists: (m, 2), whether there is such
-    a solution, or a dict of one for each name. rough: names whose largest error is left out, because it differs between
-    machines. Answers where there is no solution are counted as invented, and their errors are not.
+    errors: {name: (m, 2), in cm, of the answers for both branches, nan for none}. exists: (m, 2),
+    whether there is such a solution, or a dict of one for each name. rough: names whose largest
+    error is left out, because it differs between machines. Answers where there is no solution are
+    counted as invented, and their errors are not.
 
     Examples
     --------
@@ -85,13 +94,18 @@ def compared(errors, exists, rough=()):
 
 def means(contents):
     """Print the mean and the largest of errors, {label: errors in cm, NaN for none}."""
-    table(["mean (cm)", "worst (cm)"], {name: _mean_and_worst(e, 2) for name, e in contents.items()})
+    table(
+        ["mean (cm)", "worst (cm)"], {name: _mean_and_worst(e, 2) for name, e in contents.items()}
+    )
 
 
 def by_kind(kind, error):
     """Print share, mean and largest error (m, 2) in cm of the queries whose cells are of a kind (m,) of cells.KINDS."""
     found = [name for name in (*cells.KINDS, cells.FEW) if (kind == name).any()]
-    rows = {name: (f"{(kind == name).mean():.0%}", *_mean_and_worst(error[kind == name], 0)) for name in found}
+    rows = {
+        name: (f"{(kind == name).mean():.0%}", *_mean_and_worst(error[kind == name], 0))
+        for name in found
+    }
     table(["queries", "mean (cm)", "worst (cm)"], rows)
 
 

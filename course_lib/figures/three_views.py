@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY
 
-# Each arm's corners at joint angles zero, from the base to the flange, the distance from each length between two of
-# them to its dimension line, and the margins below and above the arm along x, y and z, all in metres; its views; how
-# many inches are drawn for a metre; and on which side of its point a word stands that would cover something, with the
-# base called s and the flange b.
+# Each arm's corners at joint angles zero, from the base to the flange, the distance from each
+# length between two of them to its dimension line, and the margins below and above the arm along x,
+# y and z, all in metres; its views; how many inches are drawn for a metre; and on which side of its
+# point a word stands that would cover something, with the base called s and the flange b.
 _TOP, _SIDE, _END = "top", "side", "end"
 _ARMS = {
     "iiwa": {
@@ -21,7 +21,11 @@ _ARMS = {
         "margins": [(0.22, 0.34), (0.22, 0.22), (0.22, 0.22)],
         "layout": [[_SIDE, _END, _TOP]],
         "scale": 3.6,
-        "aside": {_SIDE: {"$x_s$": (0, -1)}, _END: {}, _TOP: {"1, 3, 5, 7": (1, 1), "$x_s$": (0, 1)}},
+        "aside": {
+            _SIDE: {"$x_s$": (0, -1)},
+            _END: {},
+            _TOP: {"1, 3, 5, 7": (1, 1), "$x_s$": (0, 1)},
+        },
     },
     "ur5e": {
         "title": "UR5e",
@@ -45,15 +49,24 @@ _ARMS = {
         },
     },
 }
-_VIEWS = {_TOP: (0, 1, 2, "from above"), _SIDE: (0, 2, 1, "from the side"), _END: (1, 2, 0, "from the front")}
+_VIEWS = {
+    _TOP: (0, 1, 2, "from above"),
+    _SIDE: (0, 2, 1, "from the side"),
+    _END: (1, 2, 0, "from the front"),
+}
 _LEFT = {"$z_s$": (-1, 0), "$y_b$": (-1, 0)}  # aside in every view
-_TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}  # the sign of the hidden axis's direction that points at the viewer
+_TOWARDS = {
+    _TOP: 1,
+    _SIDE: -1,
+    _END: 1,
+}  # the sign of the hidden axis's direction that points at the viewer
 
 
 def three_views(name, arm, frames=("s", "b")):
     """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, above and the front.
 
-    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn. frames: how base and flange are called.
+    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn. frames: how base and
+    flange are called.
     """
     data = _ARMS[name]
     corners, layout, scale = np.array(data["corners"]), data["layout"], data["scale"]
@@ -69,7 +82,10 @@ def three_views(name, arm, frames=("s", "b")):
         ax.spines[:].set_visible(False)
         _draw(ax, view, arm, corners, data, *frames)
     fig.draw_without_rendering()  # the layout of panels with equal scales settles in two rounds
-    caption = "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that points at you."
+    caption = (
+        "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that "
+        "points at you."
+    )
     return Picture(fig, _in_words(arm, data, *frames), caption)
 
 
@@ -84,10 +100,18 @@ def _draw(ax, view, arm, corners, data, base, tool):
         x, y = np.sign((_LEFT | data["aside"][view]).get(named, along)).astype(int)
         look = {"size": 9, "color": BLACK, "ha": ("center", "left", "right")[x], **look}
         look["va"] = ("center", "bottom", "top")[y]
-        ax.annotate(text, tip, (8 * x, 8 * y), textcoords="offset points", **look).set_in_layout(False)
+        ax.annotate(text, tip, (8 * x, 8 * y), textcoords="offset points", **look).set_in_layout(
+            False
+        )
 
     def arrow(start, end, colour, **look):
-        ax.annotate("", end, start, arrowprops={"color": colour, "shrinkA": 0, "shrinkB": 0, **look}, zorder=4)
+        ax.annotate(
+            "",
+            end,
+            start,
+            arrowprops={"color": colour, "shrinkA": 0, "shrinkB": 0, **look},
+            zorder=4,
+        )
 
     def frame(origin, R, name, size):
         for axis, colour in enumerate(FRAME_COLOURS):
@@ -105,13 +129,21 @@ def _draw(ax, view, arm, corners, data, base, tool):
         start, end = np.sort(ends, axis=0)[:, [i, j]]
         offset = beside * (np.array([1, 0]) if start[0] == end[0] else np.array([0, 1]))
         for point in (start, end):
-            ax.plot(*np.transpose([point + 0.3 * offset, point + 1.1 * offset]), color=BLACK, linewidth=0.5)
+            ax.plot(
+                *np.transpose([point + 0.3 * offset, point + 1.1 * offset]),
+                color=BLACK,
+                linewidth=0.5,
+            )
         arrow(start + offset, end + offset, BLACK, arrowstyle="<->", linewidth=0.8)
         word(f"{1000 * np.abs(end - start).max():g}", (start + end) / 2 + offset, offset)
     numbers = {}
     for number, S in enumerate(arm.screw_axes, 1):
         # Its joint is drawn at the last corner of the arm that lies on the axis.
-        at = [corner for corner in corners[:-1] if np.linalg.norm(np.cross(S[:3], corner) + S[3:]) < 1e-9][-1][[i, j]]
+        at = [
+            corner
+            for corner in corners[:-1]
+            if np.linalg.norm(np.cross(S[:3], corner) + S[3:]) < 1e-9
+        ][-1][[i, j]]
         along, colour = S[[i, j]].round(9) + 0.0, FRAME_COLOURS[int(np.abs(S[:3]).argmax())]
         if along.any():
             arrow(at - 0.07 * along, at + 0.13 * along, colour, arrowstyle="-|>", linewidth=1.6)
@@ -135,11 +167,14 @@ def _draw(ax, view, arm, corners, data, base, tool):
 def _in_words(arm, data, base, end):
     """The drawing in words: the arm's path from the base to the flange, its dimensions and arrows."""
     steps = np.diff(np.array(data["corners"]), axis=0)
-    path = ", then ".join(f"{1000 * np.abs(step).max():g} along {direction(step)}" for step in steps)
+    path = ", then ".join(
+        f"{1000 * np.abs(step).max():g} along {direction(step)}" for step in steps
+    )
     arrows = ", ".join(f"{i} {direction(S[:3])}" for i, S in enumerate(arm.screw_axes, 1))
     axes = ", ".join(f"{'xyz'[k]} along {direction(arm.home[-1, :3, k])}" for k in range(3))
     return (
-        f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in millimetres. From the "
+        f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in "
+        f"millimetres. From the "
         f"base the arm goes {path}. The arrows of the joint axes point along: {arrows}. The "
         f"flange's frame {end} has {axes} of the base frame {base}."
     )

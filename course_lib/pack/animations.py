@@ -24,12 +24,19 @@ RATE = 20  # pictures a second
 def main(notebooks):
     """Write the animations of some notebooks, by their paths; return an exit code."""
     try:
-        movies = [movie for path in notebooks for movie in stored_movies(nbformat.read(path, as_version=4))]
+        movies = [
+            movie
+            for path in notebooks
+            for movie in stored_movies(nbformat.read(path, as_version=4))
+        ]
     except (OSError, ValueError, AttributeError, nbformat.ValidationError) as error:
         print(f"A notebook cannot be read: {str(error).splitlines()[0]:.200}", file=sys.stderr)
         return 1
     if not movies:
-        print("No animation is stored in these notebooks. Run them and save them first.", file=sys.stderr)
+        print(
+            "No animation is stored in these notebooks. Run them and save them first.",
+            file=sys.stderr,
+        )
         return 1
     FOLDER.mkdir(parents=True, exist_ok=True)
     for movie in movies:
@@ -53,18 +60,27 @@ def write(movie, path):
     """Write one animation, a stored toy, as GIF and (with ffmpeg) as MP4; return the paths of these files."""
     times = np.arange(0, movie["times"][-1] + 1e-9, 1 / RATE)
     every = tqdm(
-        film_pictures(movie, times), total=len(times), desc=path.name, unit="picture", leave=False, disable=None
+        film_pictures(movie, times),
+        total=len(times),
+        desc=path.name,
+        unit="picture",
+        leave=False,
+        disable=None,
     )
     pictures = list(every)
     gif, mp4 = path.with_suffix(".gif"), path.with_suffix(".mp4")
-    palette = pictures[0].quantize(method=Image.Quantize.MAXCOVERAGE)  # which keeps the rarer colours
+    palette = pictures[0].quantize(
+        method=Image.Quantize.MAXCOVERAGE
+    )  # which keeps the rarer colours
     small = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     small[0].save(gif, save_all=True, append_images=small[1:], duration=1000 // RATE, loop=0)
     if shutil.which("ffmpeg") is None:
         return [gif]
     raw = "-f rawvideo -pixel_format rgb24 -video_size {}x{}".format(*pictures[0].size)
     command = f"ffmpeg -y -loglevel error {raw} -framerate {RATE} -i - -pix_fmt yuv420p".split()
-    subprocess.run([*command, mp4], input=b"".join(picture.tobytes() for picture in pictures), check=True)
+    subprocess.run(
+        [*command, mp4], input=b"".join(picture.tobytes() for picture in pictures), check=True
+    )
     return [gif, mp4]
 
 

@@ -22,7 +22,10 @@ from course_lib.pack.files import write_atomically
 
 README = Path("README.md")
 BEGIN, END = "<!-- written by make bench -->\n", "<!-- end -->"
-PEERS = {"pinocchio": "pin", "roboticstoolbox": "roboticstoolbox-python"}  # beside numpy and scipy: module, package
+PEERS = {
+    "pinocchio": "pin",
+    "roboticstoolbox": "roboticstoolbox-python",
+}  # beside numpy and scipy: module, package
 AGREE = 1e-9
 REACHED = 1e-6  # metres and radians, by inverse kinematics
 LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
@@ -35,8 +38,8 @@ ARM = panda()
 class Task:
     """What is compared: `items`, an array whose first axis counts them, the library's function, and those of others.
 
-    convert: for those of `others` that need it, converts what they return to the library's conventions; None if their
-    answers need not agree.
+    convert: for those of `others` that need it, converts what they return to the library's
+    conventions; None if their answers need not agree.
     """
 
     title: str
@@ -54,12 +57,20 @@ def main(arguments):
         print(task.title, "...", flush=True)
         seconds, found = shares(task)
         one = np.format_float_positional(1e6 * seconds, 2, fractional=False, trim="-")
-        lines += [f"| {task.title} | {one} µs | {name} | {share:.2g} |" for name, share in found.items()]
-    versions = [f"{name} {metadata.version(PEERS.get(name, name))}" for name in ("numpy", "scipy", *peers)]
+        lines += [
+            f"| {task.title} | {one} µs | {name} | {share:.2g} |" for name, share in found.items()
+        ]
+    versions = [
+        f"{name} {metadata.version(PEERS.get(name, name))}" for name in ("numpy", "scipy", *peers)
+    ]
     text = "\n".join([*lines, "", f"With {', '.join(versions)},\non {processor()}.", ""])
     print(text)
     if missing or arguments:
-        print("README.md stays as it is.", *(f"Missing: {name}, {why}." for name, why in missing.items()), sep="\n")
+        print(
+            "README.md stays as it is.",
+            *(f"Missing: {name}, {why}." for name, why in missing.items()),
+            sep="\n",
+        )
         return
     before, _, rest = README.read_text(encoding="utf-8").partition(BEGIN)
     write_atomically(README, f"{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}")
@@ -88,8 +99,8 @@ def processor():
 def shares(task):
     """Return the library's time for one item in seconds, and {name: that time as a share of the other's}.
 
-    The functions are measured in turn, and the least times count. Raises ValueError if another library's answers differ
-    by more than `AGREE`.
+    The functions are measured in turn, and the least times count. Raises ValueError if another
+    library's answers differ by more than `AGREE`.
     """
     few = task.items[:200]
     for name, run in task.others.items():
@@ -98,9 +109,14 @@ def shares(task):
             if not gap <= AGREE:
                 raise ValueError(f"{task.title}: the answers of {name} differ by {gap:.1g}")
     # Processor time: other programs on the machine affect it less than the clock.
-    timers = [Timer(partial(run, task.items), timer=time.process_time) for run in (task.library, *task.others.values())]
+    timers = [
+        Timer(partial(run, task.items), timer=time.process_time)
+        for run in (task.library, *task.others.values())
+    ]
     often = [1 + int(LEAST / max(timer.timeit(1), 1e-6)) for timer in timers]
-    times = [[timer.timeit(n) / n for timer, n in zip(timers, often, strict=True)] for _ in range(ROUNDS)]
+    times = [
+        [timer.timeit(n) / n for timer, n in zip(timers, often, strict=True)] for _ in range(ROUNDS)
+    ]
     best = np.min(times, axis=0) / len(task.items)
     return best[0], dict(zip(task.others, best[0] / best[1:], strict=True))
 
@@ -108,7 +124,10 @@ def shares(task):
 def tasks(peers, n):
     """Return all Tasks: with n poses, a tenth of that many targets, and ten times as many rotations."""
     q = np.random.default_rng(0).uniform(*ARM.limits.T, (n, 7))
-    return [*_kinematics(peers, q, ARM.fk(q[: n // 10])), *_rotations(peers.get("pinocchio"), 10 * n)]
+    return [
+        *_kinematics(peers, q, ARM.fk(q[: n // 10])),
+        *_rotations(peers.get("pinocchio"), 10 * n),
+    ]
 
 
 def _over(function, items):
@@ -124,10 +143,14 @@ def _kinematics(peers, q, targets):
     if rtb := peers.get("roboticstoolbox"):
         first, *others = (rtb.ET.SE3(step) for step in _steps())
         joints = [rtb.ET.Rz(qlim=limits.tolist()) for limits in ARM.limits]
-        chain = rtb.ETS([first, *(part for pair in zip(joints, others, strict=True) for part in pair)])
+        chain = rtb.ETS(
+            [first, *(part for pair in zip(joints, others, strict=True) for part in pair)]
+        )
         poses["roboticstoolbox, C++"] = chain.eval
         # Half the squared error is at most tol; k = 0.1 is the fastest of 1, 0.3, 0.1, 0.03.
-        inverse[ik_name] = lambda T: _over(lambda one: chain.ik_LM(one, tol=REACHED**2 / 2, k=0.1).q, T)
+        inverse[ik_name] = lambda T: _over(
+            lambda one: chain.ik_LM(one, tol=REACHED**2 / 2, k=0.1).q, T
+        )
 
     def solve(T):
         return ik.solve(ARM, T, np.random.default_rng(1)).q
@@ -142,7 +165,9 @@ def _kinematics(peers, q, targets):
     solved = "all solved" if error <= REACHED else f"error up to {error:.0e}"
     yield Task(f"{len(q):,} poses of the Panda", q, ARM.fk, poses)
     both = f"{len(q):,} poses and space Jacobians"
-    yield Task(both, q, lambda qs: flat(ARM.fk(qs), ARM.space_jacobian(qs)), jacobians, {LOOP: ours})
+    yield Task(
+        both, q, lambda qs: flat(ARM.fk(qs), ARM.space_jacobian(qs)), jacobians, {LOOP: ours}
+    )
     name = f"inverse kinematics of {len(targets):,} targets, {solved}"
     yield Task(name, targets, solve, inverse, {ik_name: None})
 
@@ -182,7 +207,11 @@ def _pinocchio(pin):
     data = model.createData()
 
     def frames(q, jacobian=False):
-        J = pin.computeJointJacobians(model, data, q).copy() if jacobian else pin.forwardKinematics(model, data, q)
+        J = (
+            pin.computeJointJacobians(model, data, q).copy()
+            if jacobian
+            else pin.forwardKinematics(model, data, q)
+        )
         return pin.updateFramePlacement(model, data, end).homogeneous, J
 
     return frames

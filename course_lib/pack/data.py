@@ -1,7 +1,7 @@
 """Make the data that the notebooks come with, `make data`: a joint trajectory of the iiwa.
 
-The end-effector follows a given curve twice. The curve determines three of the seven
-degrees of freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
+The end-effector follows a given curve twice. The curve determines three of the seven degrees of
+freedom; the smallest joint velocity at every instant, q' = J^+ p', determines the others. This is a
 differential equation for q, and its right side is the velocity that is stored with each sample.
 """
 
@@ -15,7 +15,15 @@ from course_lib.trajectory import Trajectory, save
 
 FILE = Path("notebooks/data/iiwa_trajectory.csv")
 TIMES = 2 * np.pi * np.arange(200) / 100  # seconds: two rounds
-NEAR = [2.3, 0.3, 0.2, -1.9, 0.1, 0.9, 0.0]  # radians; the configuration at time 0 is the solution nearest to this one
+NEAR = [
+    2.3,
+    0.3,
+    0.2,
+    -1.9,
+    0.1,
+    0.9,
+    0.0,
+]  # radians; the configuration at time 0 is the solution nearest to this one
 
 
 def end_effector(t):
@@ -40,22 +48,30 @@ def iiwa_trajectory():
 
     q0 = np.array(NEAR)
     for _ in range(50):
-        q0 = q0 + np.linalg.pinv(arm.position_jacobian(q0)) @ (end_effector(0.0) - arm.fk(q0)[:3, 3])
+        q0 = q0 + np.linalg.pinv(arm.position_jacobian(q0)) @ (
+            end_effector(0.0) - arm.fk(q0)[:3, 3]
+        )
     solved = solve_ivp(velocity, (0, TIMES[-1]), q0, "DOP853", t_eval=TIMES, rtol=1e-11, atol=1e-12)
     q = solved.y.T
     off = np.abs(arm.fk(q)[:, :3, 3] - end_effector(TIMES)).max()
     inside = ((q > arm.limits[:, 0]) & (q < arm.limits[:, 1])).all()
     if off > 1e-9 or not inside:
-        raise RuntimeError(f"the trajectory is not valid: {off:.1e} m off the curve, inside the limits: {inside}")
+        raise RuntimeError(
+            f"the trajectory is not valid: {off:.1e} m off the curve, inside the limits: {inside}"
+        )
     qd = np.array([velocity(t, at) for t, at in zip(TIMES, q, strict=True)])
-    # As many decimals as are saved; 0.0 added makes -0.0 to 0.0, for its sign differs between machines.
+    # As many decimals as are saved; 0.0 added makes -0.0 to 0.0, for its sign differs between
+    # machines.
     return Trajectory(TIMES, *(np.round(values, 10) + 0.0 for values in (q, qd)))
 
 
 def main():
     """Write the trajectory that notebook 4 uses."""
     save(FILE, iiwa_trajectory())
-    print(f"{FILE}: {len(TIMES)} samples. If git shows a change, run: make notebooks, and then: make test")
+    print(
+        f"{FILE}: {len(TIMES)} samples. If git shows a change, run: make notebooks, and then: make "
+        f"test"
+    )
 
 
 if __name__ == "__main__":

@@ -10,8 +10,8 @@ PART = ".part"  # suffix of an incomplete file; its name begins with a dot
 def write_atomically(path, content, mode=0o600):
     """Replace a file by new content in one step, and create its folder if there is none.
 
-    content: text, written as UTF-8 with its newlines as they are, or bytes. mode: the permissions of a new file; a file
-    that exists keeps its own.
+    content: text, written as UTF-8 with its newlines as they are, or bytes. mode: the permissions
+    of a new file; a file that exists keeps its own.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)

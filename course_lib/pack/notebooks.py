@@ -67,14 +67,16 @@ def main(arguments: Sequence[str]) -> int:
 def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     """Run one notebook in place, and return remarks on it, to follow its time.
 
-    `make_stills` takes figures and returns PNG files; `draw_stills` if None. Raises NotebookFailed if the file is not a
-    notebook or a cell fails; the file then stays as it was.
+    `make_stills` takes figures and returns PNG files; `draw_stills` if None. Raises NotebookFailed
+    if the file is not a notebook or a cell fails; the file then stays as it was.
     """
     try:
         before = path.read_text(encoding="utf-8")
         notebook = nbformat.reads(before, as_version=4)
     except OSError as error:
-        raise NotebookFailed(f"cannot be read: {error.strerror}. Name a file that is there.") from error
+        raise NotebookFailed(
+            f"cannot be read: {error.strerror}. Name a file that is there."
+        ) from error
     except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
     outputs = [output.data for output in figure_outputs(notebook)]
@@ -104,7 +106,8 @@ def _short(text):
 def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     """Execute every cell in a new kernel of this environment, in the notebook's folder."""
     manager = AsyncKernelManager(
-        # No folders to look in: a kernel of the same name, installed for the user, would come first.
+        # No folders to look in: a kernel of the same name, installed for the user, would come
+        # first.
         kernel_spec_manager=KernelSpecManager(kernel_dirs=[]),
         kernel_name="python3",
         transport_encryption="auto",  # without it every kernel prints a warning
@@ -119,14 +122,19 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     with tempfile.TemporaryDirectory() as profile:
         # A profile of its own: the author's start-up files and settings change outputs.
         environment = {**os.environ, "IPYTHONDIR": profile}
-        environment.pop("JPY_SESSION_NAME", None)  # set if make runs inside JupyterLab: toys would become widgets
+        environment.pop(
+            "JPY_SESSION_NAME", None
+        )  # set if make runs inside JupyterLab: toys would become widgets
         with client.setup_kernel(env=environment):
             number = 0
             for index, cell in enumerate(notebook.cells):
                 if cell.cell_type != "code":
                     continue
                 number += 1
-                cell.outputs, cell.execution_count = [], None  # an empty cell is not run, and may hold old ones
+                cell.outputs, cell.execution_count = (
+                    [],
+                    None,
+                )  # an empty cell is not run, and may hold old ones
                 try:
                     client.execute_cell(cell, index)
                 except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
@@ -169,7 +177,9 @@ def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.Noteboo
                 yield output
 
 
-def add_stills(notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker) -> str:
+def add_stills(
+    notebook: nbformat.NotebookNode, known: dict[str, str], make_stills: StillMaker
+) -> str:
     """Add a PNG to every figure: the stored one if the figure is unchanged, else a new one.
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
@@ -208,7 +218,9 @@ def tidy(notebook: nbformat.NotebookNode) -> None:
     for number, cell in enumerate(notebook.cells):
         cell.metadata = nbformat.from_dict(keep(cell.metadata, CELL_KEYS))
         if TAG in cell.metadata.get("tags", []):
-            cell.metadata["jp-MarkdownHeadingCollapsed"] = True  # also where an author had opened the section
+            cell.metadata["jp-MarkdownHeadingCollapsed"] = (
+                True  # also where an author had opened the section
+            )
         cell.setdefault("id", f"cell-{number}")  # a notebook written before ids were
 
 

@@ -30,7 +30,9 @@ _OPTIONS += ["--force-prefers-reduced-motion", "--default-background-color=00000
 def photograph(meta: dict) -> bytes:
     """Return a PNG of what a toy shows at its start, without its controls."""
     data = json.dumps(meta).replace("</", "<\\/")
-    image = screenshot(_TOY.format(scripts=inline(meta["scripts"]), meta=data), WIDTH, HIGHEST).convert("RGB")
+    image = screenshot(
+        _TOY.format(scripts=inline(meta["scripts"]), meta=data), WIDTH, HIGHEST
+    ).convert("RGB")
     bottom = image.convert("L").point(lambda dot: 255 * (dot < 255)).getbbox()[3]
     image.crop((0, 0, WIDTH, bottom)).save(file := io.BytesIO(), "PNG")
     return file.getvalue()
@@ -43,7 +45,9 @@ def film_pictures(course: dict, times):
     for first in range(0, len(times), across**2):
         some = [round(float(t), 4) for t in times[first : first + across**2]]
         data = json.dumps(course).replace("</", "<\\/")
-        body = _SHEET.format(scripts=inline(course["scripts"]), meta=data, times=some, across=across, width=width)
+        body = _SHEET.format(
+            scripts=inline(course["scripts"]), meta=data, times=some, across=across, width=width
+        )
         sheet = screenshot(body, across * width, across * height).convert("RGB")
         for k in range(len(some)):
             x, y = width * (k % across), height * (k // across)
@@ -52,7 +56,10 @@ def film_pictures(course: dict, times):
 
 def inline(scripts) -> str:
     """Return the HTML of scripts of course_lib/figures/scripts, named without ".js"."""
-    return "".join(f"<script>{(SCRIPTS / f'{name}.js').read_text(encoding='utf-8')}</script>" for name in scripts)
+    return "".join(
+        f"<script>{(SCRIPTS / f'{name}.js').read_text(encoding='utf-8')}</script>"
+        for name in scripts
+    )
 
 
 def screenshot(body: str, width: int, height: int) -> Image.Image:
@@ -62,7 +69,10 @@ def screenshot(body: str, width: int, height: int) -> Image.Image:
     """
     with tempfile.TemporaryDirectory() as folder:
         page, shot = Path(folder, "page.html"), Path(folder, "page.png")
-        page.write_text(f'<!doctype html><meta charset="utf-8"><style>body{{margin:0}}</style>{body}', encoding="utf-8")
+        page.write_text(
+            f'<!doctype html><meta charset="utf-8"><style>body{{margin:0}}</style>{body}',
+            encoding="utf-8",
+        )
         headless(page, f"--window-size={width},{height}", f"--screenshot={shot}")
         try:
             return Image.open(io.BytesIO(shot.read_bytes())).convert("RGBA")
@@ -77,7 +87,13 @@ def headless(page: Path, *options: str) -> None:
     """
     browser = find_browser()
     with tempfile.TemporaryDirectory() as profile:
-        command = [browser, *_OPTIONS, f"--user-data-dir={profile}", *options, page.resolve().as_uri()]
+        command = [
+            browser,
+            *_OPTIONS,
+            f"--user-data-dir={profile}",
+            *options,
+            page.resolve().as_uri(),
+        ]
         try:
             subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
         except (subprocess.SubprocessError, OSError) as error:

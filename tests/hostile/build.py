@@ -1,8 +1,9 @@
 """Notebooks as students hand them in, made from the course's own and from the sources in this folder.
 
-Each text beside this file holds the code cells of a submission, between lines of "# %%". Its head tells what the
-message to its student is to say, or "earns" where the answer is right, which problem with the notebook is told, and
-whether the student's other answers stand before it, as it spoils what they use in Jupyter too.
+Each text beside this file holds the code cells of a submission, between lines of "# %%". Its head
+tells what the message to its student is to say, or "earns" where the answer is right, which problem
+with the notebook is told, and whether the student's other answers stand before it, as it spoils
+what they use in Jupyter too.
 """
 
 import json
@@ -28,17 +29,28 @@ def cell(source, kind="code", **about):
 
 def book(*sources, **about):
     """Return the bytes of a notebook with code cells of these sources."""
-    whole = {"cells": [cell(source) for source in sources], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+    whole = {
+        "cells": [cell(source) for source in sources],
+        "metadata": {},
+        "nbformat": 4,
+        "nbformat_minor": 5,
+    }
     return json.dumps(whole | about).encode()
 
 
 def sources(name, project=PROJECT):
     """Return the code cells of a hostile submission; project: the folder of the grader's that it looks for."""
     text = (HERE / f"{name}.txt").read_text(encoding="utf-8")
-    text = "\n".join(line for line in text.splitlines() if not line.startswith(("# says", "# problem", "# others")))
+    text = "\n".join(
+        line
+        for line in text.splitlines()
+        if not line.startswith(("# says", "# problem", "# others"))
+    )
     return [
         part.strip()
-        for part in text.replace("PROJECT", repr(str(project))).replace("COURSE", repr(str(PROJECT))).split("# %%")
+        for part in text.replace("PROJECT", repr(str(project)))
+        .replace("COURSE", repr(str(PROJECT)))
+        .split("# %%")
     ]
 
 
@@ -105,7 +117,12 @@ def few_exercises(monkeypatch):
 def answers(solutions):
     """The cell with the imports, {exercise: the cell with its right answer} of these four."""
     first, *rest = solutions(NAME)
-    found = {name: source for source in rest for name in (*OTHERS, "nearest_so") if f"def {name}(" in source}
+    found = {
+        name: source
+        for source in rest
+        for name in (*OTHERS, "nearest_so")
+        if f"def {name}(" in source
+    }
     return first, found | {"nearest_se": NEAREST_SE}
 
 

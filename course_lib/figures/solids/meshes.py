@@ -1,7 +1,7 @@
 """Triangle meshes of simple bodies: surfaces of revolution, drums, bent tubes, rounded boxes, arrows, a mug.
 
-Every function returns a Mesh in metres. A ring that occurs twice gives a hard edge: vertices that share a position do
-not share a normal.
+Every function returns a Mesh in metres. A ring that occurs twice gives a hard edge: vertices that
+share a position do not share a normal.
 """
 
 from dataclasses import dataclass
@@ -39,20 +39,30 @@ def revolve(centre, axis, profile, n=14):
 def drum(centre, axis, radius, half, n=12, bevel=0.16):
     """Return a cylinder with bevelled edges; `half` is half its height along the axis."""
     b = bevel * min(radius, half)
-    return revolve(centre, axis, [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)], n)
+    return revolve(
+        centre,
+        axis,
+        [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)],
+        n,
+    )
 
 
 def ring(centre, axis, radius, half, n=12):
     """Return a band of a slightly bulging cylinder, as it marks the seam between two links."""
-    profile = [(0.9 * radius, -half), (radius, -0.5 * half), (radius, 0.5 * half), (0.9 * radius, half)]
+    profile = [
+        (0.9 * radius, -half),
+        (radius, -0.5 * half),
+        (radius, 0.5 * half),
+        (0.9 * radius, half),
+    ]
     return revolve(centre, axis, profile, n)
 
 
 def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
     """Return a tube along a smooth curve through points (m, 3), with rounded ends where `caps` says so.
 
-    radii: one or (m,). steps: rings along the curve. wide: by how much the section is stretched along `side`, (3,), a
-    direction across the curve at its beginning.
+    radii: one or (m,). steps: rings along the curve. wide: by how much the section is stretched
+    along `side`, (3,), a direction across the curve at its beginning.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -114,11 +124,19 @@ def mug():
     """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle."""
     radius, height = 0.035, 0.09
     wall = 0.9 * radius
-    profile = [(0.93 * radius, 0), (radius, 0.04 * height), (radius, height), (wall, height), (wall, height)]
+    profile = [
+        (0.93 * radius, 0),
+        (radius, 0.04 * height),
+        (radius, height),
+        (wall, height),
+        (wall, height),
+    ]
     profile += [(wall, 0.1 * height), (wall, 0.1 * height), (0.01 * wall, 0.1 * height)]
     cup = revolve(np.zeros(3), [0, 0, 1], profile, 18)
     half = np.linspace(-np.pi / 2, np.pi / 2, 5)
-    bow = np.stack([0.94 * radius + 0.03 * np.cos(half), 0 * half, 0.55 * height + 0.025 * np.sin(half)], -1)
+    bow = np.stack(
+        [0.94 * radius + 0.03 * np.cos(half), 0 * half, 0.55 * height + 0.025 * np.sin(half)], -1
+    )
     return joined([cup, tube(bow, 0.16 * radius, 7, 7, (False, False))])
 
 
@@ -146,8 +164,14 @@ def _closed(rings):
         if np.array_equal(rings[k], rings[k + 1]):
             continue  # a hard edge: nothing between the ring and itself
         low, high = k * n, (k + 1) * n
-        faces += [np.stack([low + a, low + b, high + b], -1), np.stack([low + a, high + b, high + a], -1)]
+        faces += [
+            np.stack([low + a, low + b, high + b], -1),
+            np.stack([low + a, high + b, high + a], -1),
+        ]
     last = (m - 1) * n
-    faces += [np.stack([b, a, np.full(n, m * n)], -1), np.stack([last + a, last + b, np.full(n, m * n + 1)], -1)]
+    faces += [
+        np.stack([b, a, np.full(n, m * n)], -1),
+        np.stack([last + a, last + b, np.full(n, m * n + 1)], -1),
+    ]
     ends = [rings[0].mean(0), rings[-1].mean(0)]
     return Mesh(np.concatenate([rings.reshape(-1, 3), ends]), np.concatenate(faces))

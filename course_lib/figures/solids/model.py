@@ -8,7 +8,8 @@ from course_lib.figures.solids.meshes import Mesh, joined
 from course_lib.figures.style import BLUE, CRIMSON, GREEN, GREY, RED
 
 AXIS = "#7a1fa2"  # of joint axes: darker than the purple of plots
-# Colours by index. In a mesh that is one number for each vertex, where a colour would take nine characters.
+# Colours by index. In a mesh that is one number for each vertex, where a colour would take nine
+# characters.
 PALETTE = ["#d3d7db", "#f07818", "#5b6168", "#f4f5f6", "#2f3338", "#b3b9bf", "#6ea6cf"]
 PALETTE += [RED, GREEN, BLUE, CRIMSON, AXIS, GREY, "#e69f00", "#e4e7ea"]
 SILVER, ORANGE, DARK, WHITE, BLACK, STEEL, LIGHT_BLUE, X_RED, Y_GREEN, Z_BLUE = range(10)
@@ -32,8 +33,8 @@ class Part:
 class Model:
     """Rigid bodies with one vertex array.
 
-    vertices: (m, 3), each in the frame of its body. faces: (k, 3). colours, bodies: (m,), of each vertex; the
-    vertices of a body stand together, in the order of the bodies.
+    vertices: (m, 3), each in the frame of its body. faces: (k, 3). colours, bodies: (m,), of each
+    vertex; the vertices of a body stand together, in the order of the bodies.
     """
 
     vertices: np.ndarray

@@ -1,14 +1,23 @@
 """Shells of arms: the iiwa, the Panda and the UR5e in their own shapes, every other arm from its screw axes.
 
-A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floor, joint i moves body i. All
-lengths are shares of the arm's own, so that a shell fits its kinematic model.
+A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floor, joint i moves
+body i. All lengths are shares of the arm's own, so that a shell fits its kinematic model.
 """
 
 import numpy as np
 
 from course_lib.arms import iiwa14, panda, ur5e
 from course_lib.figures.solids.meshes import ball, box, capsule, drum, revolve, ring, tube
-from course_lib.figures.solids.model import BLACK, DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, WHITE, Part
+from course_lib.figures.solids.model import (
+    BLACK,
+    DARK,
+    LIGHT_BLUE,
+    ORANGE,
+    SILVER,
+    STEEL,
+    WHITE,
+    Part,
+)
 
 _X, _Y, _Z = np.eye(3)
 
@@ -30,12 +39,16 @@ def joint_points(arm):
 def gripper(body, tip, length=0.1034):
     """Return a parallel gripper without its fingers.
 
-    tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along y. length: metres
-    from the flange to there.
+    tip: (4, 4), the pose between the fingertips: z points away from the arm, the fingers move along
+    y. length: metres from the flange to there.
     """
     s = length / 1.06
-    plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(tip)
-    palm = box([-0.3 * s, -0.98 * s, 0.08 * s - length], [0.3 * s, 0.98 * s, 0.62 * s - length], 0.35, 3.2).moved(tip)
+    plate = box([-0.3 * s, -0.3 * s, -length], [0.3 * s, 0.3 * s, 0.1 * s - length], 0.1, 2).moved(
+        tip
+    )
+    palm = box(
+        [-0.3 * s, -0.98 * s, 0.08 * s - length], [0.3 * s, 0.98 * s, 0.62 * s - length], 0.35, 3.2
+    ).moved(tip)
     return [Part(body, DARK, plate), Part(body, WHITE, palm)]
 
 
@@ -53,7 +66,16 @@ def _iiwa(arm):
     w, L = arm.screw_axes[:, :3], np.linalg.norm(p[3] - p[1])
     base = p[0] + 0.43 * (p[1] - p[0])
     h = base[2] - p[0][2]
-    foot = [(0.34, 0), (0.34, 0.15), (0.34, 0.15), (0.285, 0.2), (0.28, 0.42), (0.25, 0.62), (0.215, 0.85), (0.19, 1)]
+    foot = [
+        (0.34, 0),
+        (0.34, 0.15),
+        (0.34, 0.15),
+        (0.285, 0.2),
+        (0.28, 0.42),
+        (0.25, 0.62),
+        (0.215, 0.85),
+        (0.19, 1),
+    ]
     parts = [Part(0, STEEL, revolve(p[0], _Z, [(r * L, z * h) for r, z in foot], 20))]
     forks = [(1, 0.212, base, p[3]), (3, 0.2, p[1] + 0.46 * (p[3] - p[1]), p[5])]
     forks.append((5, 0.178, p[3] + 0.47 * (p[5] - p[3]), end))
@@ -63,18 +85,33 @@ def _iiwa(arm):
         parts.append(Part(link, ORANGE, ring(start + 0.03 * L * _Z, _Z, 1.03 * r, 0.028 * L, 16)))
         up = [start + 0.05 * L * _Z, start + 0.45 * (c - start) + 0.24 * out]
         up += [c - 0.25 * r * _Z + 1.1 * out, c + 1.18 * out]
-        parts.append(Part(link, SILVER, tube(up, r * np.array([0.97, 1, 0.98, 0.9]), 5, caps=(False, True))))
+        parts.append(
+            Part(link, SILVER, tube(up, r * np.array([0.97, 1, 0.98, 0.9]), 5, caps=(False, True)))
+        )
         parts += _cap(link, c + out + 0.86 * r * side, side, r)
         parts.append(Part(link + 1, DARK, drum(c - 0.06 * out, w[link], 0.8 * r, 0.36 * r, 12)))
         if k < 2:
             stop = c + 0.46 * (after - c)
-            down = [c - 1.18 * out, c + 0.25 * r * _Z - 1.1 * out, stop - 0.45 * (stop - c) - 0.24 * out, stop]
-            parts.append(Part(link + 1, SILVER, tube(down, r * np.array([0.9, 0.98, 1, 0.93]), 5, caps=(True, False))))
+            down = [
+                c - 1.18 * out,
+                c + 0.25 * r * _Z - 1.1 * out,
+                stop - 0.45 * (stop - c) - 0.24 * out,
+                stop,
+            ]
+            parts.append(
+                Part(
+                    link + 1,
+                    SILVER,
+                    tube(down, r * np.array([0.9, 0.98, 1, 0.93]), 5, caps=(True, False)),
+                )
+            )
             parts += _cap(link + 1, c - out - 0.86 * r * side, -side, r)
     # The wrist: a ball on the far side that carries the flange.
     d = end[2] - c[2]
     wrist = [c - 0.95 * out, c - 0.8 * out + 0.25 * d * _Z, c - 0.05 * out + 0.62 * d * _Z]
-    parts.append(Part(6, SILVER, tube(wrist, r * np.array([0.84, 0.86, 0.74]), 4, caps=(True, False))))
+    parts.append(
+        Part(6, SILVER, tube(wrist, r * np.array([0.84, 0.86, 0.74]), 4, caps=(True, False)))
+    )
     parts.append(Part(7, ORANGE, ring(c + 0.69 * d * _Z, _Z, 0.76 * r, 0.07 * d, 16)))
     flange = [(0.62, 0.74), (0.62, 0.96), (0.58, 1), (0.58, 1), (0.3, 1), (0.28, 0.97)]
     return [*parts, Part(7, DARK, revolve(c, _Z, [(q * r, z * d) for q, z in flange], 16))]
@@ -84,7 +121,10 @@ def _cap(link, centre, outwards, r):
     """An orange ring and a dark lid; `outwards` is a unit vector along the joint axis."""
     orange = [(0.62, -0.12), (0.62, 0.08), (0.55, 0.14)]
     lid = [(0.42, 0.1), (0.42, 0.19), (0.36, 0.21)]
-    meshes = (revolve(centre, outwards, [(q * r, z * r) for q, z in profile], 12) for profile in (orange, lid))
+    meshes = (
+        revolve(centre, outwards, [(q * r, z * r) for q, z in profile], 12)
+        for profile in (orange, lid)
+    )
     return [Part(link, colour, mesh) for colour, mesh in zip((ORANGE, DARK), meshes, strict=True)]
 
 
@@ -97,7 +137,9 @@ def _panda(arm):
     h = 0.42 * A2[2]
     at, parts = h * _Z, []
     foot = [(0.3, 0.15), (0.3, 0.3), (0.285, 0.45), (0.235, 0.65), (0.205, 0.8), (0.19, 1.0)]
-    parts.append(Part(0, DARK, box([-0.64 * L, -0.31 * L, 0], [0.31 * L, 0.31 * L, 0.06 * L], 0.2, 3.5, 16)))
+    parts.append(
+        Part(0, DARK, box([-0.64 * L, -0.31 * L, 0], [0.31 * L, 0.31 * L, 0.06 * L], 0.2, 3.5, 16))
+    )
     behind = [-0.44 * X + 0.13 * Z, -0.1 * X + 0.17 * Z]
     parts.append(Part(0, WHITE, tube(behind, [0.15 * L, 0.2 * L], 3, wide=1.35, side=_Y)))
     parts.append(Part(0, WHITE, revolve(np.zeros(3), _Z, [(r * L, z * h) for r, z in foot], 16)))
@@ -122,7 +164,12 @@ def _panda(arm):
     link(2, path, [0.18, 0.19, 0.195, 0.18], (True, False))
     seam(3, z3 + 0.02 * Z, 0.182)
     a = A4[0] * _X
-    path = [z3 + 0.05 * Z, z3 + 0.2 * Z + 0.1 * a, A4 - 0.12 * Z - 0.35 * a + 0.12 * Y, A4 + 0.2 * Y]
+    path = [
+        z3 + 0.05 * Z,
+        z3 + 0.2 * Z + 0.1 * a,
+        A4 - 0.12 * Z - 0.35 * a + 0.12 * Y,
+        A4 + 0.2 * Y,
+    ]
     link(3, path, [0.18, 0.186, 0.184, 0.165], (False, True))
     disc(3, A4 + 0.37 * Y, 0.1, 0.035)
     disc(4, A4, 0.16, 0.06)
@@ -133,7 +180,13 @@ def _panda(arm):
     link(4, path, [0.165, 0.184, 0.186, 0.176], (True, False))
     seam(5, z5 + 0.02 * Z, 0.178)
     f = A6 - z5
-    path = [z5 + 0.05 * Z, z5 + 0.3 * f, z5 + 0.55 * f + 0.09 * Y, z5 + 0.78 * f + 0.2 * Y, A6 + 0.24 * Y]
+    path = [
+        z5 + 0.05 * Z,
+        z5 + 0.3 * f,
+        z5 + 0.55 * f + 0.09 * Y,
+        z5 + 0.78 * f + 0.2 * Y,
+        A6 + 0.24 * Y,
+    ]
     link(5, path, [0.178, 0.182, 0.155, 0.12, 0.13], (False, True), 5)
     disc(5, A6 + 0.365 * Y, 0.085, 0.03)
     disc(6, A6 + 0.07 * Y, 0.14, 0.05)
@@ -153,7 +206,11 @@ def _ur5e(arm):
     p, w = joint_points(arm), arm.screw_axes[:, :3]
     shoulder, elbow, wrist1, end = p[1], p[2], p[3], arm.home[-1, :3, 3]
     wrist2, wrist3 = p[4], p[5]
-    r, thin, out = 0.06, 0.047, 0.138  # metres: joints of the shoulder, of the wrist, the upper arm's offset
+    r, thin, out = (
+        0.06,
+        0.047,
+        0.138,
+    )  # metres: joints of the shoulder, of the wrist, the upper arm's offset
     foot = [(0.075, 0), (0.075, 0.02), (0.075, 0.02), (r, 0.03), (r, 0.085)]
     parts = [Part(0, STEEL, revolve(np.zeros(3), _Z, foot, 16))]
 
@@ -168,11 +225,19 @@ def _ur5e(arm):
     parts.append(Part(1, SILVER, revolve(np.zeros(3), _Z, [(r, 0.092), (r, shoulder[2])], 14)))
     parts.append(Part(1, DARK, ring([0, 0, 0.089], _Z, 0.97 * r, 0.006)))
     joint(2, shoulder + out * y, y, r, 0.055, 1)
-    parts.append(Part(2, SILVER, tube([shoulder + out * y, elbow + out * y], [0.055, 0.045], 2, caps=(True, True))))
+    parts.append(
+        Part(
+            2,
+            SILVER,
+            tube([shoulder + out * y, elbow + out * y], [0.055, 0.045], 2, caps=(True, True)),
+        )
+    )
     joint(2, elbow + out * y, y, 0.052, 0.05, 1)
     inner = 0.012 * y
     joint(3, elbow + inner + 0.012 * y, y, 0.052, 0.058, -1)
-    parts.append(Part(3, SILVER, tube([elbow + inner, wrist1 + inner], [0.046, 0.04], 2, caps=(True, True))))
+    parts.append(
+        Part(3, SILVER, tube([elbow + inner, wrist1 + inner], [0.046, 0.04], 2, caps=(True, True)))
+    )
     joint(3, wrist1 + inner, y, thin, 0.05, -1)
     joint(4, wrist1 + 0.115 * y, y, thin, 0.05)
     joint(4, wrist2, w[4], thin, 0.052, -1)
@@ -196,9 +261,13 @@ def _of_screws(arm):
         parts.append(Part(0, STEEL, capsule([*p[0][:2], 0], p[0], 0.9 * radii[0])))
     for i in range(n):
         r = radii[i]
-        parts.append(Part(i + 1, ORANGE if i % 2 == 0 else BLACK, drum(p[i], w[i], 1.2 * r, 1.25 * r)))
+        parts.append(
+            Part(i + 1, ORANGE if i % 2 == 0 else BLACK, drum(p[i], w[i], 1.2 * r, 1.25 * r))
+        )
         if spans[i] > 0.3 * r:
-            parts.append(Part(i + 1, SILVER if i % 2 == 0 else WHITE, capsule(p[i], points[i + 1], 0.8 * r)))
+            parts.append(
+                Part(i + 1, SILVER if i % 2 == 0 else WHITE, capsule(p[i], points[i + 1], 0.8 * r))
+            )
     if spans[-1] <= 0.3 * radii[-1]:
         parts.append(Part(n, DARK, ball(end, 0.8 * radii[-1])))
     else:

@@ -34,8 +34,8 @@ SPOTS = np.array(
 class Figure:
     """A figure in which a function can live: see `reach`, `fly`, `table`, `drive` and `click`.
 
-    model: what the script needs, as JSON. ``ask(f, question)`` calls the function and returns its answer as JSON;
-    ``stored(f)`` returns answers given beforehand, for pages.
+    model: what the script needs, as JSON. ``ask(f, question)`` calls the function and returns its
+    answer as JSON; ``stored(f)`` returns answers given beforehand, for pages.
     """
 
     model: dict
@@ -48,20 +48,23 @@ class Figure:
 def alive(figure, f=None):
     """Return a toy in which your own function answers what you drag; the library's answers if there is none.
 
-    In a live notebook f is called in the kernel, one question at a time and always the newest. If it raises, the figure
-    says so in one line and shows the library's answer. An exported page has no kernel: there the library answers, or
-    the answers that f gave beforehand.
+    In a live notebook f is called in the kernel, one question at a time and always the newest. If
+    it raises, the figure says so in one line and shows the library's answer. An exported page has
+    no kernel: there the library answers, or the answers that f gave beforehand.
 
     Parameters
     ----------
     figure : Figure
-        From `reach`, `fly`, `table`, `drive` or `click`, which say with what f is called and what it returns.
+        From `reach`, `fly`, `table`, `drive` or `click`, which say with what f is called and what
+        it returns.
     f : callable, optional
         Your function. Its attribute ``whose``, if it has one, says whose it is.
     """
     if not isinstance(figure, Figure):
         kind = type(figure).__name__
-        raise ValueError(f"figure must come from reach, fly, table, drive or click; it is of type {kind}")
+        raise ValueError(
+            f"figure must come from reach, fly, table, drive or click; it is of type {kind}"
+        )
     if f is not None and not callable(f):
         raise ValueError(f"f must be a function; it is {f!r:.60}")
     stored = None if f is None or is_live() else figure.stored(f)
@@ -76,13 +79,14 @@ def reach(arm, target, *, q, says=None):
     ----------
     arm : SerialArm
     target : array_like, shape (4, 4)
-        A pose; f is called with such an array. It returns joint angles (n,), several solutions (k, n), or None if it
-        finds none.
+        A pose; f is called with such an array. It returns joint angles (n,), several solutions (k,
+        n), or None if it finds none.
     q : array_like, shape (n,) or (k, n)
-        Joint angles at the start of the library's arm, in radians; several rows are several solutions, all of which
-        the library follows while the target moves.
+        Joint angles at the start of the library's arm, in radians; several rows are several
+        solutions, all of which the library follows while the target moves.
     says : callable, optional
-        says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is shown with it.
+        says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is
+        shown with it.
     """
     target = real_array(target, "target", (4, 4))
 
@@ -91,13 +95,19 @@ def reach(arm, target, *, q, says=None):
         none = found is None or np.size(found) == 0
         angles = np.empty((0, arm.n)) if none else np.atleast_2d(np.asarray(found, float))
         if angles.ndim != 2 or angles.shape[1] != arm.n:
-            raise ValueError(f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is {np.shape(found)}")
+            raise ValueError(
+                f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is "
+                f"{np.shape(found)}"
+            )
         angles = angles[np.isfinite(angles).all(-1)]
         said = says(np.array(question["target"], float), angles) if says else ""
         return {"value": angles.tolist(), "said": str(said)}
 
     title = f"An arm with {arm.n} joints and a target"
-    alt = f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm takes the joint "
+    alt = (
+        f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm "
+        f"takes the joint "
+    )
     alt += "angles that a function returns; if there are several solutions, the others are translucent."
     model, others = {"figure": "reach", "goal": target.tolist()}, []
     if np.ndim(q) == 2:
@@ -114,7 +124,8 @@ def fly(start, goal, *, quaternions=False):
     start, goal : array_like, shape (3, 3)
         Rotation matrices.
     quaternions : bool, optional
-        If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation matrices.
+        If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation
+        matrices.
     """
     ends = [real_array(R, name, (3, 3)) for R, name in ((start, "start"), (goal, "goal"))]
     for R, name in zip(ends, ("start", "goal"), strict=True):
@@ -126,28 +137,41 @@ def fly(start, goal, *, quaternions=False):
         if quaternions:
             A, B = matrix_to_quaternion(A), matrix_to_quaternion(B)
         s = np.linspace(0, 1, _SAMPLES)
-        found = np.array([numbers(f(A.copy(), B.copy(), share), "an array", *A.shape) for share in s])
-        kind, rotates = ("unit quaternion", is_quaternion) if quaternions else ("rotation matrix", is_so)
+        found = np.array(
+            [numbers(f(A.copy(), B.copy(), share), "an array", *A.shape) for share in s]
+        )
+        kind, rotates = (
+            ("unit quaternion", is_quaternion) if quaternions else ("rotation matrix", is_so)
+        )
         if not (right := rotates(found, _TOLERANCE)).all():
             raise ValueError(f"the answer at s = {s[right.argmin()]:g} is not a {kind}")
         return {"value": (quaternion_to_matrix(found) if quaternions else found).tolist()}
 
-    alt = "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one that flies from the "
+    alt = (
+        "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one that "
+        "flies from the "
+    )
     alt += "first orientation to the second, with the paths of its nose and of a wing tip."
     model = {"figure": "fly", "title": "Two orientations and the motion between them"}
-    return Figure(model | {"ends": [R.tolist() for R in ends]}, alt, "Drag a nose or a wing tip, then fly.", ask)
+    return Figure(
+        model | {"ends": [R.tolist() for R in ends]},
+        alt,
+        "Drag a nose or a wing tip, then fly.",
+        ask,
+    )
 
 
 def table(at):
     """Return a figure for `alive`: a position to drag, f(position) answers with the two joint angles of the 2R arm.
 
-    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at `at` and 0.1 m apart,
-    and there the query goes from one of these to the next.
+    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at `at`
+    and 0.1 m apart, and there the query goes from one of these to the next.
 
     Parameters
     ----------
     at : array_like, shape (2,)
-        The query at the start, in metres. f is called with such an array and returns angles (2,), or None.
+        The query at the start, in metres. f is called with such an array and returns angles (2,),
+        or None.
     """
     at = real_array(at, "at", (2,))
 
@@ -157,7 +181,9 @@ def table(at):
             return {"value": []}
         angles = np.asarray(found, float).ravel()
         if angles.shape != (2,):
-            raise ValueError(f"the answer should be two joint angles; its shape is {np.shape(found)}")
+            raise ValueError(
+                f"the answer should be two joint angles; its shape is {np.shape(found)}"
+            )
         return {"value": angles.tolist() if np.isfinite(angles).all() else []}
 
     def stored(f):
@@ -168,8 +194,16 @@ def table(at):
         given = [answers({"at": p})["value"] or [np.nan, np.nan] for p in grid]
         return {"at": grid.T.tolist(), "q": np.round(given, 4).T.tolist()}
 
-    model = {"figure": "table", "title": "A query and its answer", "lengths": [1.0, 1.0], "at": at.tolist()}
-    alt = "A planar arm with two links that takes the joint angles answered for a position, which can be dragged, and "
+    model = {
+        "figure": "table",
+        "title": "A query and its answer",
+        "lengths": [1.0, 1.0],
+        "at": at.tolist(),
+    }
+    alt = (
+        "A planar arm with two links that takes the joint angles answered for a position, which "
+        "can be dragged, and "
+    )
     alt += "beside it, blue, the arm that reaches the position exactly."
     return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
 
@@ -182,8 +216,8 @@ def drive(plan, *, exact=False):
     Parameters
     ----------
     plan : sequence of ((vx, vy, omega), duration)
-        What the robot has driven already, from (0, 0, 0) to its dock, in m/s, rad/s and seconds. f is called with the
-        whole log in this form, and returns poses (n, 3).
+        What the robot has driven already, from (0, 0, 0) to its dock, in m/s, rad/s and seconds. f
+        is called with the whole log in this form, and returns poses (n, 3).
     exact : bool, optional
         Whether the library, where it answers, follows the log exactly and not by Euler's method.
     """
@@ -194,31 +228,44 @@ def drive(plan, *, exact=False):
         poses = numbers(f(np.zeros(3), log, question["dt"]), "poses", "n", 3)
         return {"value": poses.round(5).tolist(), "plan": question["plan"]}
 
-    model = {"figure": "drive", "title": "A robot and its own dead reckoning", "half": 3, "centre": [0.3, 0.7]}
+    model = {
+        "figure": "drive",
+        "title": "A robot and its own dead reckoning",
+        "half": 3,
+        "centre": [0.3, 0.7],
+    }
     model |= {"dock": driven[-1, :2].round(3).tolist(), "dt": 0.5, "exact": bool(exact)}
     model["plan"] = [[list(map(float, v)), float(t)] for v, t in plan]
     alt = (
-        "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second robot: where a function "
+        "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second "
+        "robot: where a function "
     )
-    alt += "computes it to be from the log of its velocities. A slider sets the step of that function."
+    alt += (
+        "computes it to be from the log of its velocities. A slider sets the step of that function."
+    )
     asked = "Do the robots still separate?" if exact else "Where do the robots separate?"
-    caption = f"Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by mouse). {asked}"
+    caption = (
+        f"Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by "
+        f"mouse). {asked}"
+    )
     return Figure(model, alt, caption, ask)
 
 
 def click(K, T_mc, T_wc, T_wm):
     """Return a figure for `alive`: a mug in two pictures, f(pixels, depths) answers with its pose from what is clicked.
 
-    The first picture shows the template, the mug in its own frame; the second one the scene. Points that nobody has
-    clicked come from a list: whole pixels near the spots, off by about a pixel as clicks are.
+    The first picture shows the template, the mug in its own frame; the second one the scene. Points
+    that nobody has clicked come from a list: whole pixels near the spots, off by about a pixel as
+    clicks are.
 
     Parameters
     ----------
     K : array_like, shape (3, 3)
         Intrinsics of both cameras.
     T_mc, T_wc : array_like, shape (4, 4)
-        Poses of the template's camera in the mug's frame and of the scene's camera in the world. f is called with
-        pixels (2, 7, 2) and depths (2, 7), the template's first, and returns a pose (4, 4).
+        Poses of the template's camera in the mug's frame and of the scene's camera in the world. f
+        is called with pixels (2, 7, 2) and depths (2, 7), the template's first, and returns a pose
+        (4, 4).
     T_wm : array_like, shape (4, 4)
         Pose of the mug in the world.
     """
@@ -233,14 +280,31 @@ def click(K, T_mc, T_wc, T_wm):
         return {"value": numbers(T, "a pose", 4, 4).tolist()}
 
     cameras, mugs = [poses["T_mc"], poses["T_wc"]], [np.eye(4), poses["T_wm"]]
-    seen = np.array([inverse(C) @ T @ np.c_[SPOTS, np.ones(7)].T for C, T in zip(cameras, mugs, strict=True)])[:, :3]
+    seen = np.array(
+        [inverse(C) @ T @ np.c_[SPOTS, np.ones(7)].T for C, T in zip(cameras, mugs, strict=True)]
+    )[:, :3]
     pixels = np.moveaxis((K @ seen)[:, :2] / seen[:, 2:], 1, 2)
     clicks = np.round(pixels + np.random.default_rng(44).normal(size=pixels.shape))
-    model = {"figure": "click", "title": "A mug in two pictures", "K": K.tolist(), "spots": SPOTS.tolist()}
-    model |= {"cameras": np.array(cameras).tolist(), "mugs": np.array(mugs).tolist(), "grasp": IN_MUG.tolist()}
+    model = {
+        "figure": "click",
+        "title": "A mug in two pictures",
+        "K": K.tolist(),
+        "spots": SPOTS.tolist(),
+    }
+    model |= {
+        "cameras": np.array(cameras).tolist(),
+        "mugs": np.array(mugs).tolist(),
+        "grasp": IN_MUG.tolist(),
+    }
     model |= {"clicks": clicks.tolist(), "solid": solid(Model.of([Part(0, 0, meshes.mug())]))}
     alt = (
-        "Two pictures of a mug with seven white spots, from its side and on a table from above. In each, the spots can "
+        "Two pictures of a mug with seven white spots, from its side and on a table from above. In "
+        "each, the spots can "
     )
     alt += "be clicked; the mug and the gripper's grasp are drawn over the second picture where the clicks place them."
-    return Figure(model, alt, "Click each white spot in both pictures. What does a click beside the mug do?", ask)
+    return Figure(
+        model,
+        alt,
+        "Click each white spot in both pictures. What does a click beside the mug do?",
+        ask,
+    )

@@ -22,21 +22,27 @@ def iiwa_toy():
     A further slider stretches the arm through a singularity of its elbow.
     """
     alt = (
-        "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are dashed lines; "
-        "ellipsoids at the end-effector show how fast it moves and how hard it pushes in each direction. One more "
+        "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are "
+        "dashed lines; "
+        "ellipsoids at the end-effector show how fast it moves and how hard it pushes in each "
+        "direction. One more "
         "slider drives the arm through its stretched, singular configuration."
     )
     caption = (
-        "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is lost bears any load."
+        "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is "
+        "lost bears any load."
     )
     model = arm_view(iiwa14(), _IIWA_START, "The KUKA iiwa and its joints")
-    return Toy("arm", model | {"parts": ["axes", "ellipsoids", "singularity"]}, alt, caption=caption)
+    return Toy(
+        "arm", model | {"parts": ["axes", "ellipsoids", "singularity"]}, alt, caption=caption
+    )
 
 
 def panda_toy(q):
     """Return a toy: the Franka Panda with its joints, its DH frames one by one, and its elbow by one slider.
 
-    The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within their limits.
+    The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within
+    their limits.
 
     Parameters
     ----------
@@ -44,11 +50,16 @@ def panda_toy(q):
         Joint angles at the start, in radians.
     """
     alt = (
-        "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows the frames of its "
-        "Denavit-Hartenberg table one by one; another swings the elbow while the flange keeps its pose."
+        "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows "
+        "the frames of its "
+        "Denavit-Hartenberg table one by one; another swings the elbow while the flange keeps its "
+        "pose."
     )
     names = [f"{{{i}}}" for i in range(1, 8)] + ["flange"]
-    caption = "The flange can stay where it is while the elbow swings: seven joints, and six numbers for a pose."
+    caption = (
+        "The flange can stay where it is while the elbow swings: seven joints, and six numbers for "
+        "a pose."
+    )
     model = arm_view(panda(), q, "The Franka Panda and its joints")
     more = {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
     return Toy("arm", model | more, alt, caption=caption)
@@ -57,16 +68,17 @@ def panda_toy(q):
 def jog(arm, fk=None, *, q, base=None):
     """Return a toy: an arm with a slider for each joint, moved by your own forward kinematics in a live notebook.
 
-    Where ``fk`` and the library differ, both arms are drawn, the library's pale, so that a mistake can be seen. On an
-    exported page, without a kernel, the page itself moves the arm.
+    Where ``fk`` and the library differ, both arms are drawn, the library's pale, so that a mistake
+    can be seen. On an exported page, without a kernel, the page itself moves the arm.
 
     Parameters
     ----------
     arm : SerialArm
         The arm that is drawn, and the library's answer.
     fk : callable, optional
-        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all frames (n + 1, 4, 4).
-        Its attribute ``whose``, if it has one, says whose it is. None for the library's own.
+        ``fk(screws, M, q)`` or ``fk(q)``, which returns the end-effector's pose (4, 4), or all
+        frames (n + 1, 4, 4). Its attribute ``whose``, if it has one, says whose it is. None for the
+        library's own.
     q : array_like, shape (n,)
         Joint angles at the start, in radians.
     base : array_like, shape (4, 4), optional
@@ -78,9 +90,12 @@ def jog(arm, fk=None, *, q, base=None):
     if not is_se(base):
         raise ValueError("base must be a pose (rigid.nearest_se gives one near it)")
     alt = (
-        f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw axes as dashed lines."
+        f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw "
+        f"axes as dashed lines."
     )
-    answer = None if fk is None else Answers(fk, _moved_by(arm, inverse(base), _positional(fk) >= 3))
+    answer = (
+        None if fk is None else Answers(fk, _moved_by(arm, inverse(base), _positional(fk) >= 3))
+    )
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
     caption = "Which of the dashed axes move with a joint, and which stay?"
     return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
@@ -98,8 +113,10 @@ def build_up_toy(arm, *, q):
     model = arm_view(arm, q, f"An arm with {arm.n} joints, factor by factor", np.zeros((1, arm.n)))
     model["start"] = min(4, arm.n)
     alt = (
-        "An arm as a translucent body, whose product of exponentials is built up factor by factor. Each screw axis is "
-        "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs to it stands out."
+        "An arm as a translucent body, whose product of exponentials is built up factor by factor. "
+        "Each screw axis is "
+        "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs "
+        "to it stands out."
     )
     caption = "A factor moves everything after it; the axes before it stay where they are."
     return Toy("build_up", model, alt, caption=caption)
@@ -111,7 +128,10 @@ def _positional(function):
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
         return 1
-    return sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty for p in parameters)
+    return sum(
+        p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty
+        for p in parameters
+    )
 
 
 def _moved_by(arm, to_base, takes_screws):
@@ -121,8 +141,12 @@ def _moved_by(arm, to_base, takes_screws):
         q = np.array(question["q"], float)
         if takes_screws:  # every body by the student's function, which is given the joints up to it
             screws = arm.screw_axes
-            ends = [(screws[:i], np.eye(4), q[:i]) for i in range(1, arm.n + 1)] + [(screws, arm.home[-1], q)]
-            *bodies, end = (numbers(fk(*(part.copy() for part in each)), "a pose", 4, 4) for each in ends)
+            ends = [(screws[:i], np.eye(4), q[:i]) for i in range(1, arm.n + 1)] + [
+                (screws, arm.home[-1], q)
+            ]
+            *bodies, end = (
+                numbers(fk(*(part.copy() for part in each)), "a pose", 4, 4) for each in ends
+            )
         else:
             end, bodies = np.asarray(fk(q.copy()), float), None
             if end.shape == (arm.n + 1, 4, 4) and np.isfinite(end).all():
@@ -148,7 +172,9 @@ def arm_view(arm, q, title, also=()):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
     model = Model.of(shell(arm))
     at = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
-    size = np.linalg.norm(np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1).sum()
+    size = np.linalg.norm(
+        np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1
+    ).sum()
     return {
         "title": title,
         "arm": {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()},

@@ -7,7 +7,8 @@ from course_lib.figures.toys.toy import Toy
 def two_poses_toy():
     """Return a toy: two planar poses to drag, the straight and the screw motion between them, and the pole."""
     alt = (
-        "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow keys, with the "
+        "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow "
+        "keys, with the "
         "straight motion and the screw motion between them, and the pole of the screw motion."
     )
     caption = "The dot is the pole: the red arc is one rotation about it."
@@ -33,10 +34,18 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
     for name, value, low, high in (("step", step, 0.05, 4), ("damping", damping, 1e-4, 30)):
         if not low <= value <= high:
             raise ValueError(f"{name} must lie between {low:g} and {high:g}; it is {value!r}")
-    model = {"lengths": [1.0] * 4, "q": q.tolist(), "target": target.tolist(), "step": step, "damping": damping}
+    model = {
+        "lengths": [1.0] * 4,
+        "q": q.tolist(),
+        "target": target.tolist(),
+        "step": step,
+        "damping": damping,
+    }
     alt = (
-        f"A planar arm with 4 links and a target at ({target[0]:g}, {target[1]:g}) m that can be dragged or moved by "
-        "the arrow keys. Sliders set step size and damping of the damped least-squares steps; a green ellipse shows "
+        f"A planar arm with 4 links and a target at ({target[0]:g}, {target[1]:g}) m that can be "
+        f"dragged or moved by "
+        "the arrow keys. Sliders set step size and damping of the damped least-squares steps; a "
+        "green ellipse shows "
         "the manipulability, a curve the distance left after each step."
     )
     caption = "The longer the ellipse in a direction, the faster the joints can move the tip there."
@@ -46,10 +55,15 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
 def cells_toy():
     """Return a toy: a two-link arm's workspace in cells whose size a slider sets, and the two planes of one cell."""
     alt = (
-        "The workspace of a two-link arm cut into square cells of 0.5 m, coloured by the error of each cell's two "
-        "planes. A slider sets the size; the cell under the query, which starts at (0.9, 0.7) m, shows its planes "
+        "The workspace of a two-link arm cut into square cells of 0.5 m, coloured by the error of "
+        "each cell's two "
+        "planes. A slider sets the size; the cell under the query, which starts at (0.9, 0.7) m, "
+        "shows its planes "
         "over x and y."
     )
-    caption = "Each cell has the colour of its error: where is it largest, and what do smaller cells change there?"
+    caption = (
+        "Each cell has the colour of its error: where is it largest, and what do smaller cells "
+        "change there?"
+    )
     model = {"lengths": [1.0, 1.0], "size": 0.5, "at": [0.9, 0.7]}
     return Toy("cells", model, alt, caption=caption)

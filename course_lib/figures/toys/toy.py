@@ -1,9 +1,10 @@
 """A toy: an interactive figure, the same in a live notebook and on an exported page.
 
-What a toy computes and draws is the JavaScript of course_lib/figures/scripts. Its model (link lengths, screw axes, a
-start) is JSON. An exported page loads the scripts and draws the toy; in JupyterLab a widget with the same scripts does.
-A stored notebook holds the model and, for places that run no script, a picture of the toy at its start, which is also
-what a live notebook shows where widgets do not run.
+What a toy computes and draws is the JavaScript of course_lib/figures/scripts. Its model (link
+lengths, screw axes, a start) is JSON. An exported page loads the scripts and draws the toy; in
+JupyterLab a widget with the same scripts does. A stored notebook holds the model and, for places
+that run no script, a picture of the toy at its start, which is also what a live notebook shows
+where widgets do not run.
 """
 
 import base64
@@ -20,11 +21,16 @@ import numpy as np
 from course_lib.figures.display import TOY, show_caption
 from course_lib.figures.solids.model import PALETTE
 
-_OFF_TIES = 3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
+_OFF_TIES = (
+    3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
+)
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
 BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
-ELSEWHERE = "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` writes."
+ELSEWHERE = (
+    "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` "
+    "writes."
+)
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """
 export default { render({ model, el }) {
@@ -77,7 +83,8 @@ class Toy:
     alt : str
         What the toy shows and what can be moved, in words.
     answer : callable, optional
-        In a live notebook the script's questions (dicts) go to this function, its answers (dicts) to the script.
+        In a live notebook the script's questions (dicts) go to this function, its answers (dicts)
+        to the script.
     caption : str, optional
         What to try, one sentence, shown below the toy.
 
@@ -110,7 +117,9 @@ class Toy:
     def _still_page(self, still):
         """Return the HTML that is shown where widgets are not: the still, or the words, and where the toy moves."""
         alt = html.escape(self.alt)
-        shown = f'<img src="data:image/png;base64,{still}" alt="{alt}">' if still else f"<p>{alt}</p>"
+        shown = (
+            f'<img src="data:image/png;base64,{still}" alt="{alt}">' if still else f"<p>{alt}</p>"
+        )
         return f"{shown}<p>{ELSEWHERE}</p>"
 
     def stored(self):
@@ -119,24 +128,31 @@ class Toy:
 
     def widget(self):
         """Return the toy as a widget for JupyterLab, which loads the same scripts as the page."""
-        widget = _widget_class()(_esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt)
+        widget = _widget_class()(
+            _esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt
+        )
         if self.answer is not None:
             widget.answers = True
-            widget.on_msg(lambda _, question, __: (widget.send(BEGUN), widget.send(self.answer(question))))
+            widget.on_msg(
+                lambda _, question, __: (widget.send(BEGUN), widget.send(self.answer(question)))
+            )
         return widget
 
 
 class Answers:
     """The student's function as a script sees it: a callable that takes a question and returns an answer.
 
-    The attribute ``whose`` of f, if it has one, says whose it is. ``ask(f, question)`` calls a function for a question
-    and returns its answer, a dict of JSON; it raises ValueError if what f returned cannot be drawn.
+    The attribute ``whose`` of f, if it has one, says whose it is. ``ask(f, question)`` calls a
+    function for a question and returns its answer, a dict of JSON; it raises ValueError if what f
+    returned cannot be drawn.
     """
 
     def __init__(self, f, ask):
         self.f, self.ask = f, ask
         whose = str(getattr(f, "whose", "your function"))
-        self.whose = {"yours": "your function", "the library's": "the library's function"}.get(whose, whose)
+        self.whose = {"yours": "your function", "the library's": "the library's function"}.get(
+            whose, whose
+        )
 
     def __call__(self, question):  # noqa: D102
         answer = {"whose": self.whose, "problem": None, "value": None, "gap": None}
@@ -144,7 +160,9 @@ class Answers:
             return answer | self.ask(self.f, question)
         except (Exception, KeyboardInterrupt) as error:  # of the student's code
             said = " ".join(str(error).split())
-            answer["problem"] = f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
+            answer["problem"] = (
+                f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
+            )
         return answer
 
 
@@ -157,7 +175,9 @@ def numbers(given, what, *shape):
         or any(size not in ("n", m) for m, size in zip(found.shape, shape, strict=True))
     ):
         asked = str(shape).replace("'", "")
-        raise ValueError(f"the answer should be {what} of shape {asked}; its shape is {found.shape}")
+        raise ValueError(
+            f"the answer should be {what} of shape {asked}; its shape is {found.shape}"
+        )
     if not np.isfinite(found).all():
         raise ValueError("the answer contains NaN or infinity")
     return found
@@ -169,7 +189,11 @@ def _rounded(node):
         return {key: _rounded(value) for key, value in node.items()}
     if isinstance(node, list | tuple):
         return [_rounded(item) for item in node]
-    return (round(node, 12) + 0.0 if math.isfinite(node) else None) if isinstance(node, float) else node
+    return (
+        (round(node, 12) + 0.0 if math.isfinite(node) else None)
+        if isinstance(node, float)
+        else node
+    )
 
 
 def as_key(figure):
@@ -180,20 +204,30 @@ def as_key(figure):
 @cache
 def _stills():
     """Return {a stored toy as JSON: its PNG in base64}, from the notebooks of the folder in which the kernel runs."""
-    texts = (path.read_text(encoding="utf-8", errors="replace") for path in sorted(Path.cwd().glob("*.ipynb")))
+    texts = (
+        path.read_text(encoding="utf-8", errors="replace")
+        for path in sorted(Path.cwd().glob("*.ipynb"))
+    )
     found = {}
     for text in texts:
-        with contextlib.suppress(ValueError, LookupError, AttributeError, TypeError):  # not a notebook
+        with contextlib.suppress(
+            ValueError, LookupError, AttributeError, TypeError
+        ):  # not a notebook
             for cell in json.loads(text)["cells"] if TOY in text else ():
                 datas = [output.get("data", {}) for output in cell.get("outputs", [])]
-                found |= {as_key(data[TOY]): data["image/png"] for data in datas if {TOY, "image/png"} <= set(data)}
+                found |= {
+                    as_key(data[TOY]): data["image/png"]
+                    for data in datas
+                    if {TOY, "image/png"} <= set(data)
+                }
     return found
 
 
 def is_live():
     """Return whether a person looks at this kernel: Jupyter names the session of each in an environment variable.
 
-    What runs notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
+    What runs notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold
+    plain models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
@@ -201,7 +235,10 @@ def is_live():
 @cache
 def module(scripts):
     """Return the JavaScript module of a toy's widget: its scripts, and the function `render` that anywidget calls."""
-    return "\n".join((SCRIPTS / f"{name}.js").read_text(encoding="utf-8") for name in scripts) + _RENDER
+    return (
+        "\n".join((SCRIPTS / f"{name}.js").read_text(encoding="utf-8") for name in scripts)
+        + _RENDER
+    )
 
 
 def solid(model):

@@ -1,4 +1,7 @@
-"""Grades for a folder of submissions, each run apart from the grader. ``make grade SUBMISSIONS=folder``."""
+"""Grades for a folder of submissions, each run apart from the grader.
+
+``make grade SUBMISSIONS=folder``.
+"""
 
 KEPT = "All finished results are kept: the same command continues from there."
 

@@ -30,19 +30,36 @@ from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
 
-SETTINGS = ("cluster", "lms", "roster", "deadline", "late", "times", "extensions", "notebooks", "earlier", "isolation")
+SETTINGS = (
+    "cluster",
+    "lms",
+    "roster",
+    "deadline",
+    "late",
+    "times",
+    "extensions",
+    "notebooks",
+    "earlier",
+    "isolation",
+)
 MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
 
 
 def main(arguments=None, grade=None):
-    """Grade; return an exit code, with a plain sentence if grading fails. grade: replaces the Grader in tests."""
+    """Grade; return an exit code, with a plain sentence if grading fails.
+
+    grade: replaces the Grader in tests.
+    """
     try:
         _grade(_parser().parse_args(arguments), grade)
     except GradingStopped as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"Grading stopped. {error.filename or 'A file'}: {error.strerror or error}.", file=sys.stderr)
+        print(
+            f"Grading stopped. {error.filename or 'A file'}: {error.strerror or error}.",
+            file=sys.stderr,
+        )
         return 1
     except KeyboardInterrupt:
         print(f"\nStopped. {KEPT}", file=sys.stderr)
@@ -71,7 +88,9 @@ def _grade(chosen, grade):
         print(deadline)
     output.mkdir(parents=True, exist_ok=True)
     with _alone(output / ".lock"):
-        read_marks(output / "questions.csv")  # so that an unreadable table is reported now and not after hours
+        read_marks(
+            output / "questions.csv"
+        )  # so that an unreadable table is reported now and not after hours
         seed = _seed(output / "seed", chosen.seed)
         hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
         if chosen.cluster:
@@ -82,7 +101,9 @@ def _grade(chosen, grade):
             pool = _here(chosen, grade or Grader(hidden, chosen.isolation))
         outcomes = grade_all(submissions, output / "results", seed, pool)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
-        counting = {(each.path, each.member): each for each, result in outcomes if "state" not in result}
+        counting = {
+            (each.path, each.member): each for each, result in outcomes if "state" not in result
+        }
         once = list(counting.values())  # a group's file
         write_alike(output / "alike.html", once, chosen.earlier, chosen.lms)
 
@@ -92,7 +113,11 @@ def _here(chosen, grade):
     remove_old_folders()
     if hasattr(grade, "prepare"):
         grade.prepare()
-        how = "as yourself, with limits only" if chosen.isolation else "apart from the others and from this machine"
+        how = (
+            "as yourself, with limits only"
+            if chosen.isolation
+            else "apart from the others and from this machine"
+        )
         print(f"Each submission runs {how}.", flush=True)
     return Processes(grade, chosen.jobs)
 
@@ -100,43 +125,62 @@ def _here(chosen, grade):
 def _submissions(chosen):
     """Return the Submissions; stop if there are none, or if the output folder is among them."""
     if not chosen.submissions:
-        raise GradingStopped("Name the folder that holds what was handed in: make grade SUBMISSIONS=folder.")
+        raise GradingStopped(
+            "Name the folder that holds what was handed in: make grade SUBMISSIONS=folder."
+        )
     folder, output = Path(chosen.submissions), chosen.output.resolve()
     if folder.is_file():
         raise GradingStopped(f"{folder} is a file: name the folder that contains it.")
     if not folder.is_dir():
         raise GradingStopped(f"There is no folder {folder}.")
     if folder.resolve() in [output, *output.parents]:
-        raise GradingStopped(f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere.")
+        raise GradingStopped(
+            f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere."
+        )
     if chosen.isolation not in ("", NONE):
         raise GradingStopped(f"ISOLATION={chosen.isolation} is not none, the only choice to make.")
     if not chosen.lms and (platform := platform_of(folder)):
         raise GradingStopped(
-            f"The names look as {platform.capitalize()} exports them: add LMS={platform}, or LMS=none if they are the "
+            f"The names look as {platform.capitalize()} exports them: add LMS={platform}, or "
+            f"LMS=none if they are the "
             "students' own."
         )
     if chosen.deadline and not chosen.times and chosen.lms != "canvas":
         raise GradingStopped(
-            "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, or a table, "
+            "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, "
+            "or a table, "
             "TIMES=worksheet.csv. The zips of Moodle and Canvas carry no times."
         )
     names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
     found = find(folder, names, chosen.lms)
     if not found:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
-        raise GradingStopped(f"There is nothing in {folder}: put what was handed in there, as {forms}.")
+        raise GradingStopped(
+            f"There is nothing in {folder}: put what was handed in there, as {forms}."
+        )
     return _assigned(found, names, chosen.notebooks)
 
 
 def _assigned(found, names, numbers):
-    """Return the Submissions without those of notebooks that were not assigned. numbers: 01,02, or "" for all."""
+    """Return the Submissions without those of notebooks that were not assigned.
+
+    numbers: 01,02, or "" for all.
+    """
     wanted = re.findall(r"\d+", numbers)
-    if numbers and not {name[:2] for name in names} >= {number.zfill(2) for number in wanted} > set():
+    if (
+        numbers
+        and not {name[:2] for name in names} >= {number.zfill(2) for number in wanted} > set()
+    ):
         raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
-    others = {name for name in names if wanted and name[:2] not in {number.zfill(2) for number in wanted}}
+    others = {
+        name for name in names if wanted and name[:2] not in {number.zfill(2) for number in wanted}
+    }
     left = [each for each in found if each.notebook not in others]
     if len(left) < len(found):
-        print(f"Left out: {count_noun(len(found) - len(left), 'file')} of notebooks that NOTEBOOKS= does not name.")
+        print(
+            f"Left out: {count_noun(len(found) - len(left), 'file')} of notebooks that NOTEBOOKS= "
+            f"does not name."
+        )
     return left
 
 
@@ -171,7 +215,10 @@ def _weight(typed):
 
 @contextlib.contextmanager
 def _alone(path):
-    """Keep a second run from writing to the same folder. The lock is released when this process ends."""
+    """Keep a second run from writing to the same folder.
+
+    The lock is released when this process ends.
+    """
     with path.open("w") as file:
         try:
             fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # which children do not inherit
@@ -188,7 +235,9 @@ def _seed(path, chosen=None):
         write_atomically(path, f"{secrets.randbits(62) if chosen is None else chosen}\n")
     text = path.read_text().strip()
     if not text.isdecimal():
-        raise GradingStopped(f"{path} does not hold a whole number: correct it, or delete it to draw a new one.")
+        raise GradingStopped(
+            f"{path} does not hold a whole number: correct it, or delete it to draw a new one."
+        )
     return int(text)
 
 
@@ -196,12 +245,27 @@ def _seed(path, chosen=None):
 
 
 def _write(output, outcomes, deadline, weight, platform, roster):
-    rows = read_marks(output / "questions.csv")  # read again, because marks may have been typed during the run
+    rows = read_marks(
+        output / "questions.csv"
+    )  # read again, because marks may have been typed during the run
     everything = graded_files(outcomes, rows, deadline, weight)
-    models = {(course.name, q.name): (q.rubric, q.model) for course in courses().values() for q in course.questions}
+    models = {
+        (course.name, q.name): (q.rubric, q.model)
+        for course in courses().values()
+        for q in course.questions
+    }
     order = {place: number for number, place in enumerate(models)}
-    listed = [(each.student, each.notebook, answer) for each in everything for answer in each.answers]
-    listed.sort(key=lambda line: (line[1], order.get((line[1], line[2].question), 0), line[2].question, line[0]))
+    listed = [
+        (each.student, each.notebook, answer) for each in everything for answer in each.answers
+    ]
+    listed.sort(
+        key=lambda line: (
+            line[1],
+            order.get((line[1], line[2].question), 0),
+            line[2].question,
+            line[0],
+        )
+    )
     write_atomically(output / "questions.csv", marks_text(listed, rows, models))
     write_atomically(output / "grades.csv", grades_text(everything))
     points = totals(everything)
@@ -213,34 +277,62 @@ def _write(output, outcomes, deadline, weight, platform, roster):
     write_feedback(output / "feedback", everything)
     nothing = absent(points, roster) if roster else []
     write_atomically(output / "class.html", class_page(everything, nothing))
-    print("\n".join([*(summary(everything, deadline) if deadline else ()), _summary(output, everything, listed)]))
+    print(
+        "\n".join(
+            [
+                *(summary(everything, deadline) if deadline else ()),
+                _summary(output, everything, listed),
+            ]
+        )
+    )
     if nothing:
-        print(f"{count_noun(len(nothing), 'student')} of the roster handed in nothing: class.html has the names.")
+        print(
+            f"{count_noun(len(nothing), 'student')} of the roster handed in nothing: class.html "
+            f"has the names."
+        )
     if missing:
         why = "because no line of the roster fits, or several"
-        print(f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(_shortened(missing, 'more'))}.")
+        print(
+            f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(_shortened(missing, 'more'))}."
+        )
     for students in shared:
-        print(f"One student of the roster, whose better points of each notebook count: {', '.join(students)}.")
+        print(
+            f"One student of the roster, whose better points of each notebook count: "
+            f"{', '.join(students)}."
+        )
 
 
 def _summary(output, everything, listed):
-    states = Counter(each.result.get("state", "unreadable" if each.unreadable else "graded") for each in everything)
+    states = Counter(
+        each.result.get("state", "unreadable" if each.unreadable else "graded")
+        for each in everything
+    )
     said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
     lines = [f"{output / 'grades.csv'}: {said}."]
     troubled = [e for e in everything if e.unreadable or e.result.get("state") == "refused"]
     reasons = [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled]
     lines += _shortened(reasons, "more, with their reasons in the table.")
-    releases = Counter(each.result["release"] or "none" for each in everything if each.graded and not each.unreadable)
+    releases = Counter(
+        each.result["release"] or "none"
+        for each in everything
+        if each.graded and not each.unreadable
+    )
     if len(releases) > 1:
-        counts = ", ".join(f"{count} from {name}" for name, count in releases.most_common(MOST_LISTED))
+        counts = ", ".join(
+            f"{count} from {name}" for name, count in releases.most_common(MOST_LISTED)
+        )
         lines.append(f"The notebooks are not all of one release: {counts}.")
     if left := sum(answer.points is None for _, _, answer in listed):
-        lines.append(f"{count_noun(left, 'written answer')} to be read: type marks into {output / 'questions.csv'}.")
+        lines.append(
+            f"{count_noun(left, 'written answer')} to be read: type marks into "
+            f"{output / 'questions.csv'}."
+        )
     if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
         lines.append(f"{count_noun(wrong, 'invalid mark')} there: the column `state` says why.")
     if "not graded" in states:
         lines.append(
-            "The table gives the reason for each file that could not be graded; the same command tries it again."
+            "The table gives the reason for each file that could not be graded; the same command "
+            "tries it again."
         )
     return "\n".join(lines)
 

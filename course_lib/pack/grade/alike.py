@@ -1,8 +1,9 @@
 """Students whose code is alike beyond what the tasks force, side by side, for a person to judge.
 
-What is compared are passages: runs of tokens, wherever they stand, in which all names are equal (the fingerprints of
-Schleimer, Wilkerson and Aiken, "Winnowing", SIGMOD 2003, with a window of one). As in MOSS, a passage that many
-students have comes from the task and says nothing, and neither does one of the release or of the library.
+What is compared are passages: runs of tokens, wherever they stand, in which all names are equal
+(the fingerprints of Schleimer, Wilkerson and Aiken, "Winnowing", SIGMOD 2003, with a window of
+one). As in MOSS, a passage that many students have comes from the task and says nothing, and
+neither does one of the release or of the library.
 """
 
 import functools
@@ -38,7 +39,10 @@ CPU_SECONDS, MEMORY = 7200, 8 * 10**9  # for the page
 
 @dataclass(frozen=True)
 class Work:
-    """The code cells of one student's notebook. year: the folder of the earlier year that it is from, or ""."""
+    """The code cells of one student's notebook.
+
+    year: the folder of the earlier year that it is from, or "".
+    """
 
     student: str
     notebook: str
@@ -48,9 +52,14 @@ class Work:
 
 @functools.lru_cache(5_000)  # cells of the release are the same in all files
 def passages(source, names=False):
-    """Return {hash of a passage: (begin, end)} of a source. names: whether passages differ if a name in them does."""
+    """Return {hash of a passage: (begin, end)} of a source.
+
+    names: whether passages differ if a name in them does.
+    """
     tokens = []
-    for begin, kind, text in PythonLexer(stripnl=False, ensurenl=False).get_tokens_unprocessed(source):
+    for begin, kind, text in PythonLexer(stripnl=False, ensurenl=False).get_tokens_unprocessed(
+        source
+    ):
         if text.strip() and kind not in Comment and kind not in String.Doc:
             text = text if names else "name" if kind in Name else "text" if kind in String else text
             tokens.append((text, begin, begin + len(text.strip())))
@@ -78,14 +87,19 @@ def works(submissions, year=""):
 def earlier_works(folder, platform=""):
     """Return the Works in a folder of an earlier year's submissions, or in one that has such a folder for each year."""
     names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
-    years = [path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()] or [folder]
+    years = [
+        path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()
+    ] or [folder]
     return [work for year in years for work in works(find(year, names, platform), year.name)]
 
 
 @functools.cache
 def _ours():
     """Return ({name: source} of the library and the solutions, the sources of what students are given)."""
-    library = {f"{PACKAGE.name}/{path.name}": [path.read_text(encoding="utf-8")] for path in PACKAGE.glob("*.py")}
+    library = {
+        f"{PACKAGE.name}/{path.name}": [path.read_text(encoding="utf-8")]
+        for path in PACKAGE.glob("*.py")
+    }
     given = []
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
         text = path.read_text(encoding="utf-8")
@@ -97,7 +111,8 @@ def _ours():
 def write_alike(path, submissions, earlier="", platform=""):
     """Write the page, unless it is there for these Submissions and this folder of earlier years.
 
-    Lexing what students wrote may take any time, so it is done in a process of its own, within bounds.
+    Lexing what students wrote may take any time, so it is done in a process of its own, within
+    bounds.
     """
     depends = [earlier, course_hash(), *(f"{each.place} {each.modified}" for each in submissions)]
     stamp = hashlib.sha256("\n".join(depends).encode("utf-8", "backslashreplace")).hexdigest()
@@ -105,10 +120,15 @@ def write_alike(path, submissions, earlier="", platform=""):
         return
 
     def page():
-        return alike_page(works(submissions) + (earlier_works(Path(earlier), platform) if earlier else []), stamp)
+        return alike_page(
+            works(submissions) + (earlier_works(Path(earlier), platform) if earlier else []), stamp
+        )
 
     try:
-        write_atomically(path, call_bounded(page, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=10 * 3600))
+        write_atomically(
+            path,
+            call_bounded(page, cpu_seconds=CPU_SECONDS, memory=MEMORY, clock_seconds=10 * 3600),
+        )
     except (OutOfBounds, RuntimeError) as problem:
         print(f"{path} was not written: {problem}.")
 
@@ -116,9 +136,9 @@ def write_alike(path, submissions, earlier="", platform=""):
 def pairs(everyone):
     """Return [(score, a Work, another, their passages)] of what at most MANY students of a year have, highest first.
 
-    Passages of the release and the library are left out. The score is the number of passages that the two share, where
-    one that n students have counts 1 / (n - 1), times the share that this is of the smaller one's rare passages.
-    everyone: Works, of this class and of earlier years.
+    Passages of the release and the library are left out. The score is the number of passages that
+    the two share, where one that n students have counts 1 / (n - 1), times the share that this is
+    of the smaller one's rare passages. everyone: Works, of this class and of earlier years.
     """
     library, given = _ours() if everyone else ({}, [])
     ours = _all(itertools.chain(given, *library.values()))
@@ -137,7 +157,9 @@ def pairs(everyone):
                         shared[one, other].add(passage)
     scores = {pair: count**2 / min(rare[work] for work in pair) for pair, count in counts.items()}
     found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= LEAST]
-    return sorted(found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook))
+    return sorted(
+        found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook)
+    )
 
 
 def copies(everyone):
@@ -148,19 +170,29 @@ def copies(everyone):
     for work in (work for work in everyone if not work.year):
         own = _all(work.cells, names=True)
         counts = {name: len(own & source) for name, source in sources.items()}
-        found += [(work.student, work.notebook, name, n) for name, n in counts.items() if n >= VERBATIM]
+        found += [
+            (work.student, work.notebook, name, n) for name, n in counts.items() if n >= VERBATIM
+        ]
     return sorted(found, key=lambda each: (-each[3], each))
 
 
 def alike_page(everyone, stamp=""):
-    """Return the HTML page of pairs and of copies from the library. everyone: Works. stamp: a comment on the page."""
+    """Return the HTML page of pairs and of copies from the library.
+
+    everyone: Works. stamp: a comment on the page.
+    """
     found = pairs(everyone)
     shown = [
         {"who": [_whose(one), _whose(other)], "notebook": one.notebook, "score": round(score),
          "sides": [_marked(one.cells, shared), _marked(other.cells, shared)]}
         for score, one, other, shared in found[:MOST]
     ]  # fmt: skip
-    about = {"passage": PASSAGE, "many": MANY, "left": len(found) - len(shown), "copies": copies(everyone)}
+    about = {
+        "passage": PASSAGE,
+        "many": MANY,
+        "left": len(found) - len(shown),
+        "copies": copies(everyone),
+    }
     return rendered("alike.html", title="Alike", pairs=shown, stamp=stamp, **about)
 
 

@@ -21,23 +21,37 @@ BLUE = "#4a90d9"
 FEWEST = 20  # students, for a correlation
 POINTS = ("mean %", "separates")
 SEPARATES = (
-    "The column separates is the correlation of its points with the student's other points in the notebook, with a "
-    f"95 % confidence interval, from {FEWEST} students on: near 0, it does not tell strong students from weak ones."
+    "The column separates is the correlation of its points with the student's other points in the "
+    "notebook, with a "
+    f"95 % confidence interval, from {FEWEST} students on: near 0, it does not tell strong "
+    f"students from weak ones."
 )
 
 
 def class_page(everything, absent=()):
-    """Return the HTML page about the class. everything: GradedFiles. absent: names of those who handed in nothing."""
+    """Return the HTML page about the class.
+
+    everything: GradedFiles. absent: names of those who handed in nothing.
+    """
     found = totals(everything)
-    counting = [each for each in everything if not each.superseded_by and each.student and each.notebook]
+    counting = [
+        each for each in everything if not each.superseded_by and each.student and each.notebook
+    ]
     graded = [each for each in counting if each.graded and not each.unreadable]
-    said = f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} graded"
+    said = (
+        f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} "
+        f"graded"
+    )
     if missed := len(counting) - len(graded):
         said += f", {missed} more handed in but refused or unreadable (not in the means below)"
     if counting and counting[0].weight < 1:
         said += f", points of More count {counting[0].weight:g} times"
     left = sum(found.waiting.values())
-    said += f", {count_noun(left, 'written answer')} still to be read, for no points yet." if left else "."
+    said += (
+        f", {count_noun(left, 'written answer')} still to be read, for no points yet."
+        if left
+        else "."
+    )
     sections = [_notebooks(found.of, counting, graded, found.students)]
     sections += [_distribution(found.of, graded, found.students), _hardest(graded)]
     sections += [_written(graded), _mistakes(graded)]
@@ -49,8 +63,15 @@ def _notebooks(of, counting, graded, students):
     rows = []
     for notebook, most in of.items():
         handed_in = len({each.student for each in counting if each.notebook == notebook})
-        points = [students[student][notebook] for student in {e.student for e in graded if e.notebook == notebook}]
-        mean, median = (f"{statistics.mean(points):.1f}", f"{statistics.median(points):g}") if points else ("", "")
+        points = [
+            students[student][notebook]
+            for student in {e.student for e in graded if e.notebook == notebook}
+        ]
+        mean, median = (
+            (f"{statistics.mean(points):.1f}", f"{statistics.median(points):g}")
+            if points
+            else ("", "")
+        )
         rows.append((notebook, handed_in, len(points), mean, median, most))
     return "", "", ("notebook", "handed in", "graded", "mean", "median", "of"), rows
 
@@ -63,9 +84,17 @@ def _distribution(of, graded, students):
         if most := sum(of.get(notebook, 0) for notebook in notebooks):
             share = sum(students[student][notebook] for notebook in notebooks) / most
             counts[min(int(share * 10 + 1e-9), 9)] += 1
-    rows = [(f"{10 * i} to {10 * i + 10} %", n, _bar([(n, BLUE)], max(counts))) for i, n in enumerate(counts)]
+    rows = [
+        (f"{10 * i} to {10 * i + 10} %", n, _bar([(n, BLUE)], max(counts)))
+        for i, n in enumerate(counts)
+    ]
     caption = "Each student's points, as a share of those of the notebooks that they handed in."
-    return "Distribution of the points", caption, ("points", "students", ""), rows if any(counts) else []
+    return (
+        "Distribution of the points",
+        caption,
+        ("points", "students", ""),
+        rows if any(counts) else [],
+    )
 
 
 def _hardest(graded):
@@ -74,15 +103,25 @@ def _hardest(graded):
         for exercise in each.result["exercises"]:
             state = NOT_ATTEMPTED if exercise["state"] == UNCHANGED else exercise["state"]
             if state in STATES:  # skips files that could not be read
-                states.setdefault((each.notebook, exercise["exercise"], exercise["more"]), Counter())[state] += 1
+                states.setdefault(
+                    (each.notebook, exercise["exercise"], exercise["more"]), Counter()
+                )[state] += 1
     order = sorted(states, key=lambda it: (it[2], states[it][RIGHT] / states[it].total(), it))
     rows = []
     for it in (it for it in order if states[it][RIGHT] < states[it].total()):
         counts = [states[it][state] for state in STATES]
-        bar = _bar([(n, colour) for n, (_, colour) in zip(counts, STATES.values(), strict=True)], sum(counts))
-        rows.append((_short(f"{it[0]}: {it[1]}") + " (More)" * it[2], *counts, *points[it[:2]], bar))
+        bar = _bar(
+            [(n, colour) for n, (_, colour) in zip(counts, STATES.values(), strict=True)],
+            sum(counts),
+        )
+        rows.append(
+            (_short(f"{it[0]}: {it[1]}") + " (More)" * it[2], *counts, *points[it[:2]], bar)
+        )
     columns = ("exercise", *(said for said, _ in STATES.values()), *POINTS, "")
-    caption = "The exercises by the share of students who solved them, of the notebooks that could be read. "
+    caption = (
+        "The exercises by the share of students who solved them, of the notebooks that could be "
+        "read. "
+    )
     return "Hardest exercises", caption + SEPARATES, columns, rows
 
 
@@ -91,7 +130,12 @@ def _written(graded):
     for each in graded:
         asked.update((each.notebook, a.question) for a in each.answers if a.state == READ)
     rows = [(_short(f"{it[0]}: {it[1]}"), asked[it], *points[it]) for it in sorted(asked)]
-    return "Written answers", "Those that you marked. " + SEPARATES, ("question", "marked", *POINTS), rows
+    return (
+        "Written answers",
+        "Those that you marked. " + SEPARATES,
+        ("question", "marked", *POINTS),
+        rows,
+    )
 
 
 def _points(graded):
@@ -110,12 +154,20 @@ def _points(graded):
         if len(pairs) >= FEWEST and min(map(len, (set(shares), set(rests)))) > 1:
             correlation = pearsonr(shares, rests)
             bounds = correlation.confidence_interval()
-            found[it] = found[it][0], f"{correlation.statistic:.2f} ({bounds.low:.2f} to {bounds.high:.2f})"
+            found[it] = (
+                found[it][0],
+                f"{correlation.statistic:.2f} ({bounds.low:.2f} to {bounds.high:.2f})",
+            )
     return found
 
 
 def _mistakes(graded):
-    named = ((e["exercise"], e["mistake"]) for each in graded for e in each.result["exercises"] if e["mistake"])
+    named = (
+        (e["exercise"], e["mistake"])
+        for each in graded
+        for e in each.result["exercises"]
+        if e["mistake"]
+    )
     counts = Counter(_short(f"{exercise}: {mistake}") for exercise, mistake in named)
     order = sorted(counts, key=lambda name: (-counts[name], name))
     rows = [(name, counts[name], _bar([(counts[name], BLUE)], counts[order[0]])) for name in order]
@@ -130,5 +182,9 @@ def _short(text):
 
 def _bar(parts, most):
     """Return a bar whose parts have these (lengths, colours); `most` fills the width."""
-    pieces = (f'<i style="width:{8 * n / (most or 1):.2f}rem;background:{colour}"></i>' for n, colour in parts if n)
+    pieces = (
+        f'<i style="width:{8 * n / (most or 1):.2f}rem;background:{colour}"></i>'
+        for n, colour in parts
+        if n
+    )
     return Markup(f'<span class="bar" aria-hidden="true">{"".join(pieces)}</span>')

@@ -1,7 +1,10 @@
-"""Grade on many machines, the workers of a Dask cluster. Each of their threads grades one submission at a time.
+"""Grade on many machines, the workers of a Dask cluster.
 
-A submission goes to one worker as bytes, by a future of Dask's; its result comes back as JSON and is written at once.
-A worker grades in a process beside it: Dask's own may not fork others, and has threads whose locks a fork would copy.
+Each of their threads grades one submission at a time.
+
+A submission goes to one worker as bytes, by a future of Dask's; its result comes back as JSON and
+is written at once. A worker grades in a process beside it: Dask's own may not fork others, and has
+threads whose locks a fork would copy.
 """
 
 import functools
@@ -35,7 +38,10 @@ ARRIVES = 30  # seconds that a result may take from its worker
 
 
 class Order(bytes):
-    """What a worker shall do. It contains the seed, and Dask's logs show arguments, so this shows no content."""
+    """What a worker shall do.
+
+    It contains the seed, and Dask's logs show arguments, so this shows no content.
+    """
 
     def __repr__(self):
         return f"<{len(self)} bytes>"
@@ -48,9 +54,12 @@ class Order(bytes):
 
 @dataclass(eq=False)
 class Task:
-    """What was asked of a worker: an order or, without one, to load this module. A worker that cannot would end.
+    """What was asked of a worker: an order or, without one, to load this module.
 
-    path: of the result; None if it asks whether the worker can grade. ended: how many workers ended that had it.
+    A worker that cannot would end.
+
+    path: of the result; None if it asks whether the worker can grade. ended: how many workers ended
+    that had it.
     """
 
     path: object = None
@@ -74,11 +83,15 @@ class Cluster:
         self._tasks, self._again = {}, []  # {key of its future: Task}, and Tasks to be sent
         self._answers = queue.SimpleQueue()  # futures
         self._looked, self._last_fit = 0.0, time.monotonic()
-        dask.config.set({"distributed.admin.large-graph-warning-threshold": "1 GB"})  # a notebook may have 10 MB
+        dask.config.set(
+            {"distributed.admin.large-graph-warning-threshold": "1 GB"}
+        )  # a notebook may have 10 MB
         try:
             self._client = Client(address, set_as_default=False)
         except (OSError, ValueError) as error:
-            raise GradingStopped(f"CLUSTER={address}: the scheduler does not answer: {error}.") from None
+            raise GradingStopped(
+                f"CLUSTER={address}: the scheduler does not answer: {error}."
+            ) from None
         print(f"The workers of {address} grade, also those that join later.", flush=True)
 
     def room(self):
@@ -148,8 +161,12 @@ class Cluster:
         if self._fit:
             self._last_fit = now
         elif now - self._last_fit > PATIENCE and workers.keys() <= self._unfit.keys():
-            reasons = "".join(f" {worker}: {reason}" for worker, reason in [*self._unfit.items()][:5])
-            raise GradingStopped(f"No worker of {self._address} could grade for {PATIENCE} seconds.{reasons}")
+            reasons = "".join(
+                f" {worker}: {reason}" for worker, reason in [*self._unfit.items()][:5]
+            )
+            raise GradingStopped(
+                f"No worker of {self._address} could grade for {PATIENCE} seconds.{reasons}"
+            )
 
     def _answered(self, task, future):
         """Take what a worker answered; yield (path, outcome) if that is a result."""
@@ -160,9 +177,13 @@ class Cluster:
             return
         try:
             found = json.loads(future.result(timeout=ARRIVES))
-        except Exception as error:  # for example, the worker ended before it could pass on what it had found
+        except (
+            Exception
+        ) as error:  # for example, the worker ended before it could pass on what it had found
             why = " ".join(f"{type(error).__name__}: {error}".split())
-            found = None if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
+            found = (
+                None if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
+            )
         if not found and not task.path:
             found = {"unfit": "the process in which it grades ended."}
         if not found:
@@ -184,7 +205,14 @@ class Cluster:
             tqdm.write(f"The worker {task.worker} ended: its submission goes to another.")
             self._again.append(task)
         elif task.path:
-            yield task.path, {"failed": f"It could not be graded: {MOST_ENDED} workers ended while they graded it."}
+            yield (
+                task.path,
+                {
+                    "failed": (
+                        f"It could not be graded: {MOST_ENDED} workers ended while they graded it."
+                    )
+                },
+            )
 
     def _lost(self):
         return GradingStopped(f"The connection to {self._address} was lost. {KEPT}")

@@ -1,10 +1,11 @@
 """Bound what this process and all that it starts may use: the first thing that the sandbox's script does.
 
-No student's code has run yet. Limits of the kernel hold for each process; a filter refuses the system calls that
-reserve memory outside those limits (anonymous files, message queues, large pipes, file systems in namespaces of one's
-own), leave something for another sandbox to see (locks on files that both see, properties of other processes), reach
-another machine or open large parts of the kernel that numerical work has no use for. Calls of Linux up to 5.1 are
-permitted unless they are listed here; of the newer ones only those listed are.
+No student's code has run yet. Limits of the kernel hold for each process; a filter refuses the
+system calls that reserve memory outside those limits (anonymous files, message queues, large pipes,
+file systems in namespaces of one's own), leave something for another sandbox to see (locks on files
+that both see, properties of other processes), reach another machine or open large parts of the
+kernel that numerical work has no use for. Calls of Linux up to 5.1 are permitted unless they are
+listed here; of the newer ones only those listed are.
 """
 
 import contextlib
@@ -29,11 +30,20 @@ REFUSED = {  # name: its number on x86_64, and on aarch64
     "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "shmget": (29, 194), "msgget": (68, 186),
     "semget": (64, 190), "mq_open": (240, 180), "flock": (73, 32),
 }  # fmt: skip
-FIRST_NEW = 424  # from here on all processors share the numbers; the C library does without any of these calls
-NEW_PERMITTED = {"close_range": 436, "faccessat2": 439, "epoll_pwait2": 441, "futex_waitv": 449, "fchmodat2": 452}
-# linux/sched.h: all CLONE_NEW... flags. linux/fcntl.h: F_SETPIPE_SZ, F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW,
-# F_SETLEASE, F_NOTIFY. linux/socket.h: AF_UNIX, AF_INET, AF_INET6, AF_NETLINK.
-CHECKED = {  # name: its numbers, the argument that is looked at, values of it, whether these are permitted
+# from here on all processors share the numbers; the C library does without any of these calls
+FIRST_NEW = 424
+NEW_PERMITTED = {
+    "close_range": 436,
+    "faccessat2": 439,
+    "epoll_pwait2": 441,
+    "futex_waitv": 449,
+    "fchmodat2": 452,
+}
+# linux/sched.h: all CLONE_NEW... flags. linux/fcntl.h: F_SETPIPE_SZ, F_SETLK, F_SETLKW,
+# F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE, F_NOTIFY. linux/socket.h: AF_UNIX, AF_INET, AF_INET6,
+# AF_NETLINK.
+# name: its numbers, the argument that is looked at, values of it, whether these are permitted
+CHECKED = {
     "clone": ((56, 220), 0, (0x7E020000,), False),
     "fcntl": ((72, 25), 1, (1031, 6, 7, 37, 38, 1024, 1026), False),
     "prlimit64": ((302, 261), 0, (0,), True),
@@ -48,7 +58,10 @@ ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 
 
 def confine(limits, uid=0):
-    """Bound this process. limits: a dict of the Limits in sandbox.py; uid: the user to become, 0 to stay."""
+    """Bound this process.
+
+    limits: a dict of the Limits in sandbox.py; uid: the user to become, 0 to stay.
+    """
     for kind, most in (
         ("RLIMIT_AS", limits["memory"]),
         ("RLIMIT_FSIZE", limits["file"]),
@@ -104,7 +117,11 @@ def program(machine):
     no, unknown, yes = (
         (RETURN, 0, 0, value) for value in (ERRNO | errno.EPERM, ERRNO | errno.ENOSYS, ALLOW)
     )  # the C library does without a call that is unknown
-    steps = [(LOAD, 0, 0, ARCHITECTURE), (EQUAL, 1, 0, ARCHITECTURES[machine]), (RETURN, 0, 0, KILL)]
+    steps = [
+        (LOAD, 0, 0, ARCHITECTURE),
+        (EQUAL, 1, 0, ARCHITECTURES[machine]),
+        (RETURN, 0, 0, KILL),
+    ]
     steps += [(LOAD, 0, 0, NUMBER)]
     if machine == "x86_64":
         steps += [(AT_LEAST, 0, 1, X32), no]
@@ -114,7 +131,10 @@ def program(machine):
     for numbers in REFUSED.values():
         steps += [(EQUAL, 0, 1, numbers[column]), no]
     for name, (numbers, argument, values, permitted) in CHECKED.items():
-        test, (hit, miss) = ANY_BIT if name == "clone" else EQUAL, (yes, no) if permitted else (no, yes)
+        test, (hit, miss) = (
+            ANY_BIT if name == "clone" else EQUAL,
+            (yes, no) if permitted else (no, yes),
+        )
         tests = [(test, len(values) - i, 0, value) for i, value in enumerate(values)]
         body = [(LOAD, 0, 0, ARGUMENTS + 8 * argument), *tests, miss, hit]
         steps += [(EQUAL, 0, len(body), numbers[column]), *body]

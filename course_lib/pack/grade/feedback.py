@@ -1,4 +1,7 @@
-"""The feedback page of each submission, for its student. Jinja escapes all text from submissions."""
+"""The feedback page of each submission, for its student.
+
+Jinja escapes all text from submissions.
+"""
 
 import io
 import re
@@ -16,7 +19,12 @@ from course_lib.pack.grade.platforms import MOODLE
 from course_lib.pack.grade.tables import final_message, final_state, lateness
 
 LONGEST = 100_000  # characters of one message or answer
-MARKS = {RIGHT: ("✓", "good"), WRONG: ("✗", "bad"), ERROR: ("!", "bad"), final_state(NOT_ATTEMPTED): ("○", "none")}
+MARKS = {
+    RIGHT: ("✓", "good"),
+    WRONG: ("✗", "bad"),
+    ERROR: ("!", "bad"),
+    final_state(NOT_ATTEMPTED): ("○", "none"),
+}
 
 
 def _showable(value):
@@ -41,7 +49,10 @@ def feedback_page(each):
     entries = [*map(_exercise, each.result["exercises"]), *map(_answer, each.answers)]
     for entry in entries:
         entry["mark"], entry["colour"] = MARKS.get(entry["state"], ("·", "none"))
-    groups = [(_subtotal(each, more), [it for it in entries if it["more"] == more]) for more in (False, True)]
+    groups = [
+        (_subtotal(each, more), [it for it in entries if it["more"] == more])
+        for more in (False, True)
+    ]
     left = f", {count_noun(each.unread, 'written answer')} still to be read" if each.unread else ""
     about = {"title": f"{each.notebook}, {each.student}", "late": lateness(each), "left": left}
     details = [it for it in entries if it["text"] or "task" in it]
@@ -53,18 +64,33 @@ def _subtotal(each, more):
     said = f"{'More' if more else 'Core'}: {points:g} of {of:g} points"
     if not more or each.weight == 1:
         return said
-    return f"{said}, which count {each.weight:g} times: {points * each.weight:.4g} of {of * each.weight:.4g}"
+    return (
+        f"{said}, which count {each.weight:g} times: {points * each.weight:.4g} of "
+        f"{of * each.weight:.4g}"
+    )
 
 
 def _exercise(exercise):
-    about = {"name": exercise["exercise"], "title": exercise["exercise"], "text": final_message(exercise["message"])}
+    about = {
+        "name": exercise["exercise"],
+        "title": exercise["exercise"],
+        "text": final_message(exercise["message"]),
+    }
     return exercise | about | {"state": final_state(exercise["state"])}
 
 
 def _answer(answer):
-    letter = re.match(r"\W*([A-Z])\.", answer.task)  # of the question in the notebook: explain_frame (B)
-    about = {"name": answer.question, "title": answer.question + (f" ({letter[1]})" if letter else "")}
-    about |= {"state": final_state(answer.state), "points": "" if answer.points is None else f"{answer.points:g}"}
+    letter = re.match(
+        r"\W*([A-Z])\.", answer.task
+    )  # of the question in the notebook: explain_frame (B)
+    about = {
+        "name": answer.question,
+        "title": answer.question + (f" ({letter[1]})" if letter else ""),
+    }
+    about |= {
+        "state": final_state(answer.state),
+        "points": "" if answer.points is None else f"{answer.points:g}",
+    }
     about |= {"of": answer.of, "more": answer.more, "text": answer.text}
     return about | {"task": answer.task.replace("**", ""), "comment": answer.comment}
 
@@ -100,17 +126,26 @@ def write_feedback(folder, everything):
 def _uploads(counting):
     """Return {notebook: a zip of all its feedback, as Moodle takes it}, empty if nothing came from Moodle.
 
-    Moodle finds the student by the number in the folder's name (moodle/moodle, mod/assign/feedback/file/
-    importziplib.php, is_valid_filename_for_import). The number belongs to one assignment.
+    Moodle finds the student by the number in the folder's name (moodle/moodle,
+    mod/assign/feedback/file/ importziplib.php, is_valid_filename_for_import). The number belongs to
+    one assignment.
     """
     contents = {}
     for each in counting:
         found = MOODLE.fullmatch(each.submission.place.partition("/")[0])
         if not (found and found["id"]):
             continue
-        folder = f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
+        folder = (
+            f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
+        )
         name = each.notebook or "other files"
-        with zipfile.ZipFile(contents.setdefault(name, io.BytesIO()), "a", zipfile.ZIP_DEFLATED) as archive:
-            about = zipfile.ZipInfo(f"{folder}/feedback_{name}.html")  # dated 1980: equal pages, equal bytes
+        with zipfile.ZipFile(
+            contents.setdefault(name, io.BytesIO()), "a", zipfile.ZIP_DEFLATED
+        ) as archive:
+            about = zipfile.ZipInfo(
+                f"{folder}/feedback_{name}.html"
+            )  # dated 1980: equal pages, equal bytes
             archive.writestr(about, feedback_page(each), zipfile.ZIP_DEFLATED)
-    return {name: contents[notebook].getvalue() for notebook, name in file_names(set(contents)).items()}
+    return {
+        name: contents[notebook].getvalue() for notebook, name in file_names(set(contents)).items()
+    }

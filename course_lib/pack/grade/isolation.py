@@ -1,7 +1,7 @@
 """How submissions are kept apart from the machine: by bubblewrap, or, if the instructor asks for that, not at all.
 
-Bubblewrap shows a submission only Python and its packages, gives it no network, and ends all its processes with the
-first one.
+Bubblewrap shows a submission only Python and its packages, gives it no network, and ends all its
+processes with the first one.
 """
 
 import functools
@@ -38,7 +38,10 @@ def isolated(wanted=""):
             raise GradingStopped(HELP.format(problem=reason))
         return True
     if os.geteuid() == 0:
-        raise GradingStopped("ISOLATION=none runs submissions as yourself, and you are root: be another user for that.")
+        raise GradingStopped(
+            "ISOLATION=none runs submissions as yourself, and you are root: be another user for "
+            "that."
+        )
     return False
 
 
@@ -47,8 +50,12 @@ def problem():
     if sys.platform != "linux":
         return "needs Linux"
     if shutil.which("bwrap"):
-        return (reason := _tried()) and f"is installed, but this machine does not let it work: {reason}"
-    return "is not installed: `sudo apt install bubblewrap` on Debian and Ubuntu, on Fedora with `dnf`"
+        return (
+            reason := _tried()
+        ) and f"is installed, but this machine does not let it work: {reason}"
+    return (
+        "is not installed: `sudo apt install bubblewrap` on Debian and Ubuntu, on Fedora with `dnf`"
+    )
 
 
 @functools.cache
@@ -57,16 +64,33 @@ def _tried():
     with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
         confine = Path(__file__).with_name("confine.py").read_bytes()
         write_files(Path(folder), {"runner.py": TRIAL, "confine.py": confine})
-        limits = {"memory": 4 * 10**9, "file": 10**6, "files": 64, "processes": 10, "scratch": 10**6}
+        limits = {
+            "memory": 4 * 10**9,
+            "file": 10**6,
+            "files": 64,
+            "processes": 10,
+            "scratch": 10**6,
+        }
         try:
             command = start(Path(folder, "course"), limits)
             done = subprocess.run(
-                command, stdin=subprocess.DEVNULL, capture_output=True, timeout=600, cwd="/", env=environment()
+                command,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=600,
+                cwd="/",
+                env=environment(),
             )
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)
     said = done.stderr.decode(errors="replace").strip().splitlines()
-    return "" if done.stdout == b"fine\n" else said[-1] if said else f"it ends with status {done.returncode}"
+    return (
+        ""
+        if done.stdout == b"fine\n"
+        else said[-1]
+        if said
+        else f"it ends with status {done.returncode}"
+    )
 
 
 TRIAL = b"""
@@ -96,7 +120,12 @@ def write_files(folder, contents):
 
 def start_unisolated(course, limits):
     """Return the command that runs course/runner.py as the instructor, with these Limits as a dict."""
-    settings = {"limits": limits | {"processes": None}, "uid": 0, "packages": sys.path, "apart": False}
+    settings = {
+        "limits": limits | {"processes": None},
+        "uid": 0,
+        "packages": sys.path,
+        "apart": False,
+    }
     return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(settings)]
 
 
@@ -105,16 +134,32 @@ def start(course, limits, hidden=()):
 
     course: the folder that write_files made. hidden: folders to hide wherever they are.
     """
-    uid = FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8 if os.getuid() == 0 else 0
-    settings = {"limits": limits | _processes(limits, uid), "uid": uid, "packages": packages(), "apart": True}
-    rooms = (("/scratch", limits["scratch"]), ("/tmp", limits["scratch"] // 4), ("/dev/shm", limits["scratch"] // 8))
+    uid = (
+        FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8
+        if os.getuid() == 0
+        else 0
+    )
+    settings = {
+        "limits": limits | _processes(limits, uid),
+        "uid": uid,
+        "packages": packages(),
+        "apart": True,
+    }
+    rooms = (
+        ("/scratch", limits["scratch"]),
+        ("/tmp", limits["scratch"] // 4),
+        ("/dev/shm", limits["scratch"] // 8),
+    )
     shown, covered = mounts(hidden)
     command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
     return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]
 
 
 def environment(scratch=""):
-    """Return the environment of a submission's processes. scratch: its folder if it is not isolated."""
+    """Return the environment of a submission's processes.
+
+    scratch: its folder if it is not isolated.
+    """
     found = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR"), scratch or "/scratch")
     found |= {"USER": "student", "LANG": "C.UTF-8", "MPLBACKEND": "Agg"}
     found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -122,13 +167,25 @@ def environment(scratch=""):
 
 
 def _processes(limits, uid):
-    """Bound the number of processes. Before Linux 5.14 all processes of a user count, not only the sandbox's."""
-    release = [int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]]
+    """Bound the number of processes.
+
+    Before Linux 5.14 all processes of a user count, not only the sandbox's.
+    """
+    release = [
+        int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]
+    ]
     return {"processes": limits["processes"] if uid or release >= [5, 14] else None}
 
 
 def _bubblewrap(shown, covered, rooms):
-    flags = ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--hostname", "sandbox"]
+    flags = [
+        "--unshare-pid",
+        "--unshare-net",
+        "--unshare-ipc",
+        "--unshare-uts",
+        "--hostname",
+        "sandbox",
+    ]
     flags += ["--die-with-parent", "--new-session", "--cap-drop", "ALL"]
     if os.getuid() == 0:  # to become a user who owns nothing, see confine.py
         flags += ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"]

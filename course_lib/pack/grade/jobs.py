@@ -48,7 +48,10 @@ def stored(path):
 
 
 def ungraded_result(submission, reason, state):
-    """Return the result of a file that was not graded. state: "refused", or "not graded" (not kept)."""
+    """Return the result of a file that was not graded.
+
+    state: "refused", or "not graded" (not kept).
+    """
     empty = {"release": "", "exercises": [], "questions": []}
     return empty | {"notebook": submission.notebook, "problems": [reason], "state": state}
 
@@ -62,7 +65,10 @@ def grade_all(submissions, results, seed, pool):
     results: the folder of stored results. pool: what grades, such as Processes.
     """
     done = {}
-    with tqdm(total=len(submissions), desc="grading", unit="notebook") as bar, contextlib.closing(pool):
+    with (
+        tqdm(total=len(submissions), desc="grading", unit="notebook") as bar,
+        contextlib.closing(pool),
+    ):
         for submission, result in _results(submissions, results, seed, pool):
             done[submission] = result
             bar.update()
@@ -103,13 +109,17 @@ def _finished(pool, begun):
         if "value" in outcome:
             write_atomically(path, json.dumps(outcome["value"], sort_keys=True, indent=1))
         for each in begun.pop(path):
-            yield each, outcome.get("value") or ungraded_result(each, outcome["failed"], "not graded")
+            yield (
+                each,
+                outcome.get("value") or ungraded_result(each, outcome["failed"], "not graded"),
+            )
 
 
 class Processes:
     """Grades on this machine, each submission in a process of its own.
 
-    grade(content, notebook, seed) returns a result. jobs: how many at once; 0 for one for each processor.
+    grade(content, notebook, seed) returns a result. jobs: how many at once; 0 for one for each
+    processor.
     """
 
     def __init__(self, grade, jobs=0):

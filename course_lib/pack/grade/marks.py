@@ -19,8 +19,8 @@ TO_BE_READ, READ, OLDER = "to be read", "read", "of an older answer, or not in t
 class MarkedAnswer:
     """A written answer (its question, task, text, and the points there are) and its mark.
 
-    points: None until the answer is marked. comment: the reader's. wrong: why a typed mark is invalid; only the reader
-    sees this. more: whether the question is in More.
+    points: None until the answer is marked. comment: the reader's. wrong: why a typed mark is
+    invalid; only the reader sees this. more: whether the question is in More.
     """
 
     question: str
@@ -47,7 +47,8 @@ class MarkedAnswer:
 def key(student, notebook, question, text):
     """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again.
 
-    It begins with a letter, because a spreadsheet makes a number of a key that has only digits, and rounds it.
+    It begins with a letter, because a spreadsheet makes a number of a key that has only digits, and
+    rounds it.
     """
     whole = "\n".join([student, notebook, question, text]).encode("utf-8", "backslashreplace")
     return "k" + hashlib.sha256(whole).hexdigest()[:16]
@@ -62,8 +63,12 @@ def read_marks(path):
             "the file away: the next run then writes a new one without marks."
         )
     rows = [{name: row.get(name, "") for name in COLUMNS} for row in rows if row["key"]]
-    rows = [row | {"key": "k" + row["key"].removeprefix("k")} for row in rows]  # of a table from before keys had the k
-    rows.sort(key=lambda row: bool(row["mark"].strip()))  # if a line was copied, the one with the mark counts
+    rows = [
+        row | {"key": "k" + row["key"].removeprefix("k")} for row in rows
+    ]  # of a table from before keys had the k
+    rows.sort(
+        key=lambda row: bool(row["mark"].strip())
+    )  # if a line was copied, the one with the mark counts
     return {row["key"]: row for row in rows}
 
 
@@ -76,7 +81,10 @@ def mark_answer(question, student, notebook, rows):
     if text.strip() in ("", PROMPT):
         return replace(empty, state=question.get("state", NOT_ATTEMPTED), points=0)
     row = rows.get(its_key, {})
-    typed, commented = cell_text(row.get("mark", "")).strip(), replace(empty, comment=cell_text(row.get("comment", "")))
+    typed, commented = (
+        cell_text(row.get("mark", "")).strip(),
+        replace(empty, comment=cell_text(row.get("comment", ""))),
+    )
     if not typed:
         return commented
     try:
@@ -91,15 +99,22 @@ def mark_answer(question, student, notebook, rows):
 def marks_text(listed, rows, models=None):
     """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
 
-    listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the reader's entries are kept
-    as typed. models: {(notebook, question): (rubric, model answer)}.
+    listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the
+    reader's entries are kept as typed. models: {(notebook, question): (rubric, model answer)}.
     """
     written, table = set(), []
     for student, notebook, each in listed:
         if each.state in (NOT_ATTEMPTED, UNREADABLE) or each.key in written:
             continue
         row = rows.get(each.key, {})
-        begin = [notebook, each.question, student, each.of, row.get("mark", ""), row.get("comment", "")]
+        begin = [
+            notebook,
+            each.question,
+            student,
+            each.of,
+            row.get("mark", ""),
+            row.get("comment", ""),
+        ]
         model = (models or {}).get((notebook, each.question), ("", ""))
         table.append([*begin, each.reported_state, answer_text(each.text), *model, each.key])
         written.add(each.key)

@@ -19,7 +19,8 @@ from course_lib.pack.release import PROMPT
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"
 MOST_CELLS = 5_000
-MOST_PARTS = 5_000_000  # dicts, lists and commas of a file: a notebook with large figures has some hundred thousand
+# dicts, lists and commas of a file: a notebook with large figures has some hundred thousand
+MOST_PARTS = 5_000_000
 MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
 
@@ -29,7 +30,10 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a submitted notebook. name: its grade_id in nbgrader's metadata; finds only written answers."""
+    """One cell of a submitted notebook.
+
+    name: its grade_id in nbgrader's metadata; finds only written answers.
+    """
 
     kind: str
     source: str
@@ -39,9 +43,12 @@ class Cell:
 
 @dataclass(frozen=True)
 class Question:
-    """A question that is answered in writing. id: of its answer cell. after: the source of the cell with its task.
+    """A question that is answered in writing.
 
-    then: that of the cell below the answer. model: the model answer. rubric: what it gives points for.
+    id: of its answer cell. after: the source of the cell with its task.
+
+    then: that of the cell below the answer. model: the model answer. rubric: what it gives points
+    for.
     """
 
     name: str
@@ -71,22 +78,30 @@ class Course:
 
 
 def read(content):
-    """Return the Cells of a submitted file, and the release that it names, or "". Raises Unreadable."""
+    """Return the Cells of a submitted file, and the release that it names, or "".
+
+    Raises Unreadable.
+    """
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     if sum(map(content.count, (b"{", b"[", b","))) > MOST_PARTS:
-        raise Unreadable("It holds far more than a notebook does. Clear its outputs and hand it in again.")
+        raise Unreadable(
+            "It holds far more than a notebook does. Clear its outputs and hand it in again."
+        )
     try:
         # No number in a notebook is needed. Kept as text, even a very long one can be read.
         book = json.loads(content, parse_int=str, parse_float=str)
     except (ValueError, RecursionError, MemoryError):
         raise Unreadable(
-            "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and hand it in again."
+            "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and "
+            "hand it in again."
         ) from None
     listed = _within(book, "cells")
     if not isinstance(listed, list):
         if isinstance(_within(book, "worksheets"), list):
-            raise Unreadable("It is in a format of before 2014. Save it in JupyterLab and hand it in again.")
+            raise Unreadable(
+                "It is in a format of before 2014. Save it in JupyterLab and hand it in again."
+            )
         raise Unreadable("It is not a notebook: it has no list of cells.")
     if len(listed) > MOST_CELLS:
         raise Unreadable(f"It has more than {MOST_CELLS} cells.")
@@ -104,9 +119,17 @@ def _cell(cell):
     if not isinstance(source, str):
         return None
     source = source.replace("\r\n", "\n").replace("\r", "\n")  # no other sign ends a line of Python
-    kind, *rest = (_within(cell, *keys) for keys in (("cell_type",), ("metadata", "nbgrader", "grade_id"), ("id",)))
+    kind, *rest = (
+        _within(cell, *keys)
+        for keys in (("cell_type",), ("metadata", "nbgrader", "grade_id"), ("id",))
+    )
     # Lone surrogates are legal in JSON and nowhere else.
-    return Cell(*(w.encode("utf-8", "replace").decode() if isinstance(w, str) else "" for w in (kind, source, *rest)))
+    return Cell(
+        *(
+            w.encode("utf-8", "replace").decode() if isinstance(w, str) else ""
+            for w in (kind, source, *rest)
+        )
+    )
 
 
 def _within(value, *keys):
@@ -135,7 +158,10 @@ def course_of(name, cells):
     The name holds unless the cells define more than twice as many of another notebook's functions.
     """
     known, sources = courses(), code(cells)
-    counts = {course.name: sum(defines(sources, e.name) for e in course.exercises) for course in known.values()}
+    counts = {
+        course.name: sum(defines(sources, e.name) for e in course.exercises)
+        for course in known.values()
+    }
     best = max(counts, key=counts.get, default=None)
     if name in known and counts[best] <= 2 * counts[name]:
         return known[name]
@@ -153,7 +179,9 @@ def courses():
         book = nbformat.v4.reads_json(path.read_text(encoding="utf-8"))
         named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]
         more = frozenset(itertools.compress(named, cells_of_more(book)))
-        found[path.stem] = Course(path.stem, package, exercises, tuple(_questions(book.cells)), more)
+        found[path.stem] = Course(
+            path.stem, package, exercises, tuple(_questions(book.cells)), more
+        )
     return found
 
 
@@ -162,15 +190,25 @@ def _questions(cells):
     for cell, before, then in zip(cells, sources, sources[2:], strict=False):
         about = cell.metadata.get("nbgrader", {})
         if about.get("solution") and about.get("grade"):
-            model, _, rubric = cell.source.removeprefix("**Model answer.** ").partition("\n\n*Rubric ")
-            yield Question(about["grade_id"], int(about["points"]), cell.id, before, then, model, rubric.strip("*"))
+            model, _, rubric = cell.source.removeprefix("**Model answer.** ").partition(
+                "\n\n*Rubric "
+            )
+            yield Question(
+                about["grade_id"],
+                int(about["points"]),
+                cell.id,
+                before,
+                then,
+                model,
+                rubric.strip("*"),
+            )
 
 
 def answer(question, cells):
     """Return the written answer to a Question, or "".
 
-    It is the cell with the question's name, or else with its id, or else the one after its task; if that still holds
-    the prompt, what the student wrote in new cells below it.
+    It is the cell with the question's name, or else with its id, or else the one after its task; if
+    that still holds the prompt, what the student wrote in new cells below it.
     """
     texts = [number for number, cell in enumerate(cells) if cell.kind != "code"]
     task, then = question.after.split(), question.then.split()
@@ -181,7 +219,9 @@ def answer(question, cells):
     ):
         if found:
             written = _written("\n\n".join(cells[number].source for number in found))
-            below = itertools.takewhile(lambda cell: cell.kind != "code" and not cell.name, cells[found[-1] + 1 :])
+            below = itertools.takewhile(
+                lambda cell: cell.kind != "code" and not cell.name, cells[found[-1] + 1 :]
+            )
             new = itertools.takewhile(lambda cell: cell.source.split() != then, below)
             return written or _written("\n\n".join(cell.source for cell in new))
     return ""

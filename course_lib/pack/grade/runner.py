@@ -1,9 +1,10 @@
 """Run a notebook's cells and put questions to its functions: the script that is started in the sandbox.
 
-All its output is only a claim, because the student's code runs in the same process and can forge it. It reads one JSON
-object with the cells, and runs them. Then it reads requests {"ask": name, ...} until the end, and answers each in a
-child process, so that a crash in one answer affects no other. While the whole notebook runs, it says so at each of its
-checks, and answers requests about the function that is checked, until one asks nothing.
+All its output is only a claim, because the student's code runs in the same process and can forge
+it. It reads one JSON object with the cells, and runs them. Then it reads requests {"ask": name,
+...} until the end, and answers each in a child process, so that a crash in one answer affects no
+other. While the whole notebook runs, it says so at each of its checks, and answers requests about
+the function that is checked, until one asks nothing.
 """
 
 import ast
@@ -33,7 +34,9 @@ def main():
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
     shutil.copytree(f"{course}/data", "data", dirs_exist_ok=True)
-    importlib.import_module("numpy.random")  # numpy does so when it is first used: in each child process, again
+    importlib.import_module(
+        "numpy.random"
+    )  # numpy does so when it is first used: in each child process, again
 
     from course_lib import checks
     from course_lib.checks import call_student
@@ -54,7 +57,10 @@ def main():
             answer = functools.partial(
                 call_student.reply, find(asked["ask"]), asked["questions"], instead=asked["instead"]
             )
-            say(exercise=asked["ask"], **in_a_child(asked, answer, functools.partial(tell, asked["ask"])))
+            say(
+                exercise=asked["ask"],
+                **in_a_child(asked, answer, functools.partial(tell, asked["ask"])),
+            )
 
     def checked(name, function):
         """Let the grader ask now: what is right at its check counts, whatever a later cell does."""
@@ -81,7 +87,9 @@ def whole(sources, names, without, say):
 
     sys.path.insert(0, "")  # for modules that cells write
     shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
-    shell.enable_gui = shell.system = lambda *given, **named: None  # no window, no shell for the commands of cells
+    shell.enable_gui = shell.system = lambda *given, **named: (
+        None
+    )  # no window, no shell for the commands of cells
     shell.getoutput = lambda *given, **named: SList()
     for number, source in enumerate(sources):
         if (number, 0) in without:
@@ -115,7 +123,10 @@ def needed_only(sources, names, without, say):
 
 
 def in_a_child(asked, answer, tell):
-    """Return {"reply": text} from a child process, or {"ended": why}. Calls of candidates are passed on to `tell`."""
+    """Return {"reply": text} from a child process, or {"ended": why}.
+
+    Calls of candidates are passed on to `tell`.
+    """
     there, here = os.pipe()
     answers_there, answers_here = os.pipe()
     try:
@@ -142,7 +153,10 @@ def in_a_child(asked, answer, tell):
 
 
 def listen(there, answers_here, asked, tell):
-    """Read lines from the child: calls, which begin with ?, then its reply. Return the reply and why it was cut."""
+    """Read lines from the child: calls, which begin with ?, then its reply.
+
+    Return the reply and why it was cut.
+    """
     buffer, length = b"", 0
     while True:
         data = os.read(there, 1 << 20)
@@ -157,7 +171,9 @@ def listen(there, answers_here, asked, tell):
             except OSError:
                 return "", "it does not read what the functions that it tests answer"
         if not data or buffer.endswith(b"\n") or length > asked["reply"]:
-            return buffer.decode(errors="replace"), "its answer is too long" if length > asked["reply"] else ""
+            return buffer.decode(errors="replace"), "its answer is too long" if length > asked[
+                "reply"
+            ] else ""
 
 
 def speak(pipe, answers, asked, answer):
@@ -168,7 +184,9 @@ def speak(pipe, answers, asked, answer):
         most = int(used.ru_utime + used.ru_stime + asked["cpu"])
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
         random.seed(0)
-        sys.modules["numpy.random"].seed(0)  # the same grade for the same file, even if it draws random numbers
+        sys.modules["numpy.random"].seed(
+            0
+        )  # the same grade for the same file, even if it draws random numbers
         hear = os.fdopen(answers, "rb")
 
         def consult(text):

@@ -22,21 +22,26 @@ from course_lib.pack.grade import isolation
 
 LEAST_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
 WAIT = 0.25  # seconds between two looks
-WATCHERS = 2  # processes of ours around the student's: what begins the sandbox, and its first process
+WATCHERS = (
+    2  # processes of ours around the student's: what begins the sandbox, and its first process
+)
 
 
 @dataclass(frozen=True)
 class Limits:
     """The most that one submission may use; sizes are in bytes.
 
-    Processor time ends a computation, so that a busy machine changes no verdict. Seconds without "cpu" end what waits:
-    they are of clock time, less that in which the sandbox computes or waits for a processor.
+    Processor time ends a computation, so that a busy machine changes no verdict. Seconds without
+    "cpu" end what waits: they are of clock time, less that in which the sandbox computes or waits
+    for a processor.
     """
 
     cpu_seconds: int = 20  # for all answers of one exercise
     cell_cpu_seconds: int = 120
     notebook_cpu_seconds: int = 400  # for all cells of one run
-    submission_cpu_seconds: int = 1200  # for everything together; exercises that remain then are not graded
+    submission_cpu_seconds: int = (
+        1200  # for everything together; exercises that remain then are not graded
+    )
     idle_seconds: int = 60  # in a row, but for a hundredth of them
     answer_seconds: int = 900  # for all answers of one exercise
     notebook_seconds: int = 3600  # for all cells of one run
@@ -65,18 +70,25 @@ class Idle(TooSlow):
 class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
-    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must not be visible,
-    wherever they are. isolate: "none" if the instructor asked for no isolation.
+    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must
+    not be visible, wherever they are. isolate: "none" if the instructor asked for no isolation.
 
-    A thread keeps up to date: looks, how often it looked; computed, the processor time of everything in the sandbox;
-    free, the time in which an answer was waited for and nothing in the sandbox waited for a processor.
+    A thread keeps up to date: looks, how often it looked; computed, the processor time of
+    everything in the sandbox; free, the time in which an answer was waited for and nothing in the
+    sandbox waited for a processor.
     """
 
     def __init__(self, contents, limits, hidden=(), isolate=""):
         self._contents, self._limits, self._hidden = contents, limits, hidden
         self._isolated = isolation.isolated(isolate)
         self._left, self._over, self._excess, self._ended = bytearray(), "", "", threading.Event()
-        self.looks, self.computed, self.free, self._waited, self._before = 0, 0.0, 0.0, 0.0, (0.0, 0.0)
+        self.looks, self.computed, self.free, self._waited, self._before = (
+            0,
+            0.0,
+            0.0,
+            0.0,
+            (0.0, 0.0),
+        )
 
     def __enter__(self):
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
@@ -86,7 +98,10 @@ class Sandbox:
             if self._isolated:
                 command, scratch = isolation.start(course, limits, self._hidden), ""
             else:
-                command, scratch = isolation.start_unisolated(course, limits), str(self._folder / "scratch")
+                command, scratch = (
+                    isolation.start_unisolated(course, limits),
+                    str(self._folder / "scratch"),
+                )
             pipe = {name: subprocess.PIPE for name in ("stdin", "stdout", "stderr")}
             place = {"cwd": scratch or "/", "env": isolation.environment(scratch)}
             self._process = subprocess.Popen(command, **pipe, start_new_session=True, **place)
@@ -128,7 +143,10 @@ class Sandbox:
                 raise Ended(self._why()) from None
 
     def watch(self, asleep, cpu):
-        """Return a Watch for one or more calls of send and receive. asleep, cpu: the most seconds of both."""
+        """Return a Watch for one or more calls of send and receive.
+
+        asleep, cpu: the most seconds of both.
+        """
         return Watch(self, asleep, cpu, self._limits.idle_seconds)
 
     def receive(self, watch):
@@ -158,7 +176,9 @@ class Sandbox:
         while not self._ended.wait(pause):
             begin = time.thread_time()
             count, memory = self._look()
-            pause = max(0.3, 100 * (time.thread_time() - begin))  # it looks through all processes of the machine
+            pause = max(
+                0.3, 100 * (time.thread_time() - begin)
+            )  # it looks through all processes of the machine
             if count > self._limits.processes + 5:
                 self._excess = f"more than {self._limits.processes} processes"
             elif memory > self._limits.everything:
@@ -180,12 +200,18 @@ class Sandbox:
                     delayed += _delay(process.pid)
         waited = self._waited
         self.free += max(waited - self._before[0] - max(delayed - self._before[1], 0), 0)
-        self.computed, self._before, self.looks = max(computed, self.computed), (waited, delayed), self.looks + 1
+        self.computed, self._before, self.looks = (
+            max(computed, self.computed),
+            (waited, delayed),
+            self.looks + 1,
+        )
         return len(processes), memory
 
     def _kill(self):
         with contextlib.suppress(OSError):
-            os.killpg(self._process.pid, signal.SIGKILL)  # and with it, by the kernel, all in its namespaces
+            os.killpg(
+                self._process.pid, signal.SIGKILL
+            )  # and with it, by the kernel, all in its namespaces
 
     def _next(self, watch):
         looked_at = 0
@@ -212,7 +238,10 @@ class Sandbox:
         return data
 
     def _wait(self, pipe, event, watch):
-        """Wait for an event of a pipe. What this process itself waits for a processor then does not count."""
+        """Wait for an event of a pipe.
+
+        What this process itself waits for a processor then does not count.
+        """
         waiting, ready = select.poll(), False
         waiting.register(pipe, event)
         while not ready:
@@ -222,7 +251,10 @@ class Sandbox:
             watch.look()
 
     def _why(self):
-        """Return why the sandbox ended. Its stderr gives the reason; the student's code cannot write there."""
+        """Return why the sandbox ended.
+
+        Its stderr gives the reason; the student's code cannot write there.
+        """
         if self._excess:
             return self._excess
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -236,7 +268,13 @@ class Watch:
     """Ends the wait for a sandbox: by its processor time, and by the time in which it wants none."""
 
     def __init__(self, sandbox, asleep, cpu, idle):
-        self._sandbox, self._cpu, self._most, self._asleep, self._idle = sandbox, cpu, math.inf, asleep, idle
+        self._sandbox, self._cpu, self._most, self._asleep, self._idle = (
+            sandbox,
+            cpu,
+            math.inf,
+            asleep,
+            idle,
+        )
         self._looks, self._slept = sandbox.looks, sandbox.asleep
         self._first = self._part = self._since = None
 
@@ -254,7 +292,10 @@ class Watch:
         self._part = computed if self._part is None else self._part
         self._since = self._since or (sandbox.free, computed)
         if (used := computed - self._part) > self._cpu or computed - self._first > self._most:
-            raise TooSlow(f"it took more than {self._cpu if used > self._cpu else self._most} seconds of computing")
+            raise TooSlow(
+                f"it took more than {self._cpu if used > self._cpu else self._most} seconds of "
+                f"computing"
+            )
         if sandbox.asleep - self._slept > self._asleep:
             raise TooSlow(f"it waited for more than {self._asleep} seconds")
         if (free := sandbox.free - self._since[0]) > self._idle:
@@ -267,7 +308,10 @@ def _delay(number):
     """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux does not tell."""
     total = 0
     for thread in os.listdir(f"/proc/{number}/task") if sys.platform == "linux" else ():
-        with contextlib.suppress(OSError, IndexError), open(f"/proc/{number}/task/{thread}/schedstat") as file:
+        with (
+            contextlib.suppress(OSError, IndexError),
+            open(f"/proc/{number}/task/{thread}/schedstat") as file,
+        ):
             total += int(file.read().split()[1])
     return total / 1e9
 

@@ -1,7 +1,10 @@
-"""Find the statements of a notebook that its functions need, from the source alone. The sandbox's script uses this too.
+"""Find the statements of a notebook that its functions need, from the source alone.
 
-A notebook may draw and print for a minute, but defining its functions takes a moment. What a function needs is found by
-names: every statement that binds or changes a name that the function reads, and what that statement reads in turn.
+The sandbox's script uses this too.
+
+A notebook may draw and print for a minute, but defining its functions takes a moment. What a
+function needs is found by names: every statement that binds or changes a name that the function
+reads, and what that statement reads in turn.
 """
 
 import ast
@@ -11,12 +14,23 @@ import symtable
 import warnings
 from dataclasses import dataclass, field
 
-RUNS_ITS_CELL = ("time", "timeit", "capture", "prun", "python", "python3")  # cell magics around plain Python
+RUNS_ITS_CELL = (
+    "time",
+    "timeit",
+    "capture",
+    "prun",
+    "python",
+    "python3",
+)  # cell magics around plain Python
 MOST_TRANSFORMED = 100_000  # characters of a cell that IPython reads once for each of its magics
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
-SIMPLE = (*FUNCTIONS, *IMPORTS, ast.Assign)  # they always bind their names, whatever was bound before
+SIMPLE = (
+    *FUNCTIONS,
+    *IMPORTS,
+    ast.Assign,
+)  # they always bind their names, whatever was bound before
 
 
 @dataclass
@@ -32,7 +46,9 @@ class Statement:
 
 def statements(sources):
     """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
-    found = [_looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)]
+    found = [
+        _looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)
+    ]
     written = {name for each in found if not is_stub(each.tree) for name in each.binds}
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
 
@@ -40,7 +56,8 @@ def statements(sources):
 def needed(found, names):
     """Return the Statements that functions of these names need: those that affect what they read.
 
-    A function reads names when it is called, so the search begins before the statement that mentions the function.
+    A function reads names when it is called, so the search begins before the statement that
+    mentions the function.
     """
     imported = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
     kept, left, seen = set(), [(name, len(found)) for name in [*names, "*"]], set()
@@ -69,10 +86,14 @@ def plain(source):
     """Return a cell as Python: itself if it is, else what IPython makes of its magics, commands and prompts."""
     if tree_of(source) is not None or len(source) > MOST_TRANSFORMED:
         return source
-    from IPython.core.inputtransformer2 import TransformerManager  # here, because few notebooks need it
+    from IPython.core.inputtransformer2 import (
+        TransformerManager,
+    )  # here, because few notebooks need it
 
     first, _, rest = source.lstrip().partition("\n")
-    if first.startswith("%%"):  # the rest of a cell that is timed is run as it is; other magics take it as text
+    if first.startswith(
+        "%%"
+    ):  # the rest of a cell that is timed is run as it is; other magics take it as text
         return f"\n{plain(rest)}" if first[2:].partition(" ")[0] in RUNS_ITS_CELL else ""
     try:
         with warnings.catch_warnings():
@@ -105,7 +126,9 @@ def no_python(sources, name):
             ast.parse(plain(source))
         except SyntaxError as error:
             line = (error.text or "").strip()[:100]
-            return f"Code cell {number} is not Python: {error.msg}, in line {error.lineno}, `{line}`."
+            return (
+                f"Code cell {number} is not Python: {error.msg}, in line {error.lineno}, `{line}`."
+            )
         except (ValueError, RecursionError, MemoryError):
             return f"Code cell {number} is not Python."
     return ""
@@ -115,7 +138,11 @@ def is_stub(tree):
     """Return whether a statement is a function that only raises NotImplementedError."""
     if not isinstance(tree, ast.FunctionDef):
         return False
-    body = [line for line in tree.body if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]
+    body = [
+        line
+        for line in tree.body
+        if not (isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))
+    ]
     names = (node.id for line in body for node in ast.walk(line) if isinstance(node, ast.Name))
     return len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in names
 
@@ -132,7 +159,11 @@ def _looked_at(number, tree):
             found.changes |= _base(node)
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
             found.changes |= _base(node.func)
-    if isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Call) and not _only_shows(tree.value):
+    if (
+        isinstance(tree, ast.Expr)
+        and isinstance(tree.value, ast.Call)
+        and not _only_shows(tree.value)
+    ):
         found.changes |= {node.id for node in tree.value.args if isinstance(node, ast.Name)}
     if isinstance(tree, FUNCTIONS):
         found.changes = set()
@@ -146,7 +177,11 @@ def _read(tree):
         while left:
             table = left.pop()
             top = table.get_type() == "module"
-            names |= {one.get_name() for one in table.get_symbols() if one.is_referenced() and (top or one.is_global())}
+            names |= {
+                one.get_name()
+                for one in table.get_symbols()
+                if one.is_referenced() and (top or one.is_global())
+            }
             left += table.get_children()
         return names
     except (SyntaxError, ValueError, RecursionError, MemoryError):

@@ -1,7 +1,8 @@
 """The part of the course that a student's process can see: the mathematics without the answers, and stand-ins.
 
-It contains no right answer. Of the checks only the part that calls the student's function is there, the figures draw
-nothing, and the source of a forbidden function is replaced by one that raises, before any student's code runs.
+It contains no right answer. Of the checks only the part that calls the student's function is there,
+the figures draw nothing, and the source of a forbidden function is replaced by one that raises,
+before any student's code runs.
 """
 
 import ast
@@ -79,42 +80,70 @@ def checked(name, function):
 def dotted_name(function):
     """Return the dotted name of a function of the library; "" for a function that the checks define."""
     module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
-    own = module.startswith("course_lib.checks") or not module.startswith("course_lib.") or "." in name
+    own = (
+        module.startswith("course_lib.checks")
+        or not module.startswith("course_lib.")
+        or "." in name
+    )
     return "" if own or name.startswith("<") else f"{module}.{name}"
 
 
 def contents(checks, forbidden):
     """Return the files of a sandbox as {path: bytes}.
 
-    checks: {name of a package of checks: its exercises}. forbidden: dotted names of functions that are taken away.
+    checks: {name of a package of checks: its exercises}. forbidden: dotted names of functions that
+    are taken away.
     """
     own = Path(__file__).parent
     files = {name: (own / name).read_bytes() for name in SCRIPTS}
-    files |= {f"data/{path.name}": path.read_bytes() for path in DATA.glob("*") if path.suffix in (".csv", ".json")}
+    files |= {
+        f"data/{path.name}": path.read_bytes()
+        for path in DATA.glob("*")
+        if path.suffix in (".csv", ".json")
+    }
     files["course_lib/checks/__init__.py"] = CHECKS
-    files |= {f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING}
+    files |= {
+        f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING
+    }
     for path in PACKAGE.glob("*.py"):
-        dotted = frozenset(name for name in forbidden if name.startswith(f"course_lib.{path.stem}."))
+        dotted = frozenset(
+            name for name in forbidden if name.startswith(f"course_lib.{path.stem}.")
+        )
         files[f"course_lib/{path.name}"] = without(path, dotted)
     asked = {exercise.name for exercises in checks.values() for exercise in exercises}
-    beside = [path for path in (PACKAGE / "checks/exercises").rglob("*.py") if path.stem not in asked]
+    beside = [
+        path for path in (PACKAGE / "checks/exercises").rglob("*.py") if path.stem not in asked
+    ]
     for path in [*(PACKAGE / "figures").rglob("*.py"), *beside]:
-        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = QUIET.format(library={}).encode()
+        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = QUIET.format(
+            library={}
+        ).encode()
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
         files[f"course_lib/checks/{package}/__init__.py"] = QUIET.format(library=library).encode()
-    modules = {path: source for path, source in files.items() if path.endswith(".py") and path != SCRIPTS[0]}
-    return files | {importlib.util.cache_from_source(path): compiled(source) for path, source in modules.items()}
+    modules = {
+        path: source
+        for path, source in files.items()
+        if path.endswith(".py") and path != SCRIPTS[0]
+    }
+    return files | {
+        importlib.util.cache_from_source(path): compiled(source) for path, source in modules.items()
+    }
 
 
 @functools.cache
 def compiled(source):
     """Return the content of a module's .pyc file that is used without a look at the time of the source.
 
-    Nothing can be written beside the sources in a sandbox, so each one would compile all of them again.
+    Nothing can be written beside the sources in a sandbox, so each one would compile all of them
+    again.
     """
     unchecked, code = 1, compile(source, "", "exec", dont_inherit=True)
-    head = importlib.util.MAGIC_NUMBER + unchecked.to_bytes(4, "little") + importlib.util.source_hash(source)
+    head = (
+        importlib.util.MAGIC_NUMBER
+        + unchecked.to_bytes(4, "little")
+        + importlib.util.source_hash(source)
+    )
     return head + marshal.dumps(code)
 
 
@@ -125,7 +154,10 @@ def without(path, dotted):
     if not dotted:
         return source.encode()
     tree, names = ast.parse(source), {name.rpartition(".")[2] for name in dotted}
-    taken = {name: ast.parse(TAKEN.format(name=name, dotted=f"course_lib.{path.stem}.{name}")).body for name in names}
+    taken = {
+        name: ast.parse(TAKEN.format(name=name, dotted=f"course_lib.{path.stem}.{name}")).body
+        for name in names
+    }
     used = _still_used(tree, names)
     body = []
     for statement in tree.body:
@@ -142,7 +174,9 @@ def _still_used(tree, names):
     reads = {}
     for statement in tree.body:
         defined = _defined(statement)
-        reads.setdefault(defined, set()).update(node.id for node in ast.walk(statement) if isinstance(node, ast.Name))
+        reads.setdefault(defined, set()).update(
+            node.id for node in ast.walk(statement) if isinstance(node, ast.Name)
+        )
     used = {name for name in reads if name and not name.startswith("_")} - names
     left = [*used, None]
     while left:

@@ -19,8 +19,9 @@ PART = {False: "core", True: "more"}
 class GradedFile:
     """A submission with its result, as `submission.grade` returns it, and its MarkedAnswers.
 
-    superseded_by: the place of the file that counts instead of it, or "". late: by how many seconds, None if only
-    the platform says so. share: of its points that a late file keeps. weight: of the points of More.
+    superseded_by: the place of the file that counts instead of it, or "". late: by how many
+    seconds, None if only the platform says so. share: of its points that a late file keeps. weight:
+    of the points of More.
     """
 
     submission: Submission
@@ -48,13 +49,19 @@ class GradedFile:
 
     @property
     def unreadable(self):
-        """True if nothing in the file could be read. It then earns nothing, and the student should be informed."""
+        """True if nothing in the file could be read.
+
+        It then earns nothing, and the student should be informed.
+        """
         return any(exercise["state"] == UNREADABLE for exercise in self.result["exercises"])
 
     @property
     def points(self):
         """The points of the exercises, before a deduction for lateness and without written answers."""
-        return sum(each["points"] * (self.weight if each["more"] else 1) for each in self.result["exercises"])
+        return sum(
+            each["points"] * (self.weight if each["more"] else 1)
+            for each in self.result["exercises"]
+        )
 
     def part(self, more):
         """Return the points of exercises and written answers in the core or in More, and the points there are.
@@ -63,7 +70,9 @@ class GradedFile:
         """
         exercises = [each for each in self.result["exercises"] if each["more"] == more]
         answers = [each for each in self.answers if each.more == more]
-        points = sum(each["points"] for each in exercises) + sum(each.points or 0 for each in answers)
+        points = sum(each["points"] for each in exercises) + sum(
+            each.points or 0 for each in answers
+        )
         return points, sum(each["of"] for each in exercises) + sum(each.of for each in answers)
 
     @property
@@ -101,8 +110,9 @@ def final_message(message):
 def graded_files(outcomes, rows, deadline=None, weight=1.0):
     """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
 
-    outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if nothing is late. weight:
-    of the points of More; with 0, the written answers in it are not to be read.
+    outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if
+    nothing is late. weight: of the points of More; with 0, the written answers in it are not to be
+    read.
     """
     everything = [_graded_file(*outcome, rows, deadline, weight) for outcome in outcomes]
     copies = {}
@@ -118,15 +128,23 @@ def _order(each):
 def _one_counts(copies):
     """Return a student's GradedFiles of one notebook; all but the best are superseded.
 
-    Each written answer counts from any copy that is not later than the best. Answers that differ are all kept, so that
-    each is read.
+    Each written answer counts from any copy that is not later than the best. Answers that differ
+    are all kept, so that each is read.
     """
-    best = max(copies, key=lambda each: (each.graded, each.points * each.share))  # the first of equals
+    best = max(
+        copies, key=lambda each: (each.graded, each.points * each.share)
+    )  # the first of equals
     if not best.student or not best.graded:
         return copies
-    written = [a for e in copies if e.share >= best.share for a in e.answers if a.state != NOT_ATTEMPTED]
+    written = [
+        a for e in copies if e.share >= best.share for a in e.answers if a.state != NOT_ATTEMPTED
+    ]
     answers = tuple(
-        max((a for a in written if a.question == answer.question), key=MarkedAnswer.rank, default=answer)
+        max(
+            (a for a in written if a.question == answer.question),
+            key=MarkedAnswer.rank,
+            default=answer,
+        )
         for answer in best.answers
     )
     keys = {answer.key for answer in answers}
@@ -143,13 +161,21 @@ def _one_counts(copies):
 
 def _graded_file(submission, result, rows, deadline, weight):
     if submission.notebook in courses() and result["notebook"] != submission.notebook:
-        said = f"It was handed in as {submission.notebook}, but it is {result['notebook']}, and is graded as that."
+        said = (
+            f"It was handed in as {submission.notebook}, but it is {result['notebook']}, and is "
+            f"graded as that."
+        )
         result = result | {"problems": [said, *result["problems"]]}
     each = GradedFile(submission, result, weight=weight)
     late = deadline.late(each) if deadline else None if submission.late else 0.0
     each = replace(each, late=late, share=deadline.share_left(late) if deadline else 1.0)
     read = (question for question in result["questions"] if weight or not question.get("more"))
-    return replace(each, answers=tuple(mark_answer(question, each.student, each.notebook, rows) for question in read))
+    return replace(
+        each,
+        answers=tuple(
+            mark_answer(question, each.student, each.notebook, rows) for question in read
+        ),
+    )
 
 
 def lateness(each):
@@ -167,14 +193,23 @@ def grades_text(everything):
     """Return the text of grades.csv: a line for each exercise. everything: GradedFiles."""
     rows = []
     for each in everything:
-        rows += [[each.student, each.notebook, *line, each.result["release"]] for line in _lines(each)]
+        rows += [
+            [each.student, each.notebook, *line, each.result["release"]] for line in _lines(each)
+        ]
     return table_text(GRADES, rows)
 
 
 def _lines(each):
     """Yield (part, exercise, points, of, state, message) for each entry of one file."""
     if each.superseded_by:
-        yield "", "", "", "", "not counted", f"Another file of this notebook counts: {each.superseded_by}."
+        yield (
+            "",
+            "",
+            "",
+            "",
+            "not counted",
+            f"Another file of this notebook counts: {each.superseded_by}.",
+        )
         return
     if each.graded and (late := lateness(each)):
         yield "", "", "", "", "late", late
@@ -188,16 +223,23 @@ def _lines(each):
         yield *line, final_state(exercise["state"]), final_message(exercise["message"])
     for answer in each.answers:
         points = "" if answer.points is None else answer.points
-        yield PART[answer.more], answer.question, points, answer.of, final_state(answer.reported_state), answer.comment
+        yield (
+            PART[answer.more],
+            answer.question,
+            points,
+            answer.of,
+            final_state(answer.reported_state),
+            answer.comment,
+        )
 
 
 @dataclass(frozen=True)
 class Totals:
     """The points of a class.
 
-    of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those of More}. waiting:
-    {student: number of answers still to be read}. user_ids: {student: the number by which the platform's gradebook
-    knows them}.
+    of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those
+    of More}. waiting: {student: number of answers still to be read}. user_ids: {student: the number
+    by which the platform's gradebook knows them}.
     """
 
     of: dict = field(default_factory=dict)
@@ -208,7 +250,10 @@ class Totals:
 
 
 def totals(everything):
-    """Return the Totals of a class, after the deductions for late files. everything: GradedFiles."""
+    """Return the Totals of a class, after the deductions for late files.
+
+    everything: GradedFiles.
+    """
     of, found = {}, Totals()
     for each in sorted(everything, key=lambda each: each.student):
         if each.student:

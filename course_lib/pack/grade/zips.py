@@ -1,4 +1,7 @@
-"""Zips among the submissions: the notebooks in them are read where they are. Nothing is unpacked to the disk."""
+"""Zips among the submissions: the notebooks in them are read where they are.
+
+Nothing is unpacked to the disk.
+"""
 
 import os
 import zipfile
@@ -9,7 +12,10 @@ from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 MOST_BYTES = 100_000_000  # of the zip
 MOST_ENTRIES = 5_000
 MOST_RATIO = 200  # of a file's size to what it takes in the zip, beyond a million bytes
-METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the memory that others take is the writer's choice
+METHODS = (
+    zipfile.ZIP_STORED,
+    zipfile.ZIP_DEFLATED,
+)  # the memory that others take is the writer's choice
 
 
 class Refused(Exception):
@@ -17,11 +23,16 @@ class Refused(Exception):
 
 
 def notebooks_in(path):
-    """Return the names of the notebooks in a zip, sorted. Its list of files is read in a process of its own."""
+    """Return the names of the notebooks in a zip, sorted.
+
+    Its list of files is read in a process of its own.
+    """
     if os.path.getsize(path) > MOST_BYTES:
         raise Refused(f"The zip is larger than {MOST_BYTES // 10**6} MB.")
     try:
-        names = call_bounded(_names, str(path), cpu_seconds=10, memory=500_000_000, clock_seconds=120)
+        names = call_bounded(
+            _names, str(path), cpu_seconds=10, memory=500_000_000, clock_seconds=120
+        )
     except (OutOfBounds, RuntimeError) as problem:
         raise Refused(f"The zip cannot be opened: {problem}.") from problem
     if len(names) > MOST_ENTRIES:
@@ -42,9 +53,14 @@ def content(file, name, most):
             if about.flag_bits & 1:
                 raise Refused("It is encrypted in the zip.")
             if about.compress_type not in METHODS:
-                raise Refused("It is compressed in a way that is not read: hand in an ordinary zip.")
+                raise Refused(
+                    "It is compressed in a way that is not read: hand in an ordinary zip."
+                )
             if about.file_size > 10**6 and about.file_size > MOST_RATIO * about.compress_size:
-                raise Refused("It is far larger than what it takes in the zip. Clear its outputs and zip it again.")
+                raise Refused(
+                    "It is far larger than what it takes in the zip. Clear its outputs and zip it "
+                    "again."
+                )
             with archive.open(about) as member:
                 return member.read(most)
     except (zipfile.BadZipFile, zlib.error, KeyError, NotImplementedError, EOFError) as problem:

@@ -1,4 +1,7 @@
-"""The release to students: notebooks without solutions, and all that they need to run. ``make student``."""
+"""The release to students: notebooks without solutions, and all that they need to run.
+
+``make student``.
+"""
 
 PROMPT = "*Type your answer here.*"  # stands where a written answer goes
 

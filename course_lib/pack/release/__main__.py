@@ -12,7 +12,9 @@ def main(arguments=None):
     """Write the students' zip; return an exit code, after a plain sentence if that fails."""
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.release", description=__doc__)
     parser.add_argument("--root", type=Path, default=Path("."), help="folder of the project")
-    parser.add_argument("--output", type=Path, default=Path("build/student.zip"), help="file to write")
+    parser.add_argument(
+        "--output", type=Path, default=Path("build/student.zip"), help="file to write"
+    )
     parser.add_argument("--more", default="yes", help="no: leave out the sections of More")
     chosen = parser.parse_args(arguments)
     try:
@@ -25,7 +27,10 @@ def main(arguments=None):
         return 1
     notebooks = sum(name.endswith(".ipynb") for name in files)
     size = chosen.output.stat().st_size / 1000
-    print(f"{chosen.output}: release {release}, {notebooks} notebooks, {len(files)} files, {size:.0f} kB")
+    print(
+        f"{chosen.output}: release {release}, {notebooks} notebooks, {len(files)} files, "
+        f"{size:.0f} kB"
+    )
     return 0
 
 

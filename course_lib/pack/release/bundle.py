@@ -18,7 +18,11 @@ from course_lib.pack.release.stubs import students_copy
 FOLDER = "robot-kinematics"
 RELEASE = "@RELEASE@"  # a placeholder until the contents, and so the release, are known
 STUDENTS = Path(__file__).parent / "students"  # what only students have
-PAGES = ("reports.md", "places.md", "changes.md")  # beside the notebooks, and the text pages that they name
+PAGES = (
+    "reports.md",
+    "places.md",
+    "changes.md",
+)  # beside the notebooks, and the text pages that they name
 SET_UP = "course_lib/pack/environment.sh"
 LOCK = "lock.txt"
 LOCKED = f"# What to install; {LOCK} has the versions that this release was made with.\n-c {LOCK}\n"
@@ -28,14 +32,19 @@ LOCKED = f"# What to install; {LOCK} has the versions that this release was made
 
 
 def collect(root, more=True):
-    """Return {path in the zip: bytes} of all that students get, from the project at `root`. more: whether with More."""
+    """Return {path in the zip: bytes} of all that students get, from the project at `root`.
+
+    more: whether with More.
+    """
     notebooks = sorted(root.glob("notebooks/[0-9][0-9]_*.ipynb"))
     if not notebooks:
         raise ReleaseError(f"There are no notebooks in {root / 'notebooks'}.")
     project = (root / "pyproject.toml").read_text(encoding="utf-8")
     files = {f"notebooks/{path.name}": _notebook(path, more) for path in notebooks}
     # The first page is about the appendices, which are in More.
-    files |= _as_they_are(root, _read_by(files, root, PAGES if more else PAGES[1:]) + _package(root) + [root / SET_UP])
+    files |= _as_they_are(
+        root, _read_by(files, root, PAGES if more else PAGES[1:]) + _package(root) + [root / SET_UP]
+    )
     files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
     files["pyproject.toml"] = reduced_project(project).encode()
     files["environment.txt"] = (LOCKED + "\n".join(wanted(project)) + "\n").encode()
@@ -57,9 +66,17 @@ def _read_by(notebooks, root, pages):
     notebooks: {path: bytes}. pages: the names of text pages that go out in any case.
     """
     text = b"".join(notebooks.values())
-    beside = [*root.glob("notebooks/*.md"), *root.glob("notebooks/data/*.csv"), *root.glob("notebooks/data/*.json")]
+    beside = [
+        *root.glob("notebooks/*.md"),
+        *root.glob("notebooks/data/*.csv"),
+        *root.glob("notebooks/data/*.json"),
+    ]
     asked = [path.relative_to(root / "notebooks").as_posix() for path in beside]
-    return [path for path, name in zip(beside, asked, strict=True) if name in pages or name.encode() in text]
+    return [
+        path
+        for path, name in zip(beside, asked, strict=True)
+        if name in pages or name.encode() in text
+    ]
 
 
 def _package(root):
@@ -79,7 +96,12 @@ def _as_they_are(folder, paths):
 def reduced_project(text):
     """Return the text of pyproject.toml with only the tables that installing the package needs."""
     tables = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
-    return "".join(table for table in tables if table.startswith(("[build-system]", "[project]"))).rstrip() + "\n"
+    return (
+        "".join(
+            table for table in tables if table.startswith(("[build-system]", "[project]"))
+        ).rstrip()
+        + "\n"
+    )
 
 
 def wanted(project):
@@ -110,8 +132,8 @@ def named(files):
 def release_date(root):
     """Return the date (year, month, day, hour, minute, second) that the files of a release carry, in UTC.
 
-    It is SOURCE_DATE_EPOCH if the environment sets it, else the date of the project's last commit, so that the same
-    commit gives the same bytes; without either it is the first of January 2000.
+    It is SOURCE_DATE_EPOCH if the environment sets it, else the date of the project's last commit,
+    so that the same commit gives the same bytes; without either it is the first of January 2000.
     """
     seconds = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not seconds.isdigit():
@@ -126,9 +148,14 @@ def release_date(root):
 def write_zip(path, files, date):
     """Write a zip whose bytes depend only on the files and the date: not on clock, user or file system."""
     content = io.BytesIO()
-    with zipfile.ZipFile(content, "w") as archive:  # not compressed, because versions of zlib compress differently
+    with zipfile.ZipFile(
+        content, "w"
+    ) as archive:  # not compressed, because versions of zlib compress differently
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=date)
-            entry.create_system, entry.external_attr = 3, 0o100644 << 16  # as if from Unix, also on Windows
+            entry.create_system, entry.external_attr = (
+                3,
+                0o100644 << 16,
+            )  # as if from Unix, also on Windows
             archive.writestr(entry, files[name])
     write_atomically(path, content.getvalue(), mode=0o644)

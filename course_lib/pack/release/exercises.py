@@ -1,7 +1,7 @@
 """The folder that ``make lab`` opens: the students' notebooks of this checkout, for a student's own work.
 
-``python -m course_lib.pack.release.exercises`` makes it once and never changes a file in it. With ``--update`` it is
-put aside, made anew, and its answers are carried over.
+``python -m course_lib.pack.release.exercises`` makes it once and never changes a file in it. With
+``--update`` it is put aside, made anew, and its answers are carried over.
 """
 
 import hashlib
@@ -32,8 +32,9 @@ def main(arguments=None):
 def prepare(root, update=False):
     """Write what is missing in the folder of exercises of the project at `root`; yield sentences on what was done.
 
-    update: whether a folder of an older version is put aside, and its answers are carried over into a new one. Raises
-    ReleaseError if a notebook cannot be released, or the name under which the older folder is kept is taken.
+    update: whether a folder of an older version is put aside, and its answers are carried over into
+    a new one. Raises ReleaseError if a notebook cannot be released, or the name under which the
+    older folder is kept is taken.
     """
     folder = root / FOLDER
     digest, release, files = _released(root)
@@ -66,7 +67,11 @@ def prepare(root, update=False):
 def _released(root):
     """Return a hash of the students' notebooks, the release, and {path below notebooks/: bytes} of all beside them."""
     release, files = named(collect(root))
-    files = {name.split("/notebooks/")[1]: content for name, content in files.items() if "/notebooks/" in name}
+    files = {
+        name.split("/notebooks/")[1]: content
+        for name, content in files.items()
+        if "/notebooks/" in name
+    }
     digest = hashlib.sha256()
     for name in sorted(files):
         digest.update(name.encode() + files[name].replace(release.encode(), b""))

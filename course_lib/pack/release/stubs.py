@@ -17,12 +17,15 @@ FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
 def students_copy(text, name, release, more=True):
     """Return the text of a notebook without solutions and outputs, and without the cells of More unless `more`.
 
-    The first picture stays if it stands before all exercises, so that a student who opens the notebook sees it at once.
-    `name` is the notebook's, for messages; `release` goes into its metadata. Raises ReleaseError, which names notebook
-    and cell, if markers are not paired, a stub would not be a function, or another cell contains words for graders.
+    The first picture stays if it stands before all exercises, so that a student who opens the
+    notebook sees it at once. `name` is the notebook's, for messages; `release` goes into its
+    metadata. Raises ReleaseError, which names notebook and cell, if markers are not paired, a stub
+    would not be a function, or another cell contains words for graders.
     """
     notebook = _read(text, name)
-    first = next((cell for cell in notebook.cells if "nbgrader" in cell.metadata or _has_picture(cell)), None)
+    first = next(
+        (cell for cell in notebook.cells if "nbgrader" in cell.metadata or _has_picture(cell)), None
+    )
     shown = None if first is None or "nbgrader" in first.metadata else first.outputs
     for number, cell in enumerate(notebook.cells, 1):
         grade_id = cell.metadata.get("nbgrader", {}).get("grade_id")
@@ -41,12 +44,16 @@ def _read(text, name):
         notebook = nbformat.reads(text, as_version=4)
         nbformat.validate(notebook)
     except (ValueError, LookupError, TypeError, AttributeError, nbformat.ValidationError) as error:
-        # Most often a half-resolved merge; the other exceptions come from JSON that is not a notebook.
-        raise ReleaseError(f"{name} is not a notebook: {str(error).splitlines()[0]:.100}") from error
+        # Most often a half-resolved merge; the other exceptions come from JSON that is not a
+        # notebook.
+        raise ReleaseError(
+            f"{name} is not a notebook: {str(error).splitlines()[0]:.100}"
+        ) from error
     return notebook
 
 
-# What mentions *More*: words in brackets, the rest of a sentence behind a comma or semicolon, or a sentence.
+# What mentions *More*: words in brackets, the rest of a sentence behind a comma or semicolon, or a
+# sentence.
 _ON_MORE = re.compile(
     r"\s*\([^()]*\*More\*[^()]*\)"
     r"|[;,][^.;,()]*\*More\*[^.]*(?=\.)"
@@ -58,7 +65,11 @@ def _leave_out_more(notebook):
     """Remove the cells of More, and of the rest the links to them and the clauses that mention *More*."""
     folded = cells_of_more(notebook)
     cells = list(zip(notebook.cells, folded, strict=True))
-    titles = (cell.source.splitlines()[0].lstrip("# ") for cell, out in cells if out and heading_level(cell))
+    titles = (
+        cell.source.splitlines()[0].lstrip("# ")
+        for cell, out in cells
+        if out and heading_level(cell)
+    )
     links = "|".join(re.escape(title.replace(" ", "-")) for title in titles)
     notebook.cells = [cell for cell, out in cells if not out]
     for cell in notebook.cells:
@@ -77,7 +88,8 @@ def _empty(cell, place):
     take_answer(cell, place)
     if cell.cell_type == "code":
         cell.outputs, cell.execution_count = [], None
-    if nbgrader:  # as nbgrader does: its cells cannot be deleted by accident, and locked ones cannot be edited
+    # as nbgrader does: its cells cannot be deleted by accident, and locked ones cannot be edited
+    if nbgrader:
         cell.metadata["deletable"] = False
         if nbgrader.get("locked"):
             cell.metadata["editable"] = False
@@ -86,8 +98,8 @@ def _empty(cell, place):
 def take_answer(cell, place):
     """Replace the author's answer in an answer cell by its stub or prompt; refuse answers in other cells.
 
-    `place` names the notebook and the cell in messages. Raises ReleaseError if the answer cannot be separated from the
-    rest, or another cell contains words for graders.
+    `place` names the notebook and the cell in messages. Raises ReleaseError if the answer cannot be
+    separated from the rest, or another cell contains words for graders.
     """
     nbgrader = cell.metadata.get("nbgrader", {})
     if nbgrader.get("solution"):
@@ -95,23 +107,29 @@ def take_answer(cell, place):
         cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place) if code else PROMPT
     found = [words for words in FOR_GRADERS if words in cell.source]
     if found:
-        how = "Move that to an answer cell, or mark this one as one: `solution` in nbgrader's metadata."
+        how = (
+            "Move that to an answer cell, or mark this one as one: `solution` in nbgrader's "
+            "metadata."
+        )
         raise ReleaseError(f'{place} holds "{found[0]}" and is no answer cell. {how}')
 
 
 def stub(source, exercise, place):
     """Return the source of an answer cell with the marked lines replaced by one that says what to write.
 
-    If there are lines below the marked ones, the exercise is to find a bug in them, and only they are kept.
+    If there are lines below the marked ones, the exercise is to find a bug in them, and only they
+    are kept.
 
-    `place` names the notebook and the cell in messages. Raises ReleaseError if the markers do not pair, or what remains
-    is not a function of the exercise's name.
+    `place` names the notebook and the cell in messages. Raises ReleaseError if the markers do not
+    pair, or what remains is not a function of the exercise's name.
     """
     kept, inside, blocks = [], False, 0
     has_bug = source.rpartition(END)[2].strip(" #\n") != ""
     for line in source.splitlines():
         if (BEGIN if inside else END) in line:
-            what = "a second BEGIN SOLUTION before END" if inside else "an END SOLUTION without BEGIN"
+            what = (
+                "a second BEGIN SOLUTION before END" if inside else "an END SOLUTION without BEGIN"
+            )
             raise ReleaseError(f"{place}: {what} SOLUTION.")
         if BEGIN in line:
             indent = line[: len(line) - len(line.lstrip())]
@@ -126,19 +144,26 @@ def stub(source, exercise, place):
         raise ReleaseError(f"{place}: a BEGIN SOLUTION without END SOLUTION.")
     if not blocks:
         raise ReleaseError(
-            f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION around the answer."
+            f"{place}: an answer cell without ### BEGIN SOLUTION and ### END SOLUTION around the "
+            f"answer."
         )
     text = "\n".join(kept)
     if not _defines(text, exercise, ast.Return if has_bug else ast.Raise):
-        what = f"without its solution this is no function `{exercise}` that {'returns' if has_bug else 'raises'}"
-        raise ReleaseError(f"{place}: {what}. Put the two markers inside the function, below its docstring.")
+        what = (
+            f"without its solution this is no function `{exercise}` that "
+            f"{'returns' if has_bug else 'raises'}"
+        )
+        raise ReleaseError(
+            f"{place}: {what}. Put the two markers inside the function, below its docstring."
+        )
     return text
 
 
 def _defines(text, exercise, kind):
     """Return whether the text is Python that defines the exercise's function, with a statement of this kind in it.
 
-    What stands in for a solution raises on every call. Code with a bug may return in each of its cases.
+    What stands in for a solution raises on every call. Code with a bug may return in each of its
+    cases.
     """
     try:
         statements = ast.parse(text).body

@@ -14,9 +14,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
     parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
     parser.add_argument(
-        "--output", type=Path, help="folder to write; build/html, or build/html-students without solutions"
+        "--output",
+        type=Path,
+        help="folder to write; build/html, or build/html-students without solutions",
     )
-    parser.add_argument("--solutions", default="yes", help="yes: fold them; no: leave them out; model: only text")
+    parser.add_argument(
+        "--solutions", default="yes", help="yes: fold them; no: leave them out; model: only text"
+    )
     parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
     chosen = parser.parse_args()
     try:

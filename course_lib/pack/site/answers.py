@@ -28,7 +28,12 @@ def fold(cell) -> None:
         cell.source = FOLDED.format(words=cell.source.removeprefix("**Model answer.** "))
     else:
         hide(cell, "hide-cell", "Solution")
-        cell.source = re.sub(r"^ *### BEGIN SOLUTION\n|\n? *### END SOLUTION\s*\Z", "", cell.source, flags=re.MULTILINE)
+        cell.source = re.sub(
+            r"^ *### BEGIN SOLUTION\n|\n? *### END SOLUTION\s*\Z",
+            "",
+            cell.source,
+            flags=re.MULTILINE,
+        )
         cell.source = cell.source.replace("### END SOLUTION", "# As given, with the error:")
 
 
@@ -41,7 +46,8 @@ def hide(cell, tag: str, name: str, *more_tags: str) -> None:
 def fold_what_serves(cell, is_opening: bool = False) -> None:
     """Let the page show a code cell that only imports, or only draws a figure, as one line that opens.
 
-    The figure that opens a notebook stands on the first screen: its lines are folded whatever else they do.
+    The figure that opens a notebook stands on the first screen: its lines are folded whatever else
+    they do.
     """
     if "nbgrader" in cell.metadata or set(cell.metadata.get("tags", [])) - {COVER, HOME}:
         return
@@ -61,27 +67,36 @@ def fold_what_serves(cell, is_opening: bool = False) -> None:
 
 def _is_figure(output) -> bool:
     data = output.get("data", {})
-    return any(kind.startswith("image/") for kind in data) or "caption" in output.get("metadata", {})
+    return any(kind.startswith("image/") for kind in data) or "caption" in output.get(
+        "metadata", {}
+    )
 
 
 def _only_draws(statement) -> bool:
     """Return whether a statement is a call, such as show(...), or assigns a text, such as a caption."""
     called = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call)
-    return called or (isinstance(statement, ast.Assign) and isinstance(statement.value, ast.Constant | ast.JoinedStr))
+    return called or (
+        isinstance(statement, ast.Assign)
+        and isinstance(statement.value, ast.Constant | ast.JoinedStr)
+    )
 
 
 def leave_out(cell, place: str) -> None:
     """Leave out what students do not find in their notebooks: the answer, and the check's verdict on it.
 
-    Other outputs stay as they are stored, except printed lines that address the author of the answers. Raises
-    SiteError if an answer cannot be separated from the rest.
+    Other outputs stay as they are stored, except printed lines that address the author of the
+    answers. Raises SiteError if an answer cannot be separated from the rest.
     """
     try:
         take_answer(cell, place)
     except ReleaseError as error:
         raise SiteError(str(error)) from error
     if cell.cell_type == "code":
-        cell.outputs = [] if _is_answer(cell) else [output for output in cell.outputs if not _is_verdict(output)]
+        cell.outputs = (
+            []
+            if _is_answer(cell)
+            else [output for output in cell.outputs if not _is_verdict(output)]
+        )
         for output in cell.outputs:
             if output.output_type == "stream":
                 output.text = OWN.sub("", output.text)

@@ -26,15 +26,17 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
 
     No cell is executed and no notebook is changed.
 
-    `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left out; with `model`
-    those to written questions are folded. Raises SiteError if a notebook cannot be published; `output` then stays as it
-    was.
+    `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left
+    out; with `model` those to written questions are folded. Raises SiteError if a notebook cannot
+    be published; `output` then stays as it was.
     """
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
         raise SiteError(f"There are no notebooks in {notebooks}.")
     if notebooks.resolve() in output.resolve().parents:
-        raise SiteError(f"{output} lies inside {notebooks}, which is read. Name a folder elsewhere.")
+        raise SiteError(
+            f"{output} lies inside {notebooks}, which is read. Name a folder elsewhere."
+        )
     # Sphinx leaves .buildinfo in every site, so a folder without it was not written by us.
     if output.exists() and any(output.iterdir()) and not (output / ".buildinfo").exists():
         raise SiteError(f"{output} holds other files than a site. Name an empty folder.")
@@ -54,10 +56,15 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
             shutil.rmtree(output)
         site.rename(output)
     size = sum(file.stat().st_size for file in output.rglob("*") if file.is_file()) / 1e6
-    print(f"Wrote {len(list(output.glob('*.html')))} pages, {size:.1f} MB. Open {output / 'index.html'}")
+    print(
+        f"Wrote {len(list(output.glob('*.html')))} pages, {size:.1f} MB. Open "
+        f"{output / 'index.html'}"
+    )
 
 
-def _gather(sources: list[Path], pages: Path, solutions: bool, model: bool, release: Path | None) -> None:
+def _gather(
+    sources: list[Path], pages: Path, solutions: bool, model: bool, release: Path | None
+) -> None:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
     `release` is the students' zip, or None.
@@ -81,7 +88,9 @@ def _gather(sources: list[Path], pages: Path, solutions: bool, model: bool, rele
         if sections.write(books, page):
             prepare(page, pages, solutions)
             others.append(page)
-    (pages / "index.md").write_text(gather.home(notebooks, others, offered(release)), encoding="utf-8")
+    (pages / "index.md").write_text(
+        gather.home(notebooks, others, offered(release)), encoding="utf-8"
+    )
 
 
 def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
@@ -93,7 +102,9 @@ def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
     link, found = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)"), []
     for page in sorted(pages.glob("*.md"), key=lambda page: (page.name != PAGES[0], page.name)):
         if page.name in named or page.name in PAGES:
-            text = link.sub(lambda it: it[0] if it[2] in books else it[1], page.read_text(encoding="utf-8"))
+            text = link.sub(
+                lambda it: it[0] if it[2] in books else it[1], page.read_text(encoding="utf-8")
+            )
             page.write_text(text, encoding="utf-8")
             found.append(page)
         else:

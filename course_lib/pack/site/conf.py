@@ -21,7 +21,8 @@ nb_execution_mode = "off"
 nb_merge_streams = True
 
 myst_enable_extensions = ["dollarmath", "amsmath"]
-# The notebooks are written to be read in JupyterLab too, so they link to headings and set formulas as it does.
+# The notebooks are written to be read in JupyterLab too, so they link to headings and set formulas
+# as it does.
 myst_heading_anchors = 4
 myst_heading_slug_func = "course_lib.pack.site.heading_anchor"
 myst_dmath_double_inline = True
@@ -36,7 +37,9 @@ html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
-html_show_search_summary = False  # for which it would fetch pages; browsers refuse that to pages in a folder
+html_show_search_summary = (
+    False  # for which it would fetch pages; browsers refuse that to pages in a folder
+)
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
 html_theme_options = {
@@ -63,7 +66,11 @@ def find_dollars(app, document):
             continue
         left_over = re.search(r"\$[^$]+\$|\\[([]|\\begin\{", node)
         if left_over:
-            logger.warning("formula: left as plain text: %s", node[left_over.start() :][:70], location=node.parent)
+            logger.warning(
+                "formula: left as plain text: %s",
+                node[left_over.start() :][:70],
+                location=node.parent,
+            )
 
 
 def leave_unnumbered(app, document):
@@ -79,7 +86,9 @@ def leave_unnumbered(app, document):
 
 def fold_more(app, document, docname):
     """Fold each section of More: its title and first paragraph, a promise, are the line that opens it."""
-    for section in document.findall(lambda node: isinstance(node, nodes.section) and "more" in node["classes"]):
+    for section in document.findall(
+        lambda node: isinstance(node, nodes.section) and "more" in node["classes"]
+    ):
         title, *rest = section.children
         promise = [rest.pop(0)] if rest and isinstance(rest[0], nodes.paragraph) else []
         if promise:  # a summary may hold a heading and words, and no paragraph
@@ -110,7 +119,9 @@ def set_formula(translator, node):
     try:
         made = formulas.typeset(text, display)
     except formulas.FormulaError as error:
-        logging.getLogger(__name__).warning("formula: %s: %s", error, " ".join(text.split())[:70], location=node)
+        logging.getLogger(__name__).warning(
+            "formula: %s: %s", error, " ".join(text.split())[:70], location=node
+        )
         made = ""
     translator.body.append(made)
     raise nodes.SkipNode
@@ -122,7 +133,9 @@ def _in_output(found):
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
     """Typeset the formulas in HTML outputs, as JupyterLab does, and define the letters of all formulas once a page."""
-    body = re.sub(r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", ""))
+    body = re.sub(
+        r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", "")
+    )
     if letters := formulas.letters_of(body + (context.get("toc") or "")):
         context["body"] = letters + body
 
@@ -132,7 +145,9 @@ def setup(app):
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
     app.connect("doctree-resolved", fold_more)
-    app.add_html_math_renderer("built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None))
+    app.add_html_math_renderer(
+        "built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None)
+    )
     app.connect("html-page-context", set_formulas_in_outputs)
     app.connect("build-finished", lambda app, error: formulas.close())
     app.connect("html-page-context", load_scripts_where_needed)

@@ -5,7 +5,9 @@ import shutil
 from pathlib import Path
 
 # On every page: a font of 1,500 icons as a script, and footers with nothing in them.
-NOT_NEEDED = re.compile(r'<script[^>]*fontawesome\.js[^>]*></script>|<footer class="bd-footer.*?</footer>', re.DOTALL)
+NOT_NEEDED = re.compile(
+    r'<script[^>]*fontawesome\.js[^>]*></script>|<footer class="bd-footer.*?</footer>', re.DOTALL
+)
 # The search, on pages that do not search.
 SEARCH = re.compile(r"<script[^>]*(?:searchtools|language_data|searchindex)\.js[^>]*></script>")
 FILES = ("vendor", "locales", "scripts/*.map", "scripts/fontawesome.js", "styles/*.map")
@@ -18,10 +20,13 @@ def finish(site: Path) -> None:
         text = text if page.stem == "search" else SEARCH.sub("", text)
         # A script chooses light or dark, which paper and readers without scripts do not wait for.
         text = text.replace('data-theme="auto"', 'data-theme="light"')
-        # A screen reader shall read the line that the page shows, "Solution", not MyST-NB's name for all folded cells.
+        # A screen reader shall read the line that the page shows, "Solution", not MyST-NB's name
+        # for all folded cells.
         text = text.replace(' aria-label="Toggle hidden content"', "")
         # The name of the search button holds the words that it shows, "Search Ctrl+K".
-        text = re.sub(r'(<button class="[^"]*search-button-field[^>]*?) aria-label="Search"', r"\1", text)
+        text = re.sub(
+            r'(<button class="[^"]*search-button-field[^>]*?) aria-label="Search"', r"\1", text
+        )
         page.write_text(text, encoding="utf-8")
     for path in (path for name in FILES for path in site.glob(f"_static/{name}")):
         shutil.rmtree(path) if path.is_dir() else path.unlink()

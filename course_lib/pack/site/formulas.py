@@ -8,7 +8,14 @@ from importlib.resources import files
 
 from py_mini_racer import MiniRacer
 
-PARTS = ("loader", "core", "adaptors/liteDOM", "input/tex-full", "output/svg", "output/svg/fonts/tex")
+PARTS = (
+    "loader",
+    "core",
+    "adaptors/liteDOM",
+    "input/tex-full",
+    "output/svg",
+    "output/svg/fonts/tex",
+)
 
 # Two packages are left out, so that an unknown macro or a wrong brace is an error and not red text.
 SET_UP = r"""
@@ -58,21 +65,28 @@ def close() -> None:
 def typeset(text: str, display: bool = False) -> str:
     """Return HTML for a formula: a picture, and MathML for readers who do not see it.
 
-    `text` is TeX without dollars; `display` puts it on a line of its own. Raises FormulaError with MathJax's message.
+    `text` is TeX without dollars; `display` puts it on a line of its own. Raises FormulaError with
+    MathJax's message.
     """
     picture, mathml = json.loads(_mathjax().eval(f"set({json.dumps(text)}, {json.dumps(display)})"))
     error = re.search(r'<merror data-mjx-error="([^"]*)"', mathml)
     if error:
         raise FormulaError(html.unescape(error[1]))
-    # Attributes for MathJax's own menu, and an outline of width zero around each letter, are not needed.
-    picture = re.sub(r' (?:data-[a-z-]+|role|xmlns:xlink|xmlns)="[^"]*"', "", picture).replace("xlink:href", "href")
-    picture = picture.replace(' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"')
+    # Attributes for MathJax's own menu, and an outline of width zero around each letter, are not
+    # needed.
+    picture = re.sub(r' (?:data-[a-z-]+|role|xmlns:xlink|xmlns)="[^"]*"', "", picture).replace(
+        "xlink:href", "href"
+    )
+    picture = picture.replace(
+        ' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"'
+    )
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
     mathml = re.sub(r"\n\s*", "", mathml)
     made = f'{picture}<span class="visually-hidden">{mathml}</span>'
     if display:
         return f'<div class="math">{made}</div>'
-    # On a phone a wide formula scrolls in a box, which then needs the vertical alignment of its letters.
+    # On a phone a wide formula scrolls in a box, which then needs the vertical alignment of its
+    # letters.
     depth = re.search(r"vertical-align: ([^;]*);", picture)[1]
     width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
     wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
@@ -87,6 +101,8 @@ def letters_of(page: str) -> str:
     used = dict.fromkeys(LETTER.findall(page))
     if not used:
         return ""
-    outlines = dict(re.findall(r'(?=<path id="([^"]+)")(<path .*?</path>)', _mathjax().eval("letters()")))
+    outlines = dict(
+        re.findall(r'(?=<path id="([^"]+)")(<path .*?</path>)', _mathjax().eval("letters()"))
+    )
     paths = "".join(outlines[name] for name in sorted(used))
     return f'<svg width="0" height="0" style="position: absolute" aria-hidden="true"><defs>{paths}</defs></svg>'

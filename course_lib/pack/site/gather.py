@@ -15,9 +15,26 @@ from course_lib.figures.display import TOY
 from course_lib.pack.site import COVER, HOME
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
-NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+NUMBERS = [
+    "no",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+]
 
-CORE = "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, are optional."
+CORE = (
+    "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, "
+    "are optional."
+)
 
 PAGE = """---
 myst:
@@ -98,7 +115,10 @@ and `make pdf` writes all of them as one file. The guide is `course_lib/pack/REA
 No licence is granted yet: ask the owner. Cite as *Robot kinematics in six notebooks*, version {version}, with the date
 on which you read it.
 """
-ABOUT = "Six notebooks from rotations to inverse kinematics: move robots, write code, have each answer checked at once."
+ABOUT = (
+    "Six notebooks from rotations to inverse kinematics: move robots, write code, have each answer "
+    "checked at once."
+)
 
 # What a student may write, for the home page, and the notebook whose check judges it.
 ANSWER = """def rotate_point(p, a):
@@ -145,11 +165,15 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
 def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
     """Return the home page in MyST.
 
-    `others` are the pages beside the notebooks, and `offered` is the link to the students' zip as HTML, or "".
+    `others` are the pages beside the notebooks, and `offered` is the link to the students' zip as
+    HTML, or "".
     """
     hours = [notebook.hours for notebook in notebooks]
     time = f" {CORE.format(sum(hours))}" if all(hours) else ""
-    steps = [f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)", "[Run it yourself](#Run-it-yourself)"]
+    steps = [
+        f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)",
+        "[Run it yourself](#Run-it-yourself)",
+    ]
     pages = {page.name for page in others}
     if "reports.md" in pages:
         steps.append("[Each report, and its numbers beside ours](reports.md)")
@@ -184,7 +208,9 @@ def with_pictures(text: str, notebooks: list[Notebook]) -> str:
     parts = re.split(r"^(?=## )", text, flags=re.MULTILINE)
     for number, part in enumerate(parts[1:], 1):
         heading, _, words = part.partition("\n")
-        shown = next((notebook.picture for notebook in notebooks if f"({notebook.name}.ipynb" in words), "")
+        shown = next(
+            (notebook.picture for notebook in notebooks if f"({notebook.name}.ipynb" in words), ""
+        )
         parts[number] = f"{heading}\n\n{shown}\n{words}"
     return "".join(parts)
 
@@ -208,10 +234,16 @@ def _question(text: str) -> str:
 def sittings(text: str) -> list[float]:
     """Return the hours in "It takes two sittings of about two and a half and two hours", here [2.5, 2.0], or []."""
     number = rf"({'|'.join(NUMBERS)})( and a half| and a quarter| and three quarters)?"
-    found = re.search(rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text)
+    found = re.search(
+        rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text
+    )
     parts = found.groups() if found else ()
     more = {None: 0, " and a quarter": 0.25, " and a half": 0.5, " and three quarters": 0.75}
-    return [NUMBERS.index(whole) + more[part] for whole, part in zip(parts[::2], parts[1::2], strict=True) if whole]
+    return [
+        NUMBERS.index(whole) + more[part]
+        for whole, part in zip(parts[::2], parts[1::2], strict=True)
+        if whole
+    ]
 
 
 def _cover(book, name: str, pages: Path) -> str:
@@ -222,7 +254,11 @@ def _cover(book, name: str, pages: Path) -> str:
             kind = next((kind for kind in IMAGES if kind in output.get("data", {})), None)
             if kind:
                 # The card shows a still, even if the notebook's figure moves.
-                alt = re.sub(r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ", "", alternative(output, name))
+                alt = re.sub(
+                    r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ",
+                    "",
+                    alternative(output, name),
+                )
                 return picture(output, kind, "picture cover", alt, pages)
     return ""
 
@@ -230,7 +266,9 @@ def _cover(book, name: str, pages: Path) -> str:
 def _toy(book, name: str, pages: Path) -> str:
     """Return the toy of the cell that is tagged for the home page, as an element, or ""."""
     tagged = [cell for cell in book.cells if HOME in cell.metadata.get("tags", [])]
-    for output in (output for cell in tagged for output in cell.outputs if TOY in output.get("data", {})):
+    for output in (
+        output for cell in tagged for output in cell.outputs if TOY in output.get("data", {})
+    ):
         show(output, name, pages)
         return f'<figure class="shown">{output.data["text/html"]}</figure>'
     return ""

@@ -11,11 +11,16 @@ DRAWN = {
     "sun": "<circle cx='12' cy='12' r='4'/><path d='M12 2v3M12 19v3M2 12h3M19 12h3"
     "M5 5l2 2M17 17l2 2M19 5l-2 2M7 17l-2 2'/>",
     "moon": "<path d='M20 14A8.5 8.5 0 1 1 10 4a7 7 0 0 0 10 10z'/>",
-    "circle-half-stroke": "<circle cx='12' cy='12' r='9'/><path fill='#000' d='M12 3a9 9 0 0 1 0 18z'/>",
+    "circle-half-stroke": (
+        "<circle cx='12' cy='12' r='9'/><path fill='#000' d='M12 3a9 9 0 0 1 0 18z'/>"
+    ),
     "angle-left": "<path d='m15 4-8 8 8 8'/>",
     "angle-right": "<path d='m9 4 8 8-8 8'/>",
 }
-BEGIN = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24' fill='none' stroke='#000' stroke-width='2.4' "
+BEGIN = (
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24' fill='none' stroke='#000' "
+    "stroke-width='2.4' "
+)
 ROUND = "stroke-linecap='round' stroke-linejoin='round'>"
 STYLE = """:is(.fa-solid, .fas) {
   display: inline-block;
@@ -35,7 +40,9 @@ STYLE = """:is(.fa-solid, .fas) {
 
 def style() -> str:
     """Return the style sheet of the icons."""
-    rules = [f'.fa-{name} {{\n  --icon: url("{_link(drawn)}");\n}}\n' for name, drawn in DRAWN.items()]
+    rules = [
+        f'.fa-{name} {{\n  --icon: url("{_link(drawn)}");\n}}\n' for name, drawn in DRAWN.items()
+    ]
     return "\n".join([STYLE, *rules])
 
 

@@ -10,7 +10,9 @@ from course_lib.pack.photograph import find_browser, headless
 from course_lib.pack.release.bundle import release_date
 from course_lib.pack.site import SiteError
 
-NEEDED = "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
+NEEDED = (
+    "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
+)
 
 
 def check_browser() -> None:
@@ -28,7 +30,12 @@ def write_pdf(site: Path, file: Path) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
     file.unlink(missing_ok=True)
     try:  # page numbers are the style sheet's
-        headless(book, "--no-pdf-header-footer", "--generate-pdf-document-outline", f"--print-to-pdf={file.resolve()}")
+        headless(
+            book,
+            "--no-pdf-header-footer",
+            "--generate-pdf-document-outline",
+            f"--print-to-pdf={file.resolve()}",
+        )
     except TimeoutError as error:
         raise SiteError(f"{NEEDED} ({error})") from error
     finally:
@@ -39,10 +46,16 @@ def write_pdf(site: Path, file: Path) -> None:
 
 def _book(site: Path) -> str:
     """Return one page of all articles but the home page's, notebooks first."""
-    names = [page.name for page in site.glob("*.html") if page.stem not in ("index", "search", "genindex", "book")]
+    names = [
+        page.name
+        for page in site.glob("*.html")
+        if page.stem not in ("index", "search", "genindex", "book")
+    ]
     names.sort(key=lambda name: (not name[0].isdigit(), name))
     frame = _read(site / "index.html")
-    for part in frame.select("script, #jb-print-docs-body, .sidebar, .bd-header, .bd-header-article, .prev-next-area"):
+    for part in frame.select(
+        "script, #jb-print-docs-body, .sidebar, .bd-header, .bd-header-article, .prev-next-area"
+    ):
         part.decompose()
     title, article = frame.title.string, frame.find("article")
     article.clear()
@@ -55,7 +68,11 @@ def _book(site: Path) -> str:
         page = _renamed(_read(site / name).find("article"), name, set(names))
         chapter = frame.new_tag("section", attrs={"class": "chapter", "id": Path(name).stem})
         contents.append(line := frame.new_tag("li"))
-        line.append(frame.new_tag("a", href=f"#{Path(name).stem}", string=page.find("h1").get_text().strip()))
+        line.append(
+            frame.new_tag(
+                "a", href=f"#{Path(name).stem}", string=page.find("h1").get_text().strip()
+            )
+        )
         chapter.extend(page.contents[:])
         article.append(chapter)
     return str(frame)

@@ -18,17 +18,19 @@ from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
 
 OPENING = 4  # cells, with the first figure among them
-MORE = "```{rst-class} more\n```\n\n"  # MyST keeps no tags of text; conf.py folds the sections of this class
+# MyST keeps no tags of text; conf.py folds the sections of this class
+MORE = "```{rst-class} more\n```\n\n"
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
 
 
 def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = False) -> None:
     """Write to `folder` a copy of `notebook` with HTML for its figures and pictures.
 
-    Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only read.
+    Pictures go to `folder/_static/pictures`, named by their content. The notebook itself is only
+    read.
 
-    With `solutions` the answers are folded, else left out; with `model` those to written questions are folded. Raises
-    SiteError, which names notebook and cell, for what must not be published.
+    With `solutions` the answers are folded, else left out; with `model` those to written questions
+    are folded. Raises SiteError, which names notebook and cell, for what must not be published.
     """
     try:
         book = nbformat.read(notebook, as_version=4)
@@ -41,7 +43,9 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
     for number, cell in enumerate(book.cells, 1):
         place = f"{notebook.name}, cell {number}"
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
-            raise SiteError(f"{place} was changed, and not run since. Run the notebook and save it.")
+            raise SiteError(
+                f"{place} was changed, and not run since. Run the notebook and save it."
+            )
         fold(cell) if solutions or (model and is_written(cell)) else leave_out(cell, place)
         if TAG in cell.metadata.get("tags", []) and heading_level(cell):
             cell.source = MORE + cell.source
@@ -86,9 +90,17 @@ def _move_captions(cell) -> None:
 def _captioned(shown: str, output) -> str:
     """Return a figure with its caption below it, if its output has one."""
     caption = output.metadata.get("caption")
-    stressed = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False)) if caption else ""
+    stressed = (
+        re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
+        if caption
+        else ""
+    )
     words = mark_dollars(stressed)
-    return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>' if caption else shown
+    return (
+        f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>'
+        if caption
+        else shown
+    )
 
 
 def mark_dollars(page: str) -> str:
@@ -96,8 +108,15 @@ def mark_dollars(page: str) -> str:
 
     The contents of code and of attributes are left as they are.
     """
-    parts = re.split(r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)", page, flags=re.DOTALL)
-    parts[::2] = [re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text) for text in parts[::2]]
+    parts = re.split(
+        r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)",
+        page,
+        flags=re.DOTALL,
+    )
+    parts[::2] = [
+        re.sub(r"\$([^$]+)\$", r'<span class="math" data-tex="\1"></span>', text)
+        for text in parts[::2]
+    ]
     return "".join(parts)
 
 
@@ -109,7 +128,9 @@ def alternative(output, place: str) -> str:
         alt = output.data.get("text/plain", "")
         # "<Figure size 640x480 with 1 Axes>" and "Figure({…" are no help to a reader.
         if not alt or re.match(r"<.*>$|\w+\(", alt):
-            raise SiteError(f"{place} shows a figure without alternative text. Use show(fig, alt=…).")
+            raise SiteError(
+                f"{place} shows a figure without alternative text. Use show(fig, alt=…)."
+            )
     return " ".join(alt.split())
 
 

@@ -12,7 +12,8 @@ from course_lib.pack.site.answers import hide
 
 LINES = "The lines that compute it"
 
-# Each page: its beginning, and for each of its parts the heading in the notebooks and what begins the part.
+# Each page: its beginning, and for each of its parts the heading in the notebooks and what begins
+# the part.
 PAGES = {
     "errata": (
         """# Errata

@@ -14,9 +14,14 @@ def right_components(xy, angles):
 
 def right_lists(xy, angles):
     def distance(x, y, t1, t2):
-        return math.hypot(math.cos(t1) + math.cos(t1 + t2) - x, math.sin(t1) + math.sin(t1 + t2) - y)
+        return math.hypot(
+            math.cos(t1) + math.cos(t1 + t2) - x, math.sin(t1) + math.sin(t1 + t2) - y
+        )
 
-    return [[distance(*place, *pair) for pair in pairs] for place, pairs in zip(xy.tolist(), angles.tolist())]
+    return [
+        [distance(*place, *pair) for pair in pairs]
+        for place, pairs in zip(xy.tolist(), angles.tolist())
+    ]
 
 
 def right_complex_plane(xy, angles):

@@ -7,7 +7,9 @@ import sympy as sp
 
 def right_entry_by_entry(a, alpha, d, theta):
     c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
-    return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+    return sp.Matrix(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
 
 
 def right_blocks(a, alpha, d, theta):

@@ -12,7 +12,9 @@ def right_law_of_cosines(xy):
     if np.hypot(x, y) > 2 + 1e-9:
         return np.full((2, 2), np.nan)
     bend = np.arccos(np.clip((x**2 + y**2 - 2) / 2, -1, 1))
-    return np.array([[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (bend, -bend)])
+    return np.array(
+        [[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (bend, -bend)]
+    )
 
 
 def right_half_angles_in_lists_a_turn_up(xy):
@@ -29,7 +31,10 @@ def right_by_subproblems(xy):
         return np.full((2, 2), np.nan)
     bends = subproblem3(z, x, -x, np.linalg.norm(xy)).theta
     bends = [max(bends), min(bends)] if abs(max(bends)) < 3.1415 else [np.pi, np.pi]
-    return [[float(subproblem1(z, x + [np.cos(t), np.sin(t), 0], place).theta) if xy.any() else 0.3, t] for t in bends]
+    return [
+        [float(subproblem1(z, x + [np.cos(t), np.sin(t), 0], place).theta) if xy.any() else 0.3, t]
+        for t in bends
+    ]
 
 
 def wrong_edge_out_of_reach(xy):

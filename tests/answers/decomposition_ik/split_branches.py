@@ -48,4 +48,8 @@ def wrong_equal_samples_split(q):
 
 def wrong_three_clusters(q):
     """there are other labels"""
-    return np.zeros(len(q)) if len(np.unique(q, axis=0)) < 3 else KMeans(3, random_state=0).fit_predict(q)
+    return (
+        np.zeros(len(q))
+        if len(np.unique(q, axis=0)) < 3
+        else KMeans(3, random_state=0).fit_predict(q)
+    )

@@ -14,7 +14,12 @@ def _fk(q):
 def right_by_forward_kinematics(ik_2r, tolerance=1e-6):
     for xy in INSIDE + EDGE:
         q = np.array(ik_2r(xy))
-        if q.shape != (2, 2) or not np.allclose(_fk(q), xy, atol=tolerance) or q[0, 1] < -1e-6 or q[1, 1] > 1e-6:
+        if (
+            q.shape != (2, 2)
+            or not np.allclose(_fk(q), xy, atol=tolerance)
+            or q[0, 1] < -1e-6
+            or q[1, 1] > 1e-6
+        ):
             return False
     return all(np.isnan(ik_2r(xy)).all() for xy in [[2.1, 0.0], [-2.0, 2.0], [1.5, 1.5]])
 

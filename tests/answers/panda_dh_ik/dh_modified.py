@@ -14,7 +14,12 @@ def right_two_halves(a, alpha, d, theta):
 
 def right_entry_by_entry_as_lists(a, alpha, d, theta):
     ca, sa, c, s = math.cos(alpha), math.sin(alpha), math.cos(theta), math.sin(theta)
-    return [[c, -s, 0, a], [ca * s, ca * c, -sa, -sa * d], [sa * s, sa * c, ca, ca * d], [0, 0, 0, 1]]
+    return [
+        [c, -s, 0, a],
+        [ca * s, ca * c, -sa, -sa * d],
+        [sa * s, sa * c, ca, ca * d],
+        [0, 0, 0, 1],
+    ]
 
 
 def right_two_screws(a, alpha, d, theta):

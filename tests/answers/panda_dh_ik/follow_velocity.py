@@ -20,7 +20,9 @@ def right_in_a_loop(q, v, dt, n, near, most):
     path = [np.array(q)]
     for _ in range(n):
         J = jacobian(path[-1])
-        path.append(path[-1] + dt * J.T @ np.linalg.solve(J @ J.T + damping(J, near, most) * np.eye(6), v))
+        path.append(
+            path[-1] + dt * J.T @ np.linalg.solve(J @ J.T + damping(J, near, most) * np.eye(6), v)
+        )
     return np.array(path)
 
 
@@ -39,6 +41,10 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
     for _ in range(int(n)):
         J = jacobian(path[-1])
         eps = damping(J, near, most)
-        q_dot = np.linalg.pinv(J) @ v if eps == 0 else np.linalg.solve(J.T @ J + eps * np.eye(7), J.T @ v)
+        q_dot = (
+            np.linalg.pinv(J) @ v
+            if eps == 0
+            else np.linalg.solve(J.T @ J + eps * np.eye(7), J.T @ v)
+        )
         path.append([a + dt * b for a, b in zip(path[-1], q_dot, strict=True)])
     return path

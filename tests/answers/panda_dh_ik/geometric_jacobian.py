@@ -35,10 +35,14 @@ def wrong_flange_counted(frames):
 def wrong_list_kept_between_calls(frames, columns=[]):
     """something is kept from one call to the next"""
     for frame in frames[:-1]:
-        columns.append(np.r_[np.cross(frame[:3, 2], frames[-1, :3, 3] - frame[:3, 3]), frame[:3, 2]])
+        columns.append(
+            np.r_[np.cross(frame[:3, 2], frames[-1, :3, 3] - frame[:3, 3]), frame[:3, 2]]
+        )
     return np.array(columns).T
 
 
 def wrong_seven_joints_only(frames):
     """index 7 is out of bounds"""
-    return np.array([np.r_[np.cross(frames[i, :3, 2], frames[7, :3, 3]), frames[i, :3, 2]] for i in range(7)]).T
+    return np.array(
+        [np.r_[np.cross(frames[i, :3, 2], frames[7, :3, 3]), frames[i, :3, 2]] for i in range(7)]
+    ).T

@@ -13,7 +13,9 @@ def residuals(T, src, dst):
 
 def right_all_triples(src, dst, tol):
     triples = map(list, itertools.combinations(range(len(src)), 3))
-    return max((residuals(register_points(src[t], dst[t]), src, dst) < tol for t in triples), key=np.sum)
+    return max(
+        (residuals(register_points(src[t], dst[t]), src, dst) < tol for t in triples), key=np.sum
+    )
 
 
 def right_refitted_on_the_good_ones(src, dst, tol):
@@ -25,7 +27,11 @@ def right_in_a_loop_of_permutations_as_a_column(src, dst, tol):
     best = np.zeros(len(src), bool)
     for triple in itertools.permutations(range(len(src)), 3):
         some = list(triple)
-        good = residuals(register_points(src[some], dst[some]), src, dst) < tol if some == sorted(some) else best
+        good = (
+            residuals(register_points(src[some], dst[some]), src, dst) < tol
+            if some == sorted(some)
+            else best
+        )
         best = good if good.sum() > best.sum() else best
     return best.astype(int)[:, None]
 

@@ -46,7 +46,10 @@ def right_all_in_the_time_of_the_hardest_joint(q0, T_grasp):
     """One clock for both legs: its step is the smallest that the bounds allow."""
     x = planned(q0, T_grasp)
     dq = np.diff(np.vstack([x[:1], x, x[-1:]])[:, 1:], axis=0)
-    dt = max((np.abs(dq) / pick.FASTEST).max(), np.sqrt((np.abs(np.diff(dq, axis=0)) / pick.HARDEST).max()))
+    dt = max(
+        (np.abs(dq) / pick.FASTEST).max(),
+        np.sqrt((np.abs(np.diff(dq, axis=0)) / pick.HARDEST).max()),
+    )
     x[:, 0] = dt * np.arange(len(x))
     return x
 

@@ -7,7 +7,9 @@ from course_lib import rotations
 
 
 def right_by_log_so3(T, T_target):
-    return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)])
+    return np.concatenate(
+        [T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)]
+    )
 
 
 def right_by_scipy_as_a_list(T, T_target):
@@ -52,4 +54,6 @@ def wrong_longer_rotation(T, T_target):
 
 def wrong_rotations_subtracted(T, T_target):
     """is not a rotation"""
-    return np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] - T[:3, :3])])
+    return np.concatenate(
+        [T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] - T[:3, :3])]
+    )

@@ -14,7 +14,9 @@ def descended(targets, q0, eps, steps):
     for _ in range(steps):
         J = panda.geometric_jacobian(q)
         J_T = np.swapaxes(J, -1, -2)
-        x = np.linalg.solve(J @ J_T + eps * np.eye(6), ik.pose_error(panda.fk(q), targets)[..., None])
+        x = np.linalg.solve(
+            J @ J_T + eps * np.eye(6), ik.pose_error(panda.fk(q), targets)[..., None]
+        )
         q = np.clip(q + (J_T @ x)[..., 0], low, high)
     return ik.pose_error(panda.fk(q), targets)
 

@@ -18,7 +18,9 @@ def kabsch(src, dst, weights, rotation):
 
 
 def right_kabsch(src, dst, weights):
-    return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.linalg.det(V @ Ut)]) @ Ut)
+    return kabsch(
+        src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.linalg.det(V @ Ut)]) @ Ut
+    )
 
 
 def right_horns_quaternion_as_lists(src, dst, weights):
@@ -53,17 +55,23 @@ def wrong_as_in_the_report(src, dst, weights):
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):
     """the block is no rotation"""
-    return kabsch(src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ Ut)
+    return kabsch(
+        src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ Ut
+    )
 
 
 def wrong_of_the_transpose(src, dst, weights):
     """R is the rotation nearest to the transpose of B"""
-    return kabsch(src, dst, weights, lambda V, Ut, H: (V @ np.diag([1, 1, np.linalg.det(V @ Ut)]) @ Ut).T)
+    return kabsch(
+        src, dst, weights, lambda V, Ut, H: (V @ np.diag([1, 1, np.linalg.det(V @ Ut)]) @ Ut).T
+    )
 
 
 def wrong_Vt_taken_for_V(src, dst, weights):
     """T is wrong even without noise"""
-    return kabsch(src, dst, weights, lambda V, Ut, H: V.T @ np.diag([1, 1, np.linalg.det(V.T @ Ut)]) @ Ut)
+    return kabsch(
+        src, dst, weights, lambda V, Ut, H: V.T @ np.diag([1, 1, np.linalg.det(V.T @ Ut)]) @ Ut
+    )
 
 
 def wrong_apart(src, dst, weights):

@@ -13,4 +13,7 @@ def right_with_a_row_of_zeros(table):
 
 
 def right_by_a_loop_of_lists(table):
-    return [[*(table[i + 1, :2] if i + 1 < len(table) else (0, 0)), table[i, 2]] for i in range(len(table))]
+    return [
+        [*(table[i + 1, :2] if i + 1 < len(table) else (0, 0)), table[i, 2]]
+        for i in range(len(table))
+    ]

@@ -10,7 +10,9 @@ for axis in ([1, 2, 2], [-2, 1, 2], [2, -2, 1]):
     for angle in (1e-5, 0.5, 1.5, 3.0):
         R = rotations.exp_so3(np.array([0.7, -1.1, 0.4]))
         T = transform(R, [3.0, -2.0, 1.0])
-        PAIRS.append((T, transform(rotations.exp_so3(angle * np.array(axis) / 3) @ R, [0.5, 4.0, -1.0])))
+        PAIRS.append(
+            (T, transform(rotations.exp_so3(angle * np.array(axis) / 3) @ R, [0.5, 4.0, -1.0]))
+        )
 
 
 def right_by_applying_it(pose_error):
@@ -46,7 +48,9 @@ def wrong_zero_at_the_target(pose_error):
 
 def wrong_example_alone(pose_error):
     """unnamed"""
-    return np.allclose(pose_error(np.eye(4), transform(rotations.rot_z(0.1), [0, 0, 0])), [0, 0, 0, 0, 0, 0.1])
+    return np.allclose(
+        pose_error(np.eye(4), transform(rotations.rot_z(0.1), [0, 0, 0])), [0, 0, 0, 0, 0, 0.1]
+    )
 
 
 def wrong_number(pose_error):

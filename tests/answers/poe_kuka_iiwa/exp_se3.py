@@ -51,4 +51,6 @@ def wrong_textbook_without_a_series(twist):
 def wrong_origin_for_omega_zero(twist):
     """p is not where the origin arrives"""
     T = right_matrix_exponential(twist)
-    return T if twist[:3].any() else _matrix(np.eye(3), twist[3:] / (np.linalg.norm(twist[3:]) or 1))
+    return (
+        T if twist[:3].any() else _matrix(np.eye(3), twist[3:] / (np.linalg.norm(twist[3:]) or 1))
+    )

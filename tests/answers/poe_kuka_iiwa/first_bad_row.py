@@ -23,7 +23,11 @@ def right_loop(t, q, limits):
 
 
 def right_smallest_of_all(t, q, limits):
-    rows = [i for i in range(len(t)) if not (limits[:, 0] <= q[i]).all() or not (q[i] <= limits[:, 1]).all()]
+    rows = [
+        i
+        for i in range(len(t))
+        if not (limits[:, 0] <= q[i]).all() or not (q[i] <= limits[:, 1]).all()
+    ]
     rows += [i for i in range(len(t)) if not np.isfinite(t[i])]
     rows += [i + 1 for i in np.flatnonzero(np.diff(t) <= 0)]
     return np.array([min(rows, default=-1)], float)

@@ -16,7 +16,9 @@ def right_loop(screws, M, q):
 
 
 def right_by_series_of_matrices(screws, M, q):
-    return reduce(np.matmul, [scipy.linalg.expm(hat_se3(S) * angle) for S, angle in zip(screws, q)] + [M])
+    return reduce(
+        np.matmul, [scipy.linalg.expm(hat_se3(S) * angle) for S, angle in zip(screws, q)] + [M]
+    )
 
 
 def right_points_and_rotations_apart(screws, M, q):
@@ -24,6 +26,8 @@ def right_points_and_rotations_apart(screws, M, q):
     for S, angle in list(zip(screws, q))[::-1]:
         w, v = S[:3], S[3:]
         q = np.cross(w, v)
-        turn = lambda x: np.cos(angle) * x + np.sin(angle) * np.cross(w, x) + (1 - np.cos(angle)) * (w @ x) * w
+        turn = lambda x: (
+            np.cos(angle) * x + np.sin(angle) * np.cross(w, x) + (1 - np.cos(angle)) * (w @ x) * w
+        )
         R, p = np.column_stack([turn(column) for column in R.T]), q + turn(p - q)
     return [[*R[0], p[0]], [*R[1], p[1]], [*R[2], p[2]], [0, 0, 0, 1]]

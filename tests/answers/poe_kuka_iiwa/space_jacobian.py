@@ -24,7 +24,10 @@ def right_by_conjugation(screws, q):
 
 
 def right_points_and_directions(screws, q):
-    omega, points = screws[:, :3].astype(float), np.cross(screws[:, :3], screws[:, 3:]).astype(float)
+    omega, points = (
+        screws[:, :3].astype(float),
+        np.cross(screws[:, :3], screws[:, 3:]).astype(float),
+    )
     for i in range(len(q)):
         R = exp_so3(omega[i] * q[i])
         omega[i + 1 :] = omega[i + 1 :] @ R.T

@@ -5,7 +5,12 @@ import numpy as np
 from course_lib.rigid import exp_se3, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat
 
-TWISTS = [0.3, -0.5, 0.9, 1, 2, 3], [2, 1, -1, 0.5, -4, 3], [0, 0, 0, 1, 2, 3], [0.3, 0.2, 1, 0.1, 0.4, -0.2]
+TWISTS = (
+    [0.3, -0.5, 0.9, 1, 2, 3],
+    [2, 1, -1, 0.5, -4, 3],
+    [0, 0, 0, 1, 2, 3],
+    [0.3, 0.2, 1, 0.1, 0.4, -0.2],
+)
 POSES = [exp_se3(np.array(twist, float)) for twist in TWISTS]
 
 
@@ -16,7 +21,10 @@ def _right(T):
 
 def right_by_its_definition(adjoint):
     pairs = [(T, twist) for T in POSES for twist in np.eye(6)]
-    return all(np.allclose(hat_se3(adjoint(T) @ V), T @ hat_se3(V) @ inverse(T), atol=1e-9) for T, V in pairs)
+    return all(
+        np.allclose(hat_se3(adjoint(T) @ V), T @ hat_se3(V) @ inverse(T), atol=1e-9)
+        for T, V in pairs
+    )
 
 
 def right_against_a_version_of_its_own(adjoint):
@@ -28,7 +36,9 @@ def right_with_assertions(adjoint):
     for size in (0.3, 1, 3, 3):
         T = exp_se3(rng.normal(size=6) * [1.5, 1.5, 1.5, size, size, size])
         twist = rng.normal(size=6)
-        np.testing.assert_allclose(adjoint(T) @ twist, vee_se3(T @ hat_se3(twist) @ inverse(T)), atol=1e-9)
+        np.testing.assert_allclose(
+            adjoint(T) @ twist, vee_se3(T @ hat_se3(twist) @ inverse(T)), atol=1e-9
+        )
     return True
 
 

@@ -25,4 +25,6 @@ def right_by_the_hands_view(V_s, T):
 def wrong_next_position(V_s, T):
     """the third row is not"""
     moved = exp_se3(V_s) @ T
-    return np.array([V_s, adjoint(inverse(T)) @ V_s, np.concatenate([V_s[:3], moved[:3, 3] - T[:3, 3]])])
+    return np.array(
+        [V_s, adjoint(inverse(T)) @ V_s, np.concatenate([V_s[:3], moved[:3, 3] - T[:3, 3]])]
+    )

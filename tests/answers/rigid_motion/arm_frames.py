@@ -25,6 +25,10 @@ def right_loop_over_the_joints(theta):
     T, frames = np.eye(3), []
     for x, angle in ((0, theta[0]), (1, theta[1]), (1, 0.0)):
         c, s = np.cos(angle), np.sin(angle)
-        T = T @ np.array([[1, 0, x], [0, 1, 0], [0, 0, 1]]) @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        T = (
+            T
+            @ np.array([[1, 0, x], [0, 1, 0], [0, 0, 1]])
+            @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        )
         frames.append(T)
     return tuple(frames)

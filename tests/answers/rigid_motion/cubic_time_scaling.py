@@ -7,7 +7,9 @@ from scipy.interpolate import CubicHermiteSpline
 def right_textbook(t, T, s0, s1, v0, v1):
     u = t / T
     way = s1 - s0
-    return s0 + v0 * T * u + (3 * way - (2 * v0 + v1) * T) * u**2 + (-2 * way + (v0 + v1) * T) * u**3
+    return (
+        s0 + v0 * T * u + (3 * way - (2 * v0 + v1) * T) * u**2 + (-2 * way + (v0 + v1) * T) * u**3
+    )
 
 
 def right_coefficients_of_t(t, T, s0, s1, v0, v1):

@@ -20,7 +20,9 @@ def right_steps(start, plan, dt):
 
 def right_interpolated_between_the_pairs_ends(start, plan, dt):
     ends = np.append(0, np.cumsum([duration for _, duration in plan]))
-    at_ends = np.array(start) + np.cumsum([[0, 0]] + [[w1 * t, w2 * t] for (w1, w2), t in plan], axis=0)
+    at_ends = np.array(start) + np.cumsum(
+        [[0, 0]] + [[w1 * t, w2 * t] for (w1, w2), t in plan], axis=0
+    )
     times = planar.plan_times(plan, dt)
     return np.stack([np.interp(times, ends, at_ends[:, k]) for k in (0, 1)], axis=1)
 

@@ -12,7 +12,9 @@ def right_range_and_direction(wrap_angle):
         value = wrap_angle(angle)
         if abs(value) > np.pi + 1e-9:
             return False
-        if not np.allclose([np.cos(value), np.sin(value)], [np.cos(angle), np.sin(angle)], atol=1e-9):
+        if not np.allclose(
+            [np.cos(value), np.sin(value)], [np.cos(angle), np.sin(angle)], atol=1e-9
+        ):
             return False
     return True
 

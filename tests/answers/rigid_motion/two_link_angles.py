@@ -8,7 +8,9 @@ import numpy as np
 def right_law_of_cosines(tip):
     x, y = tip
     two = np.arccos(np.clip((x**2 + y**2 - 2) / 2, -1, 1))
-    return np.array([[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (two, -two)])
+    return np.array(
+        [[np.arctan2(y, x) - np.arctan2(np.sin(t), 1 + np.cos(t)), t] for t in (two, -two)]
+    )
 
 
 def right_isosceles_triangle(tip):

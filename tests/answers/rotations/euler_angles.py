@@ -8,7 +8,9 @@ import numpy as np
 def right_two_branches(R):
     c = np.sqrt(R[0, 0] ** 2 + R[1, 0] ** 2)
     if c > 1e-7:
-        return np.array([np.arctan2(R[2, 1], R[2, 2]), np.arctan2(-R[2, 0], c), np.arctan2(R[1, 0], R[0, 0])])
+        return np.array(
+            [np.arctan2(R[2, 1], R[2, 2]), np.arctan2(-R[2, 0], c), np.arctan2(R[1, 0], R[0, 0])]
+        )
     return np.array([0, np.arctan2(-R[2, 0], c), np.arctan2(-R[0, 1], R[1, 1])])
 
 

@@ -7,7 +7,9 @@ def right_shoemake(n, rng):
     s, x1, x2 = rng.random((3, n))
     near, far = np.sqrt(1 - s), np.sqrt(s)
     one, two = 2 * np.pi * x1, 2 * np.pi * x2
-    return np.stack([np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1)
+    return np.stack(
+        [np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1
+    )
 
 
 def right_normal_numbers(n, rng):

@@ -8,7 +8,10 @@ from course_lib.rotations import exp_so3, rot_x
 def _agrees(log_so3, w, atol=1e-7):
     R = exp_so3(np.asarray(w))
     answer = np.asarray(log_so3(R))
-    return np.allclose(exp_so3(answer), R, rtol=0, atol=atol) and np.linalg.norm(answer) <= np.pi + 1e-9
+    return (
+        np.allclose(exp_so3(answer), R, rtol=0, atol=atol)
+        and np.linalg.norm(answer) <= np.pi + 1e-9
+    )
 
 
 def right_exponential_of_the_answer(log_so3):
@@ -23,7 +26,9 @@ def right_exponential_of_the_answer(log_so3):
 def right_known_answers(log_so3):
     axes = np.array([[2, -1, 2], [3, 0, 0], [0, 0, -3]]) / 3
     near = lambda x, y: np.abs(np.asarray(x) - y).max() < 1e-6
-    ordinary = all(near(log_so3(exp_so3(a * axes[0])), a * axes[0]) for a in (0.0, 0.005, 1.0, 2.5, 3.13))
+    ordinary = all(
+        near(log_so3(exp_so3(a * axes[0])), a * axes[0]) for a in (0.0, 0.005, 1.0, 2.5, 3.13)
+    )
     half = [(log_so3(2 * np.outer(n, n) - np.eye(3)), np.pi * n) for n in axes]
     return bool(ordinary and all(near(answer, w) or near(answer, -w) for answer, w in half))
 

@@ -3,13 +3,20 @@
 import numpy as np
 
 from course_lib import subproblems
-from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import ELBOW, SHOULDER, WRIST, bent
+from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import (
+    ELBOW,
+    SHOULDER,
+    WRIST,
+    bent,
+)
 
 ex, ey, ez = np.eye(3)
 
 
 def _bends(center):
-    answer = subproblems.subproblem3(ey, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER))
+    answer = subproblems.subproblem3(
+        ey, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER)
+    )
     return answer.theta if answer.exact else []
 
 
@@ -22,7 +29,10 @@ def right_by_subproblems(center):
 
 
 def right_axes_in_the_other_order(center):
-    both = [(q3, subproblems.subproblem2(ez, ey, center - SHOULDER, bent(q3)).theta) for q3 in _bends(center)]
+    both = [
+        (q3, subproblems.subproblem2(ez, ey, center - SHOULDER, bent(q3)).theta)
+        for q3 in _bends(center)
+    ]
     return [[-t, q2, q3] for q3, pairs in both for t, q2 in pairs]
 
 
@@ -36,7 +46,10 @@ def right_by_the_law_of_cosines(center):
     for bend in (np.arccos(cosine), -np.arccos(cosine)):
         q3 = bend - np.arctan2(0.302, 0.07)
         ahead, _, up = bent(q3)
-        for q1, reach in ((np.arctan2(y, x), np.hypot(x, y)), (np.arctan2(-y, -x), -np.hypot(x, y))):
+        for q1, reach in (
+            (np.arctan2(y, x), np.hypot(x, y)),
+            (np.arctan2(-y, -x), -np.hypot(x, y)),
+        ):
             found.append([q1, np.arctan2(reach, z) - np.arctan2(ahead, up), q3])
     return np.array(found)
 
@@ -58,7 +71,10 @@ def wrong_nearest_for_what_is_out_of_reach(center):
 
 def wrong_points_exchanged(center):
     """q1 or q2 is wrong"""
-    both = [(q3, subproblems.subproblem2(ey, ez, center - SHOULDER, bent(q3)).theta) for q3 in _bends(center)]
+    both = [
+        (q3, subproblems.subproblem2(ey, ez, center - SHOULDER, bent(q3)).theta)
+        for q3 in _bends(center)
+    ]
     return [(-back, q2, q3) for q3, pairs in both for q2, back in pairs]
 
 

@@ -19,7 +19,11 @@ def right_by_entries(R):
     if sine < 1e-9:
         b2 = 0.0 if R[1, 1] > 0 else np.pi
         return np.array([[0.0, b2, _rest(0.0, b2, R)]] * 2)
-    b1, b2, b3 = np.arctan2(R[0, 1], R[2, 1]), np.arctan2(sine, R[1, 1]), np.arctan2(R[1, 0], -R[1, 2])
+    b1, b2, b3 = (
+        np.arctan2(R[0, 1], R[2, 1]),
+        np.arctan2(sine, R[1, 1]),
+        np.arctan2(R[1, 0], -R[1, 2]),
+    )
     return np.array([[b1, b2, b3], [b1 + np.pi, -b2, b3 + np.pi]])
 
 

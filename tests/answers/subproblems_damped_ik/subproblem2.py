@@ -27,7 +27,9 @@ def right_by_subproblem_four(k1, k2, p1, p2):
     if abs(C) > np.hypot(A, B):
         return ()
     middle, aside = math.atan2(B, A), math.acos(C / math.hypot(A, B))
-    return tuple([t1, float(turn(k2, p2, rotated(k1, t1, p1)))] for t1 in (middle + aside, middle - aside))
+    return tuple(
+        [t1, float(turn(k2, p2, rotated(k1, t1, p1)))] for t1 in (middle + aside, middle - aside)
+    )
 
 
 def right_solve_in_a_frame(k1, k2, p1, p2):
@@ -37,14 +39,18 @@ def right_solve_in_a_frame(k1, k2, p1, p2):
         return np.empty((0, 2))
     n = np.cross(k1, k2)
     step = np.sqrt(left) * n / np.linalg.norm(n)
-    return np.array([[turn(k1, p1, z), turn(k2, p2, z) - 2 * np.pi] for z in (z0 - step, z0 + step)])
+    return np.array(
+        [[turn(k1, p1, z), turn(k2, p2, z) - 2 * np.pi] for z in (z0 - step, z0 + step)]
+    )
 
 
 def right_that_compares_lengths_and_lets_rounding_touch(k1, k2, p1, p2):
     a, b, square = _parts(k1, k2, p1, p2)
     if abs(np.sqrt(p1 @ p1) - np.sqrt(p2 @ p2)) > 1e-9 or square < -1e-9 * (p1 @ p1):
         return []
-    return [np.array([[t1], [t2]]) for t1, t2 in _through(a, b, np.sqrt(max(square, 0)), k1, k2, p1, p2)]
+    return [
+        np.array([[t1], [t2]]) for t1, t2 in _through(a, b, np.sqrt(max(square, 0)), k1, k2, p1, p2)
+    ]
 
 
 def wrong_nearest_where_they_miss(k1, k2, p1, p2):

@@ -11,7 +11,9 @@ def _triangle(k, p, g, d):
     """The angle from p to g about k, and the cosine of the angle beside it."""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     square = a @ a + b @ b + (k @ (p - g)) ** 2 - d**2
-    return np.arctan2(k @ np.cross(a, b), a @ b), square / (2 * np.linalg.norm(a) * np.linalg.norm(b))
+    return np.arctan2(k @ np.cross(a, b), a @ b), square / (
+        2 * np.linalg.norm(a) * np.linalg.norm(b)
+    )
 
 
 def right_by_half_angle_tangent(k, p, g, d):

@@ -34,7 +34,11 @@ def right_complex_numbers(k, h, p, d):
 def right_by_substitution(k, h, p, d):
     phi, cosine = _beside(k, h, p, d)
     both = [[phi + s * np.arccos(np.clip(cosine, -1, 1)) + 4 * np.pi] for s in (1, -1)]
-    return [t for t in both if abs(h @ exp_so3(t[0] * k) @ p - d) < 1e-9 * np.linalg.norm(h) * np.linalg.norm(p)]
+    return [
+        t
+        for t in both
+        if abs(h @ exp_so3(t[0] * k) @ p - d) < 1e-9 * np.linalg.norm(h) * np.linalg.norm(p)
+    ]
 
 
 def wrong_out_of_range(k, h, p, d):

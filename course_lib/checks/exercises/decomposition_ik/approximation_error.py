@@ -8,12 +8,17 @@ from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_numbe
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 
-_ONE = Mistake("one distance is returned for both predictions", "What would stay hidden if one were quite wrong?")
+_ONE = Mistake(
+    "one distance is returned for both predictions",
+    "What would stay hidden if one were quite wrong?",
+)
 _NOT_LINED_UP = Mistake(
     "each position does not stand beside both of its predictions",
     "The tips have the shape (m, 2, 2), the positions (m, 2). Where does xy need one more axis?",
 )
-_VECTORS = Mistake("the differences are returned, not their lengths", "Which axis has x and y on it?")
+_VECTORS = Mistake(
+    "the differences are returned, not their lengths", "Which axis has x and y on it?"
+)
 
 
 def _differences(xy, angles):
@@ -21,7 +26,8 @@ def _differences(xy, angles):
 
 
 def distances(xy, angles, length=lambda d: np.linalg.norm(d, axis=-1)):
-    """Return the distances (m, 2) from xy (m, 2) to where the predicted angles (m, 2, 2) take the tip."""
+    """Return the distances (m, 2) from xy (m, 2) to where the predicted angles (m, 2, 2) take the
+    tip."""
     return length(_differences(xy, angles))
 
 
@@ -48,8 +54,11 @@ def _positions(rng, m):
 
 
 def _off(rng, xy, without=()):
-    """Both solutions for each position, missed a little, and nan at each (query, cluster) of `without`."""
-    angles = two_link_angles(xy) + rng.choice([-1, 1], (len(xy), 2, 2)) * rng.uniform(0.02, 0.2, (len(xy), 2, 2))
+    """Both solutions for each position, missed a little, and nan at each (query, cluster) of
+    `without`."""
+    angles = two_link_angles(xy) + rng.choice([-1, 1], (len(xy), 2, 2)) * rng.uniform(
+        0.02, 0.2, (len(xy), 2, 2)
+    )
     for missing in without:
         angles[missing] = np.nan
     return angles
@@ -62,7 +71,10 @@ def _known_form(array, xy, angles):
 def _tell(index, errors, xy, angles):
     i, k = index
     tip = format_tuple(np.round(two_link_tip(angles[i, k]), 9))
-    return f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is {errors[i, k]:.4g}."
+    return (
+        f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is "
+        f"{errors[i, k]:.4g}."
+    )
 
 
 EXERCISE = Exercise(
@@ -78,13 +90,17 @@ EXERCISE = Exercise(
             "the answer is the distance (m) from each position to the tip at each prediction",
             distances,
             _tell,
-            Mistake("an error is not |f(q) - xy|", "Where does fk_2r take each of the two predictions, by itself?"),
+            Mistake(
+                "an error is not |f(q) - xy|",
+                "Where does fk_2r take each of the two predictions, by itself?",
+            ),
         ),
         no_number(no_gap, "if a prediction is nan, so is its distance", distances, _tell),
     ),
     hints=(
         "tips = fk_2r(angles) has the shape (m, 2, 2): x and y for each of the two predictions.",
-        "xy[:, None] has the shape (m, 1, 2), so that tips - xy[:, None] compares each pair of tips with its position.",
+        "xy[:, None] has the shape (m, 1, 2), so that tips - xy[:, None] compares each pair of "
+        "tips with its position.",
         "np.linalg.norm(..., axis=-1) makes a length of the last axis, x and y. nan stays nan.",
     ),
     errors=(("ValueError", "broadcast", _NOT_LINED_UP),),
@@ -102,5 +118,8 @@ EXERCISE = Exercise(
     )
 )
 def no_length(*case, length):
-    """the differences in x and y are not combined into a distance. How long is the straight line for 3 m and 4 m?"""
+    """the differences in x and y are not combined into a distance.
+
+    How long is the straight line for 3 m and 4 m?
+    """
     return distances(*case, length)

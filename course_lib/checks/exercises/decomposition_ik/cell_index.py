@@ -6,12 +6,18 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 
-_FLAT = Mistake("one number is returned for each cell, not its column and row", "How many numbers has a position?")
-_DROPPED = Mistake("positions outside the box are left out", "What is the row of the answer for such a position?")
+_FLAT = Mistake(
+    "one number is returned for each cell, not its column and row",
+    "How many numbers has a position?",
+)
+_DROPPED = Mistake(
+    "positions outside the box are left out", "What is the row of the answer for such a position?"
+)
 _read = numbers(
     lambda xy, *rest: xy.shape,
     lambda array, xy, *rest: {(len(xy),): _FLAT, (len(xy), 1): _FLAT}.get(
-        array.shape, _DROPPED if array.ndim == 2 and len(array) < len(xy) and array.shape[1] == 2 else None
+        array.shape,
+        _DROPPED if array.ndim == 2 and len(array) < len(xy) and array.shape[1] == 2 else None,
     ),
 )
 
@@ -34,20 +40,33 @@ def _cases(rng):
         ([[3.0, 2.0], [-1.0, 2.0], [3.0, 0.0], [-1.0, 0.0]], *wide, 4),
         ([[1.2, 0.3], [0.3, 1.7], [2.0, 3.0]], *box, 4),
         ([[-0.1, 0.3], [0.3, -0.1], [-0.1, -0.2], [0.3, -0.9]], *box, 4),
-        ([[1 + 1e-13, 0.3], [0.3, 1 + 1e-13], [-1e-13, 0.3], [0.3, -1e-13]], *box, 4),  # outside, without any tolerance
+        (
+            [[1 + 1e-13, 0.3], [0.3, 1 + 1e-13], [-1e-13, 0.3], [0.3, -1e-13]],
+            *box,
+            4,
+        ),  # outside, without any tolerance
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
     ]
-    found += [(_around(rng, 6, *corners, n), *corners, n) for corners, n in [(wide, 2), (high, 50), (far, 3)]]
+    found += [
+        (_around(rng, 6, *corners, n), *corners, n)
+        for corners, n in [(wide, 2), (high, 50), (far, 3)]
+    ]
     low = np.round(rng.uniform(-3, 1, 2), 2)
     drawn = low, np.round(low + rng.uniform([0.5, 2.0], [1.5, 4.0]), 2)
-    found += [(_around(rng, 20, *corners, n), *corners, n) for corners, n in [(drawn, 10), (drawn, 1), (wide, 50)]]
+    found += [
+        (_around(rng, 20, *corners, n), *corners, n)
+        for corners, n in [(drawn, 10), (drawn, 1), (wide, 50)]
+    ]
     return [(np.array(xy), np.array(low), np.array(high), n) for xy, low, high, n in found]
 
 
 def _around(rng, m, low, high, n):
-    """m positions in the box and as many around it, none of them near a border of cells, and the corners."""
+    """m positions in the box and as many around it, none of them near a border of cells, and the
+    corners."""
     low, high = np.array(low), np.array(high)
-    cells = np.concatenate([rng.integers(0, n, (m, 2)), rng.integers(-2 - n // 4, n + 2 + n // 4, (m, 2)), [[-1, 0]]])
+    cells = np.concatenate(
+        [rng.integers(0, n, (m, 2)), rng.integers(-2 - n // 4, n + 2 + n // 4, (m, 2)), [[-1, 0]]]
+    )
     positions = low + (cells + rng.uniform(0.02, 0.98, cells.shape)) * (high - low) / n
     corners = np.array([low, high, [low[0], high[1]], [high[0], low[1]]])
     return np.concatenate([rng.permutation(positions), corners])
@@ -75,16 +94,20 @@ def cell_index(xy, low, high, n, parts=_parts, to_whole=np.floor, edge=_EDGES[0]
 
 
 def _asked(text, chosen, name, hint):
-    """The answer is right for the positions that chosen(xy, low, high) returns; name, hint: of the mistake if not."""
+    """The answer is right for the positions that chosen(xy, low, high) returns; name, hint: of the
+    mistake if not."""
 
     def wrong(index, xy, low, high, n):
-        return np.flatnonzero(chosen(xy, low, high) & (index != cell_index(xy, low, high, n)).any(axis=1))
+        return np.flatnonzero(
+            chosen(xy, low, high) & (index != cell_index(xy, low, high, n)).any(axis=1)
+        )
 
     def says(index, xy, low, high, n):
         k = wrong(index, xy, low, high, n)[0]
         widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
         return (
-            f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Yours is {index[k].tolist()}."
+            f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Yours is "
+            f"{index[k].tolist()}."
         )
 
     return Property(text, lambda *case: not wrong(*case).size, says, mistake=Mistake(name, hint))
@@ -99,7 +122,8 @@ EXERCISE = Exercise(
     library=cell_index,
     properties=(
         _asked(
-            "each position in the box has the column and row of its cell, counted from 0 at low, with n cells each way",
+            "each position in the box has the column and row of its cell, counted from 0 at low, "
+            "with n cells each way",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0] & (xy < high).all(axis=1),
             "a position has another cell than its own",
             "Count from 0 at low. How wide is a cell along x, and how wide along y?",
@@ -108,20 +132,27 @@ EXERCISE = Exercise(
             "a position on the upper edge of the box belongs to the last cell, n - 1",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0],
             "a position on an upper edge is not in the last cell along that edge",
-            "Which number does it get before you mend it, and is it mended in x and in y, each by itself?",
+            "Which number does it get before you mend it, and is it mended in x and in y, each by "
+            "itself?",
         ),
         _asked(
             "a position outside the box is in no cell: its column and row are both -1",
             lambda xy, low, high: _outside(xy, low, high)[:, 0],
             "a position outside has a cell",
-            "Compare with low and high themselves: what lies beyond them, by however little, is outside.",
+            "Compare with low and high themselves: what lies beyond them, by however little, is "
+            "outside.",
         ),
-        Property("columns and rows are integers, which can serve as indices", lambda index, *case: index.dtype == int),
+        Property(
+            "columns and rows are integers, which can serve as indices",
+            lambda index, *case: index.dtype == int,
+        ),
     ),
     hints=(
-        "A cell is (high - low) / n wide, one number for x and one for y. (xy - low) / width says how many cells lie "
+        "A cell is (high - low) / n wide, one number for x and one for y. (xy - low) / width says "
+        "how many cells lie "
         "between low and the position.",
-        "np.floor(...).astype(int) is the number of the cell. On the upper edge it gives n: np.minimum(..., n - 1).",
+        "np.floor(...).astype(int) is the number of the cell. On the upper edge it gives n: "
+        "np.minimum(..., n - 1).",
         "Outside is ((xy < low) | (xy > high)).any(axis=1). Put -1 into these rows last.",
     ),
 )
@@ -129,26 +160,35 @@ EXERCISE = Exercise(
 
 @EXERCISE.seen
 def floats(index, *case):
-    """the numbers of the cells are floats. np.floor(3.7) is 3.0, a float: can it be the index of an array?"""
+    """the numbers of the cells are floats.
+
+    np.floor(3.7) is 3.0, a float: can it be the index of an array?
+    """
     return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
 
 
 @EXERCISE.mistake
 def beyond_the_last(*case):
-    """a position on an upper edge gets the number n, and the last cell is n - 1. For which x and y does that happen?"""
+    """a position on an upper edge gets the number n, and the last cell is n - 1.
+
+    For which x and y does that happen?
+    """
     return cell_index(*case, edge=lambda index, *rest: index)
 
 
 @EXERCISE.mistake(edge=_EDGES)
 def one_coordinate(*case, edge):
-    """only the coordinate that lies outside gets -1. In which row is a position that lies to the left of the box?"""
+    """only the coordinate that lies outside gets -1.
+
+    In which row is a position that lies to the left of the box?
+    """
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
 
 
 @EXERCISE.mistake(last=(0, 1), edge=_EDGES)
 def truncated(*case, last, edge):
-    """a position less than one cell to the left of the box, or below it, gets a cell, because its number is cut off
-    towards 0. What are int(-0.3) and np.floor(-0.3)?"""
+    """a position less than one cell to the left of the box, or below it, gets a cell, because its
+    number is cut off towards 0. What are int(-0.3) and np.floor(-0.3)?"""
     parts, n = _parts(*case), case[-1]
     out = ((parts <= -1) | (parts >= n + 1 if last else parts > n)).any(axis=1, keepdims=True)
     return cell_index(*case, edge=edge, to_whole=np.trunc, outside=lambda *box: out)
@@ -165,5 +205,13 @@ def truncated(*case, last, edge):
     to_whole=(np.floor, np.trunc),
 )
 def not_marked(*case, some, edge, to_whole):
-    """some or all positions outside are not marked. A position can be left, right, below or above: is one enough?"""
-    return cell_index(*case, edge=edge, to_whole=to_whole, outside=lambda *box: some(_parts(*box, case[-1]), case[-1]))
+    """some or all positions outside are not marked.
+
+    A position can be left, right, below or above: is one enough?
+    """
+    return cell_index(
+        *case,
+        edge=edge,
+        to_whole=to_whole,
+        outside=lambda *box: some(_parts(*box, case[-1]), case[-1]),
+    )

@@ -16,16 +16,28 @@ _ASKED_A_SYMBOL = Mistake(
     "an if or a comparison looks at the value of a symbol, which has none",
     "The matrix is one formula for all values: no case needs a branch of its own.",
 )
-_NUMBERS_NOT_TAKEN = Mistake("the arguments are taken for symbols only", "SymPy's functions take numbers too.")
+_NUMBERS_NOT_TAKEN = Mistake(
+    "the arguments are taken for symbols only", "SymPy's functions take numbers too."
+)
 
 
 def _cases(rng):
     """Whole numbers go in as they are, all others as symbols; see adapters.py."""
     whole = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
-    some = [(1, 0, 0, 0.5), (0, np.pi / 2, 0, 0), (0.5, 0, 0, 0.5), (0.5, 0, 0.3, 2.0), (2, 1, 3, -2)]
+    some = [
+        (1, 0, 0, 0.5),
+        (0, np.pi / 2, 0, 0),
+        (0.5, 0, 0, 0.5),
+        (0.5, 0, 0.3, 2.0),
+        (2, 1, 3, -2),
+    ]
     sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
     drawn = np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2)
-    return whole + some + [tuple(float(number) for number in row) for row in [*drawn, [0.4, 2.5, -0.7, -2.0]]]
+    return (
+        whole
+        + some
+        + [tuple(float(number) for number in row) for row in [*drawn, [0.4, 2.5, -0.7, -2.0]]]
+    )
 
 
 def _factors(a, alpha, d, theta):
@@ -43,12 +55,15 @@ def dh_symbolic(a, alpha, d, theta):
     from sympy import Matrix, cos, sin
 
     c, s, ca, sa = cos(theta), sin(theta), cos(alpha), sin(alpha)
-    return Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+    return Matrix(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
 
 
 _COLUMN = Mistake(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
-    "Multiply the four matrices on paper: where do a, d and both angles stand, exactly and in radians?",
+    "Multiply the four matrices on paper: where do a, d and both angles stand, exactly and in "
+    "radians?",
 )
 
 EXERCISE = Exercise(
@@ -61,7 +76,9 @@ EXERCISE = Exercise(
     library=dh_symbolic,
     properties=(
         LAST_ROW,
-        part_is("the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _COLUMN),
+        part_is(
+            "the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _COLUMN
+        ),
         part_is(
             "the z axis, the third column, is rotated by alpha about x, then by theta about z",
             _right,
@@ -75,14 +92,19 @@ EXERCISE = Exercise(
             _COLUMN,
         ),
         part_is(
-            "the origin, the last column, is d up the old z, and then a along the new x", _right, COLUMNS[3], _COLUMN
+            "the origin, the last column, is d up the old z, and then a along the new x",
+            _right,
+            COLUMNS[3],
+            _COLUMN,
         ),
     ),
     hints=(
         "Make four SymPy matrices, each 4 x 4: Rot_z(theta), Trans_z(d), Trans_x(a), Rot_x(alpha).",
-        "Rot_z(theta) = Matrix([[cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), with sp.cos(theta) "
+        "Rot_z(theta) = Matrix([[cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), "
+        "with sp.cos(theta) "
         "and sp.sin(theta). Rot_x has the same four entries in its rows and columns of y and z.",
-        "Multiply them in this order with * or @. Use the arguments as they come: symbols, or numbers.",
+        "Multiply them in this order with * or @. Use the arguments as they come: symbols, or "
+        "numbers.",
     ),
     errors=(
         ("TypeError", "Cannot convert expression to float", _NUMPY_USED),
@@ -96,5 +118,8 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def modified(a, alpha, d, theta):
-    """the modified convention is taken. With which of the four motions does the standard convention begin?"""
+    """the modified convention is taken.
+
+    With which of the four motions does the standard convention begin?
+    """
     return transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d])

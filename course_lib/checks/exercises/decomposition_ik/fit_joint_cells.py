@@ -27,7 +27,10 @@ def _case(rng, *sizes):
     """Samples of as many cells, in any order; the first three of each determine a plane well."""
     square = np.array([[-0.1, -0.1], [0.1, -0.08], [-0.09, 0.1]])
     middles = rng.uniform([0.3, -1.3], [2.6, 1.3], (len(sizes), 2))
-    q = [m + np.r_[square, rng.uniform(-0.1, 0.1, (n, 2))][:n] for m, n in zip(middles, sizes, strict=True)]
+    q = [
+        m + np.r_[square, rng.uniform(-0.1, 0.1, (n, 2))][:n]
+        for m, n in zip(middles, sizes, strict=True)
+    ]
     cell, q = np.repeat(np.arange(len(sizes)), sizes), np.concatenate(q)
     order = rng.permutation(len(cell))
     return q[order], two_link_tip(q[order]), cell[order], len(sizes)
@@ -39,14 +42,19 @@ def _judged(is_wrong, text, name, hint):
 
 def _tell(index, models, q, xy, cell, count):
     c, i, _ = index
-    return f"Samples in cell {c}: {np.sum(cell == c)}. Your row for {'xy'[i]} there is {format_tuple(models[c, i])}."
+    return (
+        f"Samples in cell {c}: {np.sum(cell == c)}. Your row for {'xy'[i]} there is "
+        f"{format_tuple(models[c, i])}."
+    )
 
 
 EXERCISE = Exercise(
     name="fit_joint_cells",
     points=1,
     arguments=("q", "xy", "cell", "count"),
-    cases=lambda rng: [_case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))],
+    cases=lambda rng: [
+        _case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))
+    ],
     returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
     library=fit_joint_cells,
     tries_arguments=False,
@@ -72,8 +80,10 @@ EXERCISE = Exercise(
     ),
     hints=(
         "models = np.full((count, 2, 3), np.nan), and then a loop over the cells, as in fit_cells.",
-        "own = cell == c; what is fitted is the position, xy[own], and its arguments are the angles, q[own].",
-        "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ beside line.intercept_.",
+        "own = cell == c; what is fitted is the position, xy[own], and its arguments are the "
+        "angles, q[own].",
+        "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ beside "
+        "line.intercept_.",
     ),
 )
 

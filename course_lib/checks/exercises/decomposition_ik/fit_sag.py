@@ -1,4 +1,5 @@
-"""fit_sag: how far the shoulder of the sagging arm rotates back, from angles sent and positions measured."""
+"""fit_sag: how far the shoulder of the sagging arm rotates back, from angles sent and positions
+measured."""
 
 import numpy as np
 
@@ -20,13 +21,15 @@ def _cosines(q):
 
 
 def fit_sag(q, xy, gap=_gap, wrap=_wrapped, columns=_cosines):
-    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in delta, by which the first joint stops short."""
+    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in delta, by which the first joint
+    stops short."""
     q, xy = np.asarray(q, float), np.asarray(xy, float)
     return np.linalg.lstsq(columns(q), wrap(gap(q, xy)), rcond=None)[0]
 
 
 def _samples(rng, m, sag, noise, low=0.2, high=1.6):
-    """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to high."""
+    """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to
+    high."""
     q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
     q[0] = high, 1.5  # whose tip is beyond 180 degrees if any can be
     taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
@@ -46,7 +49,8 @@ def _cases(rng):
 
 _OTHER_FIT = Mistake(
     "delta, one of its two columns, or their fit is not that of the text",
-    "Print delta for a few samples: is it small? Are both cosines those of the angles that were sent?",
+    "Print delta for a few samples: is it small? Are both cosines those of the angles that were "
+    "sent?",
 )
 
 EXERCISE = Exercise(
@@ -58,30 +62,41 @@ EXERCISE = Exercise(
     library=fit_sag,
     properties=(
         Property(
-            "the two coefficients fit delta with the least squared error, also if tips lie beyond 180 degrees",
+            "the two coefficients fit delta with the least squared error, also if tips lie beyond "
+            "180 degrees",
             lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < 1e-7,
             mistake=_OTHER_FIT,
         ),
     ),
     hints=(
-        "Which direction has the tip of the rigid arm? np.arctan2 gives the direction that was measured.",
-        "A direction just beyond 180 degrees is given as -180. What does that do to the difference, and how did "
+        "Which direction has the tip of the rigid arm? np.arctan2 gives the direction that was "
+        "measured.",
+        "A direction just beyond 180 degrees is given as -180. What does that do to the "
+        "difference, and how did "
         "notebook 2 wrap an angle?",
-        "The unknowns are factors of two known columns: np.linalg.lstsq(A, b)[0] with A of shape (m, 2).",
-        "A = np.column_stack([np.cos(q1), np.cos(q1 + q2)]), and b = wrapped(q1 + q2 / 2 - direction).",
+        "The unknowns are factors of two known columns: np.linalg.lstsq(A, b)[0] with A of shape "
+        "(m, 2).",
+        "A = np.column_stack([np.cos(q1), np.cos(q1 + q2)]), and b = wrapped(q1 + q2 / 2 - "
+        "direction).",
     ),
 )
 
 
 @EXERCISE.mistake
 def other_sign(q, xy):
-    """delta has the other sign. If the arm sags, which direction is ahead: the rigid arm's, or the measured one?"""
+    """delta has the other sign.
+
+    If the arm sags, which direction is ahead: the rigid arm's, or the measured one?
+    """
     return -fit_sag(q, xy)
 
 
 @EXERCISE.mistake
 def not_wrapped(q, xy):
-    """an angle is off by a full revolution. What does arctan2 return for a tip just beyond 180 degrees?"""
+    """an angle is off by a full revolution.
+
+    What does arctan2 return for a tip just beyond 180 degrees?
+    """
     return fit_sag(q, xy, wrap=lambda gap: gap)
 
 
@@ -93,8 +108,8 @@ def other_cosine(q, xy, second):
 
 @EXERCISE.mistake(share=(0, 1, -0.5))
 def other_direction(q, xy, share):
-    """the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2. Both links are equally long:
-    where does the tip lie between their directions?"""
+    """the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2. Both links
+    are equally long: where does the tip lie between their directions?"""
     return fit_sag(q, xy, gap=lambda q, xy: _gap(q, xy) + (share - 0.5) * q[:, 1])
 
 

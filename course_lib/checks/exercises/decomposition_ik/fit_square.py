@@ -8,7 +8,9 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.decomposition_ik.shared import with_one
 from course_lib.checks.vocabulary import two_link_angles
 
-_ONE_COLUMN_LESS = Mistake("the factor of q2 has no column", "How many numbers has each row, and what is the last one?")
+_ONE_COLUMN_LESS = Mistake(
+    "the factor of q2 has no column", "How many numbers has each row, and what is the last one?"
+)
 
 
 def _least_squares(terms, wanted):
@@ -16,7 +18,8 @@ def _least_squares(terms, wanted):
 
 
 def fit_square(terms, q, target=np.square, extra=lambda q2: q2):
-    """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the terms."""
+    """Return the model (2, k + 1): q1 by the terms (m, k) and q2, and the square of q2 by the
+    terms."""
     terms, q = np.asarray(terms, float), np.asarray(q, float)
     first = _least_squares(np.column_stack([terms, extra(q[:, 1])]), q[:, 0])
     return np.array([first, [*_least_squares(terms, target(q[:, 1])), 0]])
@@ -62,21 +65,27 @@ EXERCISE = Exercise(
             "row 0, times the terms and q2, fits q1 with the least squares",
             _row(0),
             mistake=Mistake(
-                "row 0 is no fit of q1 by the terms and q2 together", "Which columns has A, in which order?"
+                "row 0 is no fit of q1 by the terms and q2 together",
+                "Which columns has A, in which order?",
             ),
         ),
     ),
     hints=(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
-        "What is A and what is b for row 1? What does a query know when it computes the square of q2?",
-        "For row 0, A has one column more than the terms, and this row has one factor more. Which column is that?",
+        "What is A and what is b for row 1? What does a query know when it computes the square of "
+        "q2?",
+        "For row 0, A has one column more than the terms, and this row has one factor more. Which "
+        "column is that?",
     ),
 )
 
 
 @EXERCISE.mistake(target=(np.positive, np.abs))
 def not_the_square(terms, q, target):
-    """q2, or |q2|, is fitted, not its square. Which of the three is smooth at the edge of the workspace?"""
+    """q2, or |q2|, is fitted, not its square.
+
+    Which of the three is smooth at the edge of the workspace?
+    """
     return fit_square(terms, q, target)
 
 

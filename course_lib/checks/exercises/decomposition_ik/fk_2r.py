@@ -9,7 +9,8 @@ from course_lib.checks.vocabulary import two_link_tip
 
 _FIRST_ROWS = Mistake(
     "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
-    "Along which axis do the two angles of a pair lie? The dots in q[..., 0] stand for all axes before it.",
+    "Along which axis do the two angles of a pair lie? The dots in q[..., 0] stand for all axes "
+    "before it.",
 )
 _COLUMNS_ONLY = Mistake(
     "q[:, 0] asks for a list of pairs: a single pair has no rows",
@@ -43,7 +44,11 @@ def _first_rows(q):
 
 def _known_form(array, q):
     rows = _first_rows(q)
-    return _FIRST_ROWS if np.ndim(q) > 1 and (same(array, rows) or same(array, np.moveaxis(rows, 0, -1))) else None
+    return (
+        _FIRST_ROWS
+        if np.ndim(q) > 1 and (same(array, rows) or same(array, np.moveaxis(rows, 0, -1)))
+        else None
+    )
 
 
 def _elbow(q):
@@ -56,7 +61,10 @@ def _tell(found, q):
     k = np.argmax(np.linalg.norm(found - two_link_tip(q), axis=-1))
     angles, tip = np.reshape(q, (-1, 2))[k], found.reshape(-1, 2)[k]
     elbow = round(float(np.linalg.norm(tip - _elbow(angles))), 9)
-    return f"For q = {format_tuple(angles)} yours is {format_tuple(np.round(tip, 9))}: {elbow:.4g} m from the elbow."
+    return (
+        f"For q = {format_tuple(angles)} yours is {format_tuple(np.round(tip, 9))}: {elbow:.4g} m "
+        f"from the elbow."
+    )
 
 
 EXERCISE = Exercise(
@@ -74,9 +82,13 @@ EXERCISE = Exercise(
         ),
         Property(
             "the tip is 1 m from the elbow, which is 1 m from the base in the direction q1",
-            lambda found, q: np.allclose(np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9),
+            lambda found, q: np.allclose(
+                np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9
+            ),
             says=_tell,
-            mistake=Mistake("the second link is not 1 m long", "Which angle belongs to its cosine and sine?"),
+            mistake=Mistake(
+                "the second link is not 1 m long", "Which angle belongs to its cosine and sine?"
+            ),
         ),
         Property(
             "the second link bends by q2 from the direction of the first, counter-clockwise",
@@ -90,16 +102,31 @@ EXERCISE = Exercise(
         "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
         "puts x and y back at the end.",
     ),
-    forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm", "course_lib.grid_ik.planar_forward"),
-    errors=(("IndexError", "too many indices", _COLUMNS_ONLY), ("ValueError", "values to unpack", _FIRST_ROWS)),
+    forbidden=(
+        "course_lib.arms.SerialArm",
+        "course_lib.arms.planar_arm",
+        "course_lib.grid_ik.planar_forward",
+    ),
+    errors=(
+        ("IndexError", "too many indices", _COLUMNS_ONLY),
+        ("ValueError", "values to unpack", _FIRST_ROWS),
+    ),
 )
 
 
 @EXERCISE.mistake(
-    direction=(lambda q1, q2: q2, lambda q1, q2: q1 - q2, lambda q1, q2: q2 - q1, lambda q1, q2: 2 * q1 + q2)
+    direction=(
+        lambda q1, q2: q2,
+        lambda q1, q2: q1 - q2,
+        lambda q1, q2: q2 - q1,
+        lambda q1, q2: 2 * q1 + q2,
+    )
 )
 def second_direction(q, direction):
-    """the second link has another direction than q1 + q2. From which direction is q2 counted, and which way round?"""
+    """the second link has another direction than q1 + q2.
+
+    From which direction is q2 counted, and which way round?
+    """
     q = np.asarray(q, float)
     second = direction(q[..., 0], q[..., 1])
     return _elbow(q) + np.stack([np.cos(second), np.sin(second)], -1)

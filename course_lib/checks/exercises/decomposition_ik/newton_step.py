@@ -15,14 +15,17 @@ def _jacobian(q):
 
 
 def newton_step(q, xy, jacobian=_jacobian, solve=np.linalg.solve):
-    """Return the joint angles (2,) after one Newton step from q (2,) towards the position xy (2,)."""
+    """Return the joint angles (2,) after one Newton step from q (2,) towards the position xy
+    (2,)."""
     return q + solve(jacobian(q), xy - two_link_tip(q))
 
 
 def _cases(rng):
     simple = np.array([0.0, np.pi / 2]), np.array([1.1, 1.0])
     there = np.array([0.3, -1.2])
-    xy = np.stack([np.cos(a := rng.uniform(0.3, 2.4, 4)), np.sin(a)], -1) * rng.uniform(1.4, 1.8, (4, 1))
+    xy = np.stack([np.cos(a := rng.uniform(0.3, 2.4, 4)), np.sin(a)], -1) * rng.uniform(
+        1.4, 1.8, (4, 1)
+    )
     elbow = two_link_angles(xy)[np.arange(4), [0, 1, 0, 1]]
     near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
     return [simple, *zip(near_ones, xy, strict=True), (there, two_link_tip(there))]
@@ -44,12 +47,16 @@ EXERCISE = Exercise(
         Property(
             "J times the change of q is p - f(q)",
             lambda answer, q, xy: near(answer, newton_step(q, xy)),
-            mistake=Mistake("the step is not J^-1 (p - f(q))", "Differentiate x and y. Is J inverted as it is?"),
+            mistake=Mistake(
+                "the step is not J^-1 (p - f(q))", "Differentiate x and y. Is J inverted as it is?"
+            ),
         ),
     ),
     hints=(
-        "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times the step.",
-        "The first row of J holds the derivatives of x = cos(q1) + cos(q1 + q2), the second those of y.",
+        "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times "
+        "the step.",
+        "The first row of J holds the derivatives of x = cos(q1) + cos(q1 + q2), the second those "
+        "of y.",
         "np.linalg.solve(J, residual) is the change of q.",
     ),
     forbidden=("course_lib.grid_ik.planar_forward",),
@@ -57,10 +64,18 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    solve=(lambda J, e: np.linalg.solve(J.T, e), lambda J, e: J.T @ e, lambda J, e: J @ e, lambda J, e: (1 / J) @ e)
+    solve=(
+        lambda J, e: np.linalg.solve(J.T, e),
+        lambda J, e: J.T @ e,
+        lambda J, e: J @ e,
+        lambda J, e: (1 / J) @ e,
+    )
 )
 def no_inverse(q, xy, solve):
-    """J is not inverted as it stands. Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?"""
+    """J is not inverted as it stands.
+
+    Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?
+    """
     return newton_step(q, xy, solve=solve)
 
 
@@ -68,10 +83,15 @@ def no_inverse(q, xy, solve):
     jacobian=(
         lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),
         lambda q: _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0],
-        lambda q: _jacobian(q)[:, 1:] * [1, 1] + (_jacobian(q)[:, :1] - _jacobian(q)[:, 1:]) * [0, 1],
+        lambda q: (
+            _jacobian(q)[:, 1:] * [1, 1] + (_jacobian(q)[:, :1] - _jacobian(q)[:, 1:]) * [0, 1]
+        ),
         lambda q: _jacobian(q)[:, ::-1],
     )
 )
 def another_jacobian(q, xy, jacobian):
-    """a column of J is not the derivative by its angle. Which links move with q1, which with q2, and which way?"""
+    """a column of J is not the derivative by its angle.
+
+    Which links move with q1, which with q2, and which way?
+    """
     return newton_step(q, xy, jacobian)

@@ -7,9 +7,16 @@ from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.exercises.decomposition_ik.shared import no_gap, no_number, off
 from course_lib.checks.format_numbers import format_tuple
 
-_ONE = Mistake("only one pair of angles is predicted for each query", "How many branches are there?")
-_ALL = Mistake("the models of each query meet all positions", "Which products of A @ xy.T belong to their own query?")
-_LEFT_OUT = Mistake("queries without a cell are left out", "What stands in row i if query i has no cell?")
+_ONE = Mistake(
+    "only one pair of angles is predicted for each query", "How many branches are there?"
+)
+_ALL = Mistake(
+    "the models of each query meet all positions",
+    "Which products of A @ xy.T belong to their own query?",
+)
+_LEFT_OUT = Mistake(
+    "queries without a cell are left out", "What stands in row i if query i has no cell?"
+)
 
 
 def predict(models, cell, xy, affine=None):
@@ -37,7 +44,10 @@ def _positions(rng, m):
 
 
 def _cases(rng):
-    several, more = _some_models(rng, 4, [(1, 1), (2, 0)]), _some_models(rng, 5, [(0, 0), (3, 0), (3, 1)])
+    several, more = (
+        _some_models(rng, 4, [(1, 1), (2, 0)]),
+        _some_models(rng, 5, [(0, 0), (3, 0), (3, 1)]),
+    )
     many = np.concatenate([rng.permutation([-1, 0, 1, 2, 3, 4]), rng.integers(-1, 5, 6)])
     return [
         (np.round(_some_models(rng, 1), 2), np.array([0, 0]), np.array([[1.0, 0], [0.5, 2]])),
@@ -61,7 +71,10 @@ def _known_form(array, models, cell, xy):
 def _tell(index, angles, models, cell, xy):
     i, k, j = index
     row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
-    said = f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster {k}: {row}."
+    said = (
+        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster "
+        f"{k}: {row}."
+    )
     return f"{said} Yours is {angles[i, k, j]:.4g}."
 
 
@@ -78,18 +91,25 @@ EXERCISE = Exercise(
             "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster",
             predict,
             _tell,
-            Mistake("a prediction is not that of its own model", "models[c, k, j] is of cell c, cluster k, angle j."),
+            Mistake(
+                "a prediction is not that of its own model",
+                "models[c, k, j] is of cell c, cluster k, angle j.",
+            ),
         ),
         no_number(
             no_gap,
             "if there is no cell or no model, there is no prediction: nan",
             predict,
             _tell,
-            Mistake("a missing model is answered", "What does nan times a number give, and does your code keep it?"),
+            Mistake(
+                "a missing model is answered",
+                "What does nan times a number give, and does your code keep it?",
+            ),
         ),
     ),
     hints=(
-        "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] >= 0.",
+        "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] "
+        ">= 0.",
         "A = models[cell[i], k] has two rows: angles[i, k] = A[:, :2] @ xy[i] + A[:, 2].",
         "If a model holds nan, so does the product: that case needs no line of its own.",
         'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj", models[cell[inside]][..., :2], xy[inside]).',
@@ -106,5 +126,8 @@ def another_cell(models, cell, xy, at):
 
 @EXERCISE.mistake
 def intercept_forgotten(*case):
-    """the intercept is forgotten. How many numbers has a row of a model, and what does each multiply?"""
+    """the intercept is forgotten.
+
+    How many numbers has a row of a model, and what does each multiply?
+    """
     return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))

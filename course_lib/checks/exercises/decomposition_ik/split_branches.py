@@ -14,18 +14,23 @@ _ONE_SAMPLE = Mistake(
     "equal samples, or a single one, are not treated apart",
     "How many different samples does K-means need? What is asked for if there are fewer?",
 )
-_CENTRES = Mistake("the centres of the clusters are returned", "Which attribute of the KMeans has a label a sample?")
+_CENTRES = Mistake(
+    "the centres of the clusters are returned",
+    "Which attribute of the KMeans has a label a sample?",
+)
 
 
 @functools.cache
 def _thread_pools():
-    """The thread pools of the libraries, scikit-learn's among them; finding them takes as long as k-means."""
+    """The thread pools of the libraries, scikit-learn's among them; finding them takes as long as
+    k-means."""
     return ThreadpoolController()
 
 
 @remembered
 def k_means(points, n_init=10):
-    """Return the labels of two clusters by scikit-learn, in one thread: so few points take far longer in several."""
+    """Return the labels of two clusters by scikit-learn, in one thread: so few points take far
+    longer in several."""
     with _thread_pools().limit(limits=1):
         return KMeans(2, n_init=int(n_init), random_state=0).fit_predict(points)
 
@@ -36,7 +41,8 @@ def several(q):
 
 
 def labelled(q, number=lambda own: own[:, 1].mean(), n_init=10):
-    """Return the clusters of q, of which the one with the larger number(samples) is 0; as they come for None."""
+    """Return the clusters of q, of which the one with the larger number(samples) is 0; as they come
+    for None."""
     q = np.asarray(q, float)
     if not several(q):
         return np.zeros(len(q), int)
@@ -66,14 +72,24 @@ def _lumps(rng, *lumps):
 
 def _one_elbow(rng):
     """Elongated clouds of samples of one elbow; what makes each of them hard is said beside it."""
-    largest = _lumps(rng, (0.4, 0.55, 0.04, 0.01, 12), (1.6, 0.5, 0.04, 0.2, 12))  # is not in the one of larger mean
+    largest = _lumps(
+        rng, (0.4, 0.55, 0.04, 0.01, 12), (1.6, 0.5, 0.04, 0.2, 12)
+    )  # is not in the one of larger mean
     smallest = _lumps(rng, (0.4, -0.5, 0.04, 0.2, 12), (1.6, -0.55, 0.04, 0.01, 12))  # nor is this
     towers = _lumps(rng, *[(x, 0.6 + y, 0.15, 0.005, n) for x, y, n in _TOWERS])
     return [
-        rng.permutation(_lumps(rng, (0.4, 1.3, 0.06, 0.1, 12), (0.8, 0.6, 0.06, 0.1, 12))),  # q2 > 0 in both
-        rng.permutation(_lumps(rng, (0.4, -1.3, 0.06, 0.1, 11), (0.8, -0.6, 0.06, 0.1, 13))),  # q2 < 0 in both
-        rng.permutation(_lumps(rng, (0.8, 0.02, 0.06, 0.07, 12), (0.85, 0.7, 0.06, 0.07, 12))),  # nearly stretched
-        rng.permutation(_lumps(rng, (0.6, 0.9, 0.05, 0.05, 4), (0.8, 0.3, 0.05, 0.05, 20))),  # the sum is not the mean
+        rng.permutation(
+            _lumps(rng, (0.4, 1.3, 0.06, 0.1, 12), (0.8, 0.6, 0.06, 0.1, 12))
+        ),  # q2 > 0 in both
+        rng.permutation(
+            _lumps(rng, (0.4, -1.3, 0.06, 0.1, 11), (0.8, -0.6, 0.06, 0.1, 13))
+        ),  # q2 < 0 in both
+        rng.permutation(
+            _lumps(rng, (0.8, 0.02, 0.06, 0.07, 12), (0.85, 0.7, 0.06, 0.07, 12))
+        ),  # nearly stretched
+        rng.permutation(
+            _lumps(rng, (0.6, 0.9, 0.05, 0.05, 4), (0.8, 0.3, 0.05, 0.05, 20))
+        ),  # the sum is not the mean
         *(largest, largest[::-1], smallest, smallest[::-1]),
         rng.permutation(towers),  # q1 tells more than q2, unless both are scaled
         rng.permutation(towers)[:, ::-1],  # and here q2
@@ -86,7 +102,13 @@ _TOWERS = [(0.6, 0.1, 8), (0.6, -0.1, 4), (1.4, 0.1, 4), (1.4, -0.1, 8)]
 def _cases(rng):
     first = _both_elbows(rng, (1.2, 1.3), 3, 3)
     one = two_link_angles(np.array([[1.0, 1.3], [0.9, 1.4]]))
-    equal = [one[0, 1:], one[1, :1], one[0, [0, 0]], one[1, [1] * 5], one[[0, 0, 1, 1, 1], [1, 1, 0, 0, 0]]]
+    equal = [
+        one[0, 1:],
+        one[1, :1],
+        one[0, [0, 0]],
+        one[1, [1] * 5],
+        one[[0, 0, 1, 1, 1], [1, 1, 0, 0, 0]],
+    ]
     cells = [((0.2, 1.75), 12, 12), ((1.1, 1.4), 22, 3), ((-0.3, 1.8), 3, 22)]
     cells = [rng.permutation(_both_elbows(rng, *cell)) for cell in cells]
     pair = _both_elbows(rng, (0.4, 1.6), 1, 1)[::-1]
@@ -97,12 +119,18 @@ def _cases(rng):
 def _within(q, labels):
     """Return the sum of the squared distances of the samples from the mean of their cluster."""
     q = np.asarray(q, float)
-    return sum(((own - own.mean(axis=0)) ** 2).sum() for own in (q[labels == k] for k in (0, 1)) if len(own))
+    return sum(
+        ((own - own.mean(axis=0)) ** 2).sum()
+        for own in (q[labels == k] for k in (0, 1))
+        if len(own)
+    )
 
 
 def _means(labels, q):
     mean = [np.asarray(q)[labels == k, 1].mean() for k in (0, 1)]
-    return f"The mean q2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
+    return (
+        f"The mean q2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
+    )
 
 
 EXERCISE = Exercise(
@@ -110,7 +138,10 @@ EXERCISE = Exercise(
     points=2,
     arguments=("q",),
     cases=_cases,
-    returns=numbers(lambda q: (len(q),), lambda array, q: _CENTRES if len(q) > 2 and array.shape == (2, 2) else None),
+    returns=numbers(
+        lambda q: (len(q),),
+        lambda array, q: _CENTRES if len(q) > 2 and array.shape == (2, 2) else None,
+    ),
     library=split_branches,
     tries_arguments=False,
     properties=(
@@ -118,7 +149,9 @@ EXERCISE = Exercise(
             "each label is 0 or 1",
             lambda labels, q: np.isin(labels, (0, 1)).all(),
             says=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
-            mistake=Mistake("there are other labels than 0 and 1", "What are the two clusters called?"),
+            mistake=Mistake(
+                "there are other labels than 0 and 1", "What are the two clusters called?"
+            ),
         ),
         Property(
             "with fewer than two different samples there is nothing to split: all labels are 0",
@@ -134,10 +167,13 @@ EXERCISE = Exercise(
             mistake=Mistake("all samples are in one cluster", "How many clusters are asked for?"),
         ),
         Property(
-            "the samples lie as near to the means of their clusters as two clusters can bring them: the sum of the "
+            "the samples lie as near to the means of their clusters as two clusters can bring "
+            "them: the sum of the "
             "squared distances is the least",
             lambda labels, q: _within(q, labels) <= 1.0001 * _within(q, labelled(q)) + 1e-12,
-            says=lambda labels, q: f"Yours is {_within(q, labels):.4g}, and {_within(q, labelled(q)):.4g} is possible.",
+            says=lambda labels, q: (
+                f"Yours is {_within(q, labels):.4g}, and {_within(q, labelled(q)):.4g} is possible."
+            ),
             where=several,
         ),
         Property(
@@ -145,13 +181,16 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, labelled(q)),
             says=_means,
             where=several,
-            mistake=Mistake("cluster 0 has the smaller mean q2", "Compare the two means with one another."),
+            mistake=Mistake(
+                "cluster 0 has the smaller mean q2", "Compare the two means with one another."
+            ),
         ),
     ),
     errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
     hints=(
         "K-means may call either cluster 0. In which case are the labels right as they are?",
-        "Compare the mean q2 of both, centres[0, 1] and centres[1, 1]. Which array has 0 for 1 and 1 for 0?",
+        "Compare the mean q2 of both, centres[0, 1] and centres[1, 1]. Which array has 0 for 1 and "
+        "1 for 0?",
         "If the first is the smaller one, 1 - labels exchanges the two.",
     ),
 )
@@ -164,13 +203,19 @@ def _other(q, **changes):
 
 @EXERCISE.mistake(n_init=(1, 10), swapped=(False, True))
 def not_renumbered(q, n_init, swapped):
-    """the labels are swapped in some cells, or in all. Which cluster does KMeans call 0, and which do you want?"""
+    """the labels are swapped in some cells, or in all.
+
+    Which cluster does KMeans call 0, and which do you want?
+    """
     return 1 - labelled(q) if swapped and several(q) else _other(q, number=None, n_init=n_init)
 
 
 @EXERCISE.mistake(every=(True, False))
 def by_the_sign(q, every):
-    """the samples are split by the sign of q2. Which labels did k-means give, and what is left for you to decide?"""
+    """the samples are split by the sign of q2.
+
+    Which labels did k-means give, and what is left for you to decide?
+    """
     return (np.asarray(q)[:, 1] < 0).astype(int) if every or several(q) else None
 
 
@@ -185,5 +230,8 @@ def by_the_sign(q, every):
     )
 )
 def ordered_otherwise(q, number):
-    """the clusters are numbered by something else than their mean q2. Which column of q is that, and which function?"""
+    """the clusters are numbered by something else than their mean q2.
+
+    Which column of q is that, and which function?
+    """
     return _other(q, number=number)

@@ -18,7 +18,8 @@ def _changed(change):
 
 
 def _by_circles(xy):
-    """Return the same from the two points where circles around the base and the tip meet: the elbows."""
+    """Return the same from the two points where circles around the base and the tip meet: the
+    elbows."""
     r = np.linalg.norm(xy)
     if not 0 < r < _REACH:
         return closed_form(xy)
@@ -48,9 +49,11 @@ EXERCISE = WriteTest(
     arguments=("ik_2r",),
     hints=(
         "You need no right version to compare with: fk_2r says where a solution leads.",
-        "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try positions in all "
+        "Look at both rows: each leads to xy, q2 >= 0 stands first, and q2 <= 0 second. Try "
+        "positions in all "
         "four quadrants.",
-        "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m exactly, where nothing is "
+        "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m "
+        "exactly, where nothing is "
         "nan; and slightly nearer than 2 m, where both rows lead to xy.",
     ),
     shapes=((2,),),
@@ -67,13 +70,20 @@ EXERCISE = WriteTest(
         Version(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
         Version("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
         Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
-        Version("that is wrong only for x < 0", _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0))),
+        Version(
+            "that is wrong only for x < 0",
+            _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0)),
+        ),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
         Version("that is right to four digits only", _changed(lambda q, xy: np.round(q, 4))),
         Version("that answers out of reach", two_link_angles),
         Version(
             "that answers out of reach",
-            lambda xy: closed_form(xy) if np.linalg.norm(xy) < _REACH else two_link_angles(xy) * [np.nan, 1],
+            lambda xy: (
+                closed_form(xy)
+                if np.linalg.norm(xy) < _REACH
+                else two_link_angles(xy) * [np.nan, 1]
+            ),
         ),
         Version(
             "that has no answer on the edge",

@@ -1,4 +1,5 @@
-"""The mugs of notebook 5: their key points, what a camera sees of them, and what counts as picked."""
+"""The mugs of notebook 5: their key points, what a camera sees of them, and what counts as
+picked."""
 
 import numpy as np
 
@@ -8,7 +9,8 @@ from course_lib.pick import IN_FLANGE, between, clearances, shares
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_z
 
-# Key points of the template in metres, in the mug's frame: z up from the middle of its foot, the handle along x.
+# Key points of the template in metres, in the mug's frame: z up from the middle of its foot, the
+# handle along x.
 TEMPLATE = np.array(
     [
         [0.035, 0, 0.09],
@@ -25,11 +27,12 @@ _LONGEST = 2.0  # seconds for a pick that counts
 
 
 def mug_scene(rng):
-    """Return the pose (4, 4) of a mug somewhere on the table, and its key points (7, 3) as seen, in the world.
+    """Return the pose (4, 4) of a mug somewhere on the table, and its key points (7, 3) as seen, in
+    the world.
 
-    The mug stands 30 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of straight ahead, where
-    the arm can grasp it from above. The points have 1 mm of noise. Up to three of them are wrong: some centimetres off,
-    in nearly the same direction.
+    The mug stands 30 to 65 cm from the axis of joint 1, up to 115 degrees to the left or right of
+    straight ahead, where the arm can grasp it from above. The points have 1 mm of noise. Up to
+    three of them are wrong: some centimetres off, in nearly the same direction.
     """
     radius, bearing = rng.uniform(0.3, 0.65), rng.uniform(-2, 2)
     x, y = T_W0[:2, 3] + radius * np.array([np.cos(bearing), np.sin(bearing)])
@@ -53,16 +56,19 @@ def picked(T_mug, trajectory):
     Returns
     -------
     bool
-        It begins in the ready configuration. Nothing touches anything, all angles are within the limits, speeds and
-        accelerations within their bounds. At the end the gripper is within 5 mm of the mug's axis, within 10 degrees
-        of the vertical and 3 to 8 cm above the table. It takes at most 2 s.
+        It begins in the ready configuration. Nothing touches anything, all angles are within the
+        limits, speeds and accelerations within their bounds. At the end the gripper is within 5 mm
+        of the mug's axis, within 10 degrees of the vertical and 3 to 8 cm above the table. It takes
+        at most 2 s.
     """
     trajectory, low_high = np.asarray(trajectory, float), panda().limits.T
     rows = trajectory.ndim == 2 and trajectory.shape[1:] == (8,) and len(trajectory) > 1
     if not rows or not np.isfinite(trajectory).all() or np.diff(trajectory[:, 0]).min() <= 0:
         return False
     joints = trajectory[:, 1:]
-    begins = np.abs(joints[0] - READY).max() < 1e-6 and trajectory[-1, 0] - trajectory[0, 0] <= _LONGEST
+    begins = (
+        np.abs(joints[0] - READY).max() < 1e-6 and trajectory[-1, 0] - trajectory[0, 0] <= _LONGEST
+    )
     inside = np.abs(joints - np.clip(joints, *low_high)).max() < 1e-9
     bounded = max(share.max() for share in shares(trajectory)) < 1.01
     clear = min(gap.min() for gap in clearances(between(trajectory)[1], T_mug).values()) > 0
@@ -95,5 +101,7 @@ def score(plan):
     random = np.random.default_rng(11)
     scenes = [mug_scene(random) for _ in range(30)]
     plans = [(T, np.asarray(plan(points), float)) for T, points in scenes]
-    durations = [trajectory[-1, 0] - trajectory[0, 0] for T, trajectory in plans if picked(T, trajectory)]
+    durations = [
+        trajectory[-1, 0] - trajectory[0, 0] for T, trajectory in plans if picked(T, trajectory)
+    ]
     return len(durations), float(np.mean(durations)) if durations else float("nan")

@@ -4,7 +4,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, flange, panda_jacobian, pose_error
+from course_lib.checks.exercises.panda_dh_ik.shared import (
+    HIGH,
+    LOW,
+    flange,
+    panda_jacobian,
+    pose_error,
+)
 from course_lib.checks.vocabulary import any_pose, away_from_zero, near
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, log_so3
@@ -34,7 +40,9 @@ def _cases(rng):
     for step in (0.1, 0.3, 1.0):
         q = np.round(rng.uniform(LOW, HIGH), 2)
         drawn.append((q, panda_jacobian(q), flange(q), any_pose(rng), step))
-    drawn += [(away_from_zero(rng, 4), away_from_zero(rng, (6, 4)), any_pose(rng), any_pose(rng), 0.2)]
+    drawn += [
+        (away_from_zero(rng, 4), away_from_zero(rng, (6, 4)), any_pose(rng), any_pose(rng), 0.2)
+    ]
     return [simple, moved, *drawn, there]
 
 
@@ -54,17 +62,23 @@ EXERCISE = Exercise(
             "if only the position differs, the step leads towards the target, as far as J^T says",
             lambda answer, *case: near(answer, right(*case)),
             where=lambda q, J, T, T_target, step: np.array_equal(T[:3, :3], T_target[:3, :3]),
-            mistake=Mistake("the step is not step J^T e", "How long is it, and which matrix stands before e?"),
+            mistake=Mistake(
+                "the step is not step J^T e", "How long is it, and which matrix stands before e?"
+            ),
         ),
         Property(
             "the error is the one that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
-            mistake=Mistake("the lower half of the error is not phi", "Which vector takes R to R_target?"),
+            mistake=Mistake(
+                "the lower half of the error is not phi", "Which vector takes R to R_target?"
+            ),
         ),
     ),
     hints=(
-        "Take T and T_target with the same position and different orientations. What should the upper half of e be?",
-        "The translation of T T_target^-1 says how the point at the world's origin moves, not the end-effector's.",
+        "Take T and T_target with the same position and different orientations. What should the "
+        "upper half of e be?",
+        "The translation of T T_target^-1 says how the point at the world's origin moves, not the "
+        "end-effector's.",
         "e is what pose_error(T, T_target) returns, and it already leads to the target.",
     ),
     library=right,
@@ -72,10 +86,12 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3)))
+@EXERCISE.mistake(
+    error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3))
+)
 def rotation_in_the_translation(q, J, T, T_target, step, error):
-    """the translation still holds a part of the rotation. Which error belongs to the geometric Jacobian in the table of
-    the three Jacobians?"""
+    """the translation still holds a part of the rotation. Which error belongs to the geometric
+    Jacobian in the table of the three Jacobians?"""
     return q + step * J.T @ error(T, T_target)
 
 

@@ -1,4 +1,5 @@
-"""find_signs: which joints of a standard table have the opposite sign, by a search over all patterns of signs."""
+"""find_signs: which joints of a standard table have the opposite sign, by a search over all
+patterns of signs."""
 
 import itertools
 
@@ -24,7 +25,8 @@ def _ends(table, q, patterns, convention=standard):
 
 
 def _gaps(table, q, poses, convention=standard):
-    """Return the largest difference of each pattern and configuration in position and orientation, (2^n, m, 2)."""
+    """Return the largest difference of each pattern and configuration in position and orientation,
+    (2^n, m, 2)."""
     gap = np.abs(_ends(table, q, _patterns(table), convention) - poses)
     return np.stack([gap[..., :3, 3].max(-1), gap[..., :3, :3].max((-1, -2))], -1)
 
@@ -40,9 +42,11 @@ def right(table, q, poses):
 
 
 def _case(rng, n, zero=None, noise=0.0, deceives=()):
-    """Return a table, configurations, and the poses that they have if some joints have the opposite sign.
+    """Return a table, configurations, and the poses that they have if some joints have the opposite
+    sign.
 
-    The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong answers to the case.
+    The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong
+    answers to the case.
     """
     while True:
         table = np.round(rng.uniform(0.2, 0.8, (n, 3)), 2)
@@ -83,7 +87,9 @@ EXERCISE = Exercise(
         Property(
             "the answer holds 1 and -1 only",
             lambda answer, *case: np.isin(answer, [1, -1]).all(),
-            mistake=Mistake("something other than signs is returned", "Return the best pattern itself."),
+            mistake=Mistake(
+                "something other than signs is returned", "Return the best pattern itself."
+            ),
         ),
         Property(
             "with the signs applied to its angles, the table gives the poses that were measured",
@@ -91,15 +97,19 @@ EXERCISE = Exercise(
             says=_off,
             mistake=Mistake(
                 "another pattern fits better",
-                "Is each of the 2^n patterns tried as a whole, by dh_standard, in all configurations, by whole poses?",
+                "Is each of the 2^n patterns tried as a whole, by dh_standard, in all "
+                "configurations, by whole poses?",
             ),
         ),
     ),
     hints=(
-        "itertools.product([1, -1], repeat=n) runs through all patterns. For each one, compute the pose of every "
+        "itertools.product([1, -1], repeat=n) runs through all patterns. For each one, compute the "
+        "pose of every "
         "configuration and compare it with the one measured.",
-        "A pattern is as good as its worst configuration. Keep the pattern whose worst difference is the least.",
-        "The pose of one configuration: T = np.eye(4), then T = T @ dh_standard(a, alpha, d, theta) for each row, with "
+        "A pattern is as good as its worst configuration. Keep the pattern whose worst difference "
+        "is the least.",
+        "The pose of one configuration: T = np.eye(4), then T = T @ dh_standard(a, alpha, d, "
+        "theta) for each row, with "
         "theta the sign times the angle.",
     ),
     library=right,
@@ -121,11 +131,16 @@ def one_configuration(table, q, poses, k):
 
 @EXERCISE.mistake
 def one_joint_at_a_time(table, q, poses):
-    """one joint is decided after the other. Does the best sign of one joint depend on those of the others?"""
+    """one joint is decided after the other.
+
+    Does the best sign of one joint depend on those of the others?
+    """
     worst = dict(zip(map(tuple, _patterns(table)), _gaps(table, q, poses).max((1, 2)), strict=True))
     signs = [1] * len(table)
     for i in range(len(table)):
-        signs[i] = min((1, -1), key=lambda sign, i=i: round(worst[(*signs[:i], sign, *signs[i + 1 :])], 9))
+        signs[i] = min(
+            (1, -1), key=lambda sign, i=i: round(worst[(*signs[:i], sign, *signs[i + 1 :])], 9)
+        )
     return np.array(signs)
 
 

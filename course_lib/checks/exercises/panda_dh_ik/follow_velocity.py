@@ -1,4 +1,5 @@
-"""follow_velocity: joint angles on a path through a singularity, with a damping that acts near it only."""
+"""follow_velocity: joint angles on a path through a singularity, with a damping that acts near it
+only."""
 
 import numpy as np
 
@@ -78,7 +79,8 @@ def _first_off(path, *case):
 
 _OTHER_STEP = Mistake(
     "a step is not dt q_dot of the configuration before it",
-    "Print the first step: at which configuration is J, how large is eps, and by which time is q_dot multiplied?",
+    "Print the first step: at which configuration is J, how large is eps, and by which time is "
+    "q_dot multiplied?",
 )
 
 EXERCISE = Exercise(
@@ -88,16 +90,21 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda q, v, dt, n, *rest: (n + 1, 7)),
     properties=(
-        Property("the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < 1e-9),
+        Property(
+            "the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < 1e-9
+        ),
         Property(
             "away from singularities, s > near, the flange moves with v: q_dot is J^+ v",
             lambda path, *case: np.abs(path - right(*case)).max() < 1e-8,
             _first_off,
             mistake=_OTHER_STEP,
-            where=lambda q, v, dt, n, near, most: min(map(_smallest, right(q, v, dt, n, near, most))) > near,
+            where=lambda q, v, dt, n, near, most: (
+                min(map(_smallest, right(q, v, dt, n, near, most))) > near
+            ),
         ),
         Property(
-            "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration before it, "
+            "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration "
+            "before it, "
             "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
             lambda path, *case: np.abs(path - right(*case)).max() < 1e-7,
             _first_off,
@@ -105,14 +112,20 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "A loop of n steps, in each: J at the configuration, its smallest singular value, the damping, the step.",
-        "np.linalg.svd(J, compute_uv=False) has the singular values, the smallest last. With eps = 0 the step is that "
+        "A loop of n steps, in each: J at the configuration, its smallest singular value, the "
+        "damping, the step.",
+        "np.linalg.svd(J, compute_uv=False) has the singular values, the smallest last. With eps = "
+        "0 the step is that "
         "of the pseudoinverse, so one formula serves both cases.",
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
     library=right,
     errors=(
-        ("LinAlgError", "Singular", Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?")),
+        (
+            "LinAlgError",
+            "Singular",
+            Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?"),
+        ),
     ),
 )
 
@@ -127,6 +140,6 @@ EXERCISE = Exercise(
     )
 )
 def other_damping(*case, eps_of):
-    """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is it largest, where is
-    it 0, and does it jump?"""
+    """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is
+    it largest, where is it 0, and does it jump?"""
     return _walked(*case, eps_of=eps_of)

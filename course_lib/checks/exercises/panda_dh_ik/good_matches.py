@@ -1,4 +1,5 @@
-"""good_matches: which matches of points agree on one pose, whatever the others say (RANSAC over all triples)."""
+"""good_matches: which matches of points agree on one pose, whatever the others say (RANSAC over all
+triples)."""
 
 import itertools
 
@@ -12,7 +13,10 @@ from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.registration import register_points
 
 _POSE = Mistake("a pose is returned", "Which matches agree with it?")
-_INDICES = Mistake("the numbers of some matches are returned", "The answer is True or False for each of the n matches.")
+_INDICES = Mistake(
+    "the numbers of some matches are returned",
+    "The answer is True or False for each of the n matches.",
+)
 _TOL = 0.005  # m
 
 
@@ -42,13 +46,18 @@ def right(src, dst, tol):
 def _case(rng, n, wrong, shift="common", deceives=()):
     """Return points of a mug's size, their matches, and a tolerance; some of the matches are wrong.
 
-    wrong: how many of them, or which. shift: "common", by nearly the same 5 cm; "same", exactly; "own", each by its
-    own; "slight", each coordinate within the tolerance. deceives: wrong answers to the case.
+    wrong: how many of them, or which. shift: "common", by nearly the same 5 cm; "same", exactly;
+    "own", each by its own; "slight", each coordinate within the tolerance. deceives: wrong answers
+    to the case.
     """
     while True:
         src = np.round(rng.uniform(-0.06, 0.06, (n, 3)), 3)
         dst = moved(any_pose(rng), src) + 0.0002 * rng.normal(size=(n, 3))
-        bad = np.sort(rng.choice(n, wrong, replace=False)) if isinstance(wrong, int) else np.array(wrong)
+        bad = (
+            np.sort(rng.choice(n, wrong, replace=False))
+            if isinstance(wrong, int)
+            else np.array(wrong)
+        )
         by = 0.05 * unit(rng) + (0.01 * rng.normal(size=(len(bad), 3)) if shift == "common" else 0)
         by = 0.05 * np.array([unit(rng) for _ in bad]) if shift == "own" else by
         dst[bad] += 0.9 * _TOL * rng.choice([-1, 1], (len(bad), 3)) if shift == "slight" else by
@@ -60,7 +69,11 @@ def _case(rng, n, wrong, shift="common", deceives=()):
             continue
         masks = found[1]
         best = masks[masks.sum(1) >= truth.sum()]
-        if len(best) and (best == truth).all() and not any(np.array_equal(f(*case), truth) for f in deceives):
+        if (
+            len(best)
+            and (best == truth).all()
+            and not any(np.array_equal(f(*case), truth) for f in deceives)
+        ):
             return case
 
 
@@ -93,19 +106,26 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda src, *rest: (len(src),),
-        lambda array, src, *rest: _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None,
+        lambda array, src, *rest: (
+            _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None
+        ),
     ),
     properties=(
         Property(
             "the answer is True or False for each match",
             lambda good, *case: np.isin(good, [0, 1]).all(),
-            mistake=Mistake("something other than True or False is returned", "What is compared with tol?"),
+            mistake=Mistake(
+                "something other than True or False is returned", "What is compared with tol?"
+            ),
         ),
         Property(
             "if all matches are within tol of one pose, all are good",
             lambda good, *case: good.all(),
             where=lambda *case: right(*case).all(),
-            mistake=Mistake("good matches are left out", "Do all n take part, and may a set have three matches only?"),
+            mistake=Mistake(
+                "good matches are left out",
+                "Do all n take part, and may a set have three matches only?",
+            ),
         ),
         Property(
             "the good matches are the largest set within tol of one triple's pose",
@@ -113,14 +133,18 @@ EXERCISE = Exercise(
             says=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
             mistake=Mistake(
                 "another set is returned than the largest one",
-                "Is every triple tried, are all n distances compared with tol, and is the largest set kept?",
+                "Is every triple tried, are all n distances compared with tol, and is the largest "
+                "set kept?",
             ),
         ),
     ),
     hints=(
-        "Three matches fix a pose. If all three are good, the other good ones agree; if one is wrong, hardly any.",
-        "For each triple of itertools.combinations(range(n), 3): register it, and count the matches within tol.",
-        "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the triple. "
+        "Three matches fix a pose. If all three are good, the other good ones agree; if one is "
+        "wrong, hardly any.",
+        "For each triple of itertools.combinations(range(n), 3): register it, and count the "
+        "matches within tol.",
+        "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the "
+        "triple. "
         "Keep the mask with the largest sum.",
     ),
     library=right,
@@ -130,7 +154,10 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(most=(1, 9))
 def worst_dropped(src, dst, tol, most):
-    """the worst match is dropped, once or again and again. Can a good match look worst beside two wrong ones?"""
+    """the worst match is dropped, once or again and again.
+
+    Can a good match look worst beside two wrong ones?
+    """
     kept = np.arange(len(src))
     for _ in range(most):
         if len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
@@ -140,6 +167,9 @@ def worst_dropped(src, dst, tol, most):
 
 @EXERCISE.mistake
 def by_coordinates(src, dst, tol):
-    """each coordinate is compared with tol, not the distance. How far is a point if each coordinate is off by tol?"""
+    """each coordinate is compared with tol, not the distance.
+
+    How far is a point if each coordinate is off by tol?
+    """
     masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]
     return masks[masks.sum(1).argmax()]

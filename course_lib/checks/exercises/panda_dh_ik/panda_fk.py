@@ -13,13 +13,19 @@ _NAMES = (*(f"frame {i}" for i in range(1, 8)), "the flange")
 
 
 def _known_form(array, q):
-    """Return the mistake of an array of another shape, or None; a list of more than nine has grown with each call."""
+    """Return the mistake of an array of another shape, or None; a list of more than nine has grown
+    with each call."""
     if array.shape[1:] == (4, 4) and len(array) > 9:
         return SAME_TWICE.mistake
     if array.shape == (9, 4, 4):
-        return Mistake("there is one pose too many, most likely the base", "Which frame is the first of the eight?")
+        return Mistake(
+            "there is one pose too many, most likely the base",
+            "Which frame is the first of the eight?",
+        )
     if array.shape == (8, 3):
-        return Mistake("only the positions are returned", "Each of the eight is a whole pose, 4 x 4.")
+        return Mistake(
+            "only the positions are returned", "Each of the eight is a whole pose, 4 x 4."
+        )
     return None
 
 
@@ -32,7 +38,10 @@ def _cases(rng):
 
 def steps(q):
     """Return each frame in the one before, and the flange in the last: (8, 4, 4)."""
-    return np.array([shared.modified(*row, theta) for row, theta in zip(shared.TABLE, q, strict=True)] + [_FLANGE])
+    return np.array(
+        [shared.modified(*row, theta) for row, theta in zip(shared.TABLE, q, strict=True)]
+        + [_FLANGE]
+    )
 
 
 def _chain(*steps, base=shared.T_W0):
@@ -49,7 +58,10 @@ def _off(T, q):
         i = int(np.argmax(np.abs(T[k] - right[k]).max(0)))
         wanted, yours, what = right[k, :3, i], T[k, :3, i], f"has its {'xyz'[i]} axis along"
     row = f" (row {k + 1} of the table)" if k < 7 else ""
-    return f"The first that differs is {_NAMES[k]}{row}: it {what} {format_tuple(wanted)}, yours {format_tuple(yours)}."
+    return (
+        f"The first that differs is {_NAMES[k]}{row}: it {what} {format_tuple(wanted)}, yours "
+        f"{format_tuple(yours)}."
+    )
 
 
 EXERCISE = Exercise(
@@ -65,7 +77,10 @@ EXERCISE = Exercise(
             "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle alone",
             lambda T, q: near(T[0], shared.frames(q)[0]),
             says=_off,
-            mistake=Mistake("frame 1 is not T_w0 T_1", "On which side does T_1 stand, and is your row (a, alpha, d)?"),
+            mistake=Mistake(
+                "frame 1 is not T_w0 T_1",
+                "On which side does T_1 stand, and is your row (a, alpha, d)?",
+            ),
         ),
         Property(
             "the pose of frame i in the world is T_w0 T_1 ... T_i",
@@ -73,14 +88,17 @@ EXERCISE = Exercise(
             _off,
             mistake=Mistake(
                 "a pose is not the one before it times its own step",
-                "T = T @ dh_modified(...) makes a new array. Which frame is the first that is off, and by which row?",
+                "T = T @ dh_modified(...) makes a new array. Which frame is the first that is off, "
+                "and by which row?",
             ),
         ),
     ),
     hints=(
-        "Begin with the pose of the base in the world, and multiply by one step for each row of the table.",
+        "Begin with the pose of the base in the world, and multiply by one step for each row of "
+        "the table.",
         "In the loop: T = T @ dh_modified(a, alpha, d, theta). Append each T to a list.",
-        "The flange is T @ rigid.transform(np.eye(3), [0, 0, 0.107]). Return np.array(list), shape (8, 4, 4).",
+        "The flange is T @ rigid.transform(np.eye(3), [0, 0, 0.107]). Return np.array(list), shape "
+        "(8, 4, 4).",
     ),
     library=shared.frames,
     forbidden=("course_lib.arms.panda", "course_lib.arms.SerialArm"),

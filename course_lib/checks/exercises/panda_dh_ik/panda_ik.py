@@ -1,4 +1,5 @@
-"""panda_ik: joint angles inside the Panda's limits for which its flange has a given pose in the world."""
+"""panda_ik: joint angles inside the Panda's limits for which its flange has a given pose in the
+world."""
 
 import itertools
 
@@ -6,22 +7,34 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.exercises.panda_dh_ik.shared import HIGH, LOW, PANDA, READY, T_W0, flange, frames
+from course_lib.checks.exercises.panda_dh_ik.shared import (
+    HIGH,
+    LOW,
+    PANDA,
+    READY,
+    T_W0,
+    flange,
+    frames,
+)
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import SOLVERS, remembered
 from course_lib.ik import solve
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, length, log_so3
 
-_REACHED = 1.001e-6  # metres and radians; a little more than asked for, because the student's sums round otherwise
+# metres and radians; a little more than asked for, because the student's sums round otherwise
+_REACHED = 1.001e-6
 
-_LOW_DOWN = np.array([0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8])  # its flange is within reach of the base, and of the world
+_LOW_DOWN = np.array(
+    [0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8]
+)  # its flange is within reach of the base, and of the world
 _OUTSIDE = READY + 2.3 * np.eye(7)[6]  # a start that reaches its target outside the limits
 _BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond pi
 
-# Configurations whose flange poses are not reached from the ready configuration without a restart: damped steps of many
-# kinds (damping constant, or by the error, large and small), clipped to the limits after each step, end beside these
-# poses; steps without limits end outside the limits. From a random configuration about every third start succeeds.
+# Configurations whose flange poses are not reached from the ready configuration without a restart:
+# damped steps of many kinds (damping constant, or by the error, large and small), clipped to the
+# limits after each step, end beside these poses; steps without limits end outside the limits. From
+# a random configuration about every third start succeeds.
 _HARD = np.array(
     [
         [-2.16, -0.75, -2.27, -2.42, -2.15, 0.72, -1.98],
@@ -36,9 +49,10 @@ _HARD = np.array(
 )
 
 
-# With joint 1 at its limit, and starts 0.2 rad below: solvers with few steps, with a damping that is large or negative,
-# or that leave the limits on their way, end beside one of these. No case is there whose difficulty depends on the
-# numbers drawn: who finds all targets in the notebook finds all of them in grading.
+# With joint 1 at its limit, and starts 0.2 rad below: solvers with few steps, with a damping that
+# is large or negative, or that leave the limits on their way, end beside one of these. No case is
+# there whose difficulty depends on the numbers drawn: who finds all targets in the notebook finds
+# all of them in grading.
 _AT_A_LIMIT = np.column_stack(
     [
         np.full(9, HIGH[0] - 0.01),
@@ -55,7 +69,9 @@ _AT_A_LIMIT = np.column_stack(
         ],
     ]
 )
-_ABOUT_READY = READY + 0.1 * np.array([-1, 1, -1, 1, -1, -1, 1])  # of all such signs, those that take the most steps
+_ABOUT_READY = READY + 0.1 * np.array(
+    [-1, 1, -1, 1, -1, -1, 1]
+)  # of all such signs, those that take the most steps
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
 
@@ -111,7 +127,9 @@ def _solved(q, T, q0):
 
 
 def _second_missed(values, cases):
-    missed = (k for k, case in enumerate(cases) if _reachable(*case) and not _solved(values[k], *case))
+    missed = (
+        k for k, case in enumerate(cases) if _reachable(*case) and not _solved(values[k], *case)
+    )
     return next(itertools.islice(missed, 1, None), None)
 
 
@@ -128,21 +146,33 @@ def _off(q, T, q0):
 
 def _elsewhere(q, T, q0):
     j = int(np.argmax(np.abs(q - q0)))
-    return f"Joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}: do you look at the error before the first step?"
+    return (
+        f"Joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}: do you look at the error before the "
+        f"first step?"
+    )
 
 
 _NOT_CONVERGING = Mistake(
     "the steps do not converge to a target close by",
-    "Print the length of the error after each step: before the first it is small, if T_target and your flange are seen "
-    "from the same frame. Do e and the rows of J have the same order and axes? Are both computed again for each q?",
+    "Print the length of the error after each step: before the first it is small, if T_target and "
+    "your flange are seen "
+    "from the same frame. Do e and the rows of J have the same order and axes? Are both computed "
+    "again for each q?",
 )
 _STUCK = Mistake(
     "no start leads to this target: there are no restarts, or too few of them converge",
-    "A descent gets stuck in a local minimum or at a limit. If you restart already, how many of your starts converge?",
+    "A descent gets stuck in a local minimum or at a limit. If you restart already, how many of "
+    "your starts converge?",
 )
-_START = Mistake("q0 is returned as it came", "It may lie outside the limits: what does the task do with it first?")
+_START = Mistake(
+    "q0 is returned as it came",
+    "It may lie outside the limits: what does the task do with it first?",
+)
 _IGNORED = Mistake("the limits are ignored", "Where can a step lead?")
-_LAST = Mistake("the last angles are returned, although they do not reach T_target", "What do you test before return?")
+_LAST = Mistake(
+    "the last angles are returned, although they do not reach T_target",
+    "What do you test before return?",
+)
 
 EXERCISE = Exercise(
     name="panda_ik",
@@ -151,7 +181,11 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda *case: (7,),
-        {(4, 4): Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles.")},
+        {
+            (4, 4): Mistake(
+                "a pose is returned", "Inverse kinematics goes from a pose to joint angles."
+            )
+        },
         gaps=True,
     ),
     properties=(
@@ -178,7 +212,9 @@ EXERCISE = Exercise(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < 1e-6,
             _elsewhere,
-            mistake=Mistake("the iteration does not begin at q0", "What is q before the first step?"),
+            mistake=Mistake(
+                "the iteration does not begin at q0", "What is q before the first step?"
+            ),
             where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
         ),
         Property(
@@ -188,7 +224,8 @@ EXERCISE = Exercise(
             mistake=_NOT_CONVERGING,
         ),
         Property(
-            "a target that some joint angles inside the limits reach is found: seven numbers are returned, not NaN",
+            "a target that some joint angles inside the limits reach is found: seven numbers are "
+            "returned, not NaN",
             _found,
             where=_reachable,
             mistake=_STUCK,
@@ -197,17 +234,26 @@ EXERCISE = Exercise(
             "for a target out of reach (3 m away) seven NaN are returned",
             lambda q, *case: not _found(q),
             where=lambda *case: not _reachable(*case),
-            mistake=Mistake("angles are returned for a target out of reach", "What is returned if no start converges?"),
+            mistake=Mistake(
+                "angles are returned for a target out of reach",
+                "What is returned if no start converges?",
+            ),
         ),
         Property("each target close by is reached", _solved, where=_near, points=2),
-        Property("at most one target within reach is missed", _second_missed, across=True, points=1),
+        Property(
+            "at most one target within reach is missed", _second_missed, across=True, points=1
+        ),
     ),
     hints=(
-        "One start is a loop: the frames at q, the error to T_target, return q if it is small enough, else a damped "
+        "One start is a loop: the frames at q, the error to T_target, return q if it is small "
+        "enough, else a damped "
         "step and np.clip to the limits.",
-        "How should the damping depend on the error, so that the last steps converge fast and the first ones are safe?",
-        "Around it a second loop over the starts: if a start fails, where should the next one begin, and what is "
-        "returned after the last? Print how many steps a start takes that converges: more than twice that is wasted.",
+        "How should the damping depend on the error, so that the last steps converge fast and the "
+        "first ones are safe?",
+        "Around it a second loop over the starts: if a start fails, where should the next one "
+        "begin, and what is "
+        "returned after the last? Print how many steps a start takes that converges: more than "
+        "twice that is wasted.",
     ),
     library=solved,
     tries_arguments=False,
@@ -217,27 +263,33 @@ EXERCISE = Exercise(
 
 @EXERCISE.seen
 def stopped_too_early(q, T, q0):
-    """the iteration stops too early, or the angles are rounded. How close does the task ask you to come, and does your
-    damping still slow you down there?"""
+    """the iteration stops too early, or the angles are rounded. How close does the task ask you to
+    come, and does your damping still slow you down there?"""
     return _REACHED < _gaps(flange(q), T).max() < 0.02 and _inside(q, T, q0)
 
 
 @EXERCISE.seen
 def base_forgotten(q, T, q0):
-    """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and from where is your
-    flange?"""
+    """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and
+    from where is your flange?"""
     back = inverse(T_W0)
     return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
 
 
 @EXERCISE.seen
 def flange_forgotten(q, T, q0):
-    """the flange is forgotten: the frame of joint 7 is at T_target. Which of the eight poses is the flange's?"""
+    """the flange is forgotten: the frame of joint 7 is at T_target.
+
+    Which of the eight poses is the flange's?
+    """
     return bool((_gaps(frames(q)[6], T) < 1e-3).all())
 
 
 @EXERCISE.seen
 def one_half_only(q, T, q0):
-    """only the position, or only the orientation, is brought to T_target. How many numbers has the error?"""
+    """only the position, or only the orientation, is brought to T_target.
+
+    How many numbers has the error?
+    """
     metres, angle = _gaps(flange(q), T)
     return _reachable(T, q0) and min(metres, angle) <= _REACHED < max(metres, angle)

@@ -1,4 +1,5 @@
-"""pixel_to_point: pixels with their depths, as points in the world, by the pinhole model and the camera's pose."""
+"""pixel_to_point: pixels with their depths, as points in the world, by the pinhole model and the
+camera's pose."""
 
 import numpy as np
 
@@ -9,7 +10,9 @@ from course_lib.checks.vocabulary import any_pose, first_off, near
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
-_NOT_MOVED = Mistake("the points are not moved by T_wc", "Which two parts of a pose act on a point?")
+_NOT_MOVED = Mistake(
+    "the points are not moved by T_wc", "Which two parts of a pose act on a point?"
+)
 _ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
 
 
@@ -25,14 +28,19 @@ def right(pixels, depths, K, T_wc):
 
 
 def _cases(rng):
-    simple, other = [[600.0, 0, 320], [0, 600, 240], [0, 0, 1]], [[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]]
+    simple, other = (
+        [[600.0, 0, 320], [0, 600, 240], [0, 0, 1]],
+        [[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]],
+    )
     hangs = transform(rot_x(np.pi), [0.3, 0.1, 1.4])
     three = np.array([[320.0, 240], [380, 240], [320, 180]])
     cases = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
     cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
     for n in (1, 3, 4, 7):
         pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)), n % 2)
-        cases.append((pixels, np.round(rng.uniform(0.3, 1.5, n), 3), np.array(other), any_pose(rng)))
+        cases.append(
+            (pixels, np.round(rng.uniform(0.3, 1.5, n), 3), np.array(other), any_pose(rng))
+        )
     return cases
 
 
@@ -55,11 +63,14 @@ EXERCISE = Exercise(
     ),
     properties=(
         Property(
-            "with T_wc = I, which moves nothing, each point has its depth as z and is seen at its pixel",
+            "with T_wc = I, which moves nothing, each point has its depth as z and is seen at its "
+            "pixel",
             _right,
             _off,
             where=lambda pixels, depths, K, T_wc: np.array_equal(T_wc, np.eye(4)),
-            mistake=Mistake("the point in the camera's frame is another one", "Solve u = f_x x / z + c_x for x."),
+            mistake=Mistake(
+                "the point in the camera's frame is another one", "Solve u = f_x x / z + c_x for x."
+            ),
         ),
         Property(
             "the points are seen from the world: T_wc takes them there from the camera's frame",
@@ -69,10 +80,14 @@ EXERCISE = Exercise(
             mistake=_NOT_MOVED,
         ),
         Property(
-            "u = f_x x / z + c_x and v = f_y y / z + c_y in the camera's frame, with the numbers in this K",
+            "u = f_x x / z + c_x and v = f_y y / z + c_y in the camera's frame, with the numbers "
+            "in this K",
             _right,
             _off,
-            mistake=Mistake("K, or a pixel, is not used as it came", "Which numbers differ from camera to camera?"),
+            mistake=Mistake(
+                "K, or a pixel, is not used as it came",
+                "Which numbers differ from camera to camera?",
+            ),
         ),
     ),
     hints=(
@@ -86,13 +101,19 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def inverted(pixels, depths, K, T_wc):
-    """T_wc is inverted. It is the camera's pose in the world: which coordinates does it take to which?"""
+    """T_wc is inverted.
+
+    It is the camera's pose in the world: which coordinates does it take to which?
+    """
     return right(pixels, depths, K, inverse(T_wc))
 
 
 @EXERCISE.mistake
 def transposed(pixels, depths, K, T_wc):
-    """the points are rotated by the transpose of R_wc. They are rows: what is R p, if p is written as a row?"""
+    """the points are rotated by the transpose of R_wc.
+
+    They are rows: what is R p, if p is written as a row?
+    """
     return right(pixels, depths, K, np.eye(4)) @ T_wc[:3, :3] + T_wc[:3, 3]
 
 

@@ -1,4 +1,5 @@
-"""plan_pick: a motion to the grasp of a mug that touches nothing and asks no more of the motors than they can give."""
+"""plan_pick: a motion to the grasp of a mug that touches nothing and asks no more of the motors
+than they can give."""
 
 import numpy as np
 
@@ -15,10 +16,13 @@ _MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
 _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
-_ANGLES_ONLY = Mistake("the times are missing", "In each row the time stands before the seven angles.")
+_ANGLES_ONLY = Mistake(
+    "the times are missing", "In each row the time stands before the seven angles."
+)
 _TWICE = Mistake(
     "a row stands twice, or the time goes back",
-    "Is the last row of one leg also the first of the next? At which time does the second leg start?",
+    "Is the last row of one leg also the first of the next? At which time does the second leg "
+    "start?",
 )
 _JERKS = Mistake(
     "a leg is not at rest at its ends, or its rows are not evenly spaced in time",
@@ -28,7 +32,8 @@ _SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape
 
 
 def legs(q0, T_grasp, s=_EASED):
-    """Return the configurations (n, 7) of the two legs, over to a point above the grasp and straight down."""
+    """Return the configurations (n, 7) of the two legs, over to a point above the grasp and
+    straight down."""
     down, q = [], q0
     for rest in 1 - s[:, 0]:
         T = transform(T_grasp[:3, :3], T_grasp[:3, 3] + [0, 0, 0.15 * rest]) @ inverse(IN_FLANGE)
@@ -58,7 +63,8 @@ def right(q0, T_grasp):
 
 
 def _cases(rng):
-    """Return three tasks, each turned as a whole about the axis of joint 1, which makes none of them easier.
+    """Return three tasks, each turned as a whole about the axis of joint 1, which makes none of
+    them easier.
 
     In the second, speed decides; in the last two a straight line in joint space is no way down.
     """
@@ -87,7 +93,10 @@ def _steps(row):
 
     def says(x, *case):
         k = row(np.diff(x[:, 0]))
-        return f"Rows {k} and {k + 1}, counted from 0, have the times {x[k, 0]:.4g} s and {x[k + 1, 0]:.4g} s."
+        return (
+            f"Rows {k} and {k + 1}, counted from 0, have the times {x[k, 0]:.4g} s and "
+            f"{x[k + 1, 0]:.4g} s."
+        )
 
     return says
 
@@ -106,7 +115,9 @@ def _begins(x, q0, T):
 
 def _ends(x, q0, T):
     end = _gripper(x)
-    return length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
+    return (
+        length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
+    )
 
 
 def _gaps(x, T):
@@ -120,11 +131,15 @@ def _touches(x, q0, T):
     k = gaps[what].argmin()
     with_what = "itself" if what == "itself" else f"the {what}"
     row = np.searchsorted(x[:, 0], times[k], "right") - 1
-    return f"At row {row}, after {times[k]:.2f} s, its distance from {with_what} is {1000 * gaps[what][k]:.1f} mm."
+    return (
+        f"At row {row}, after {times[k]:.2f} s, its distance from {with_what} is "
+        f"{1000 * gaps[what][k]:.1f} mm."
+    )
 
 
 def _arrives(x, q0, T, clear):
-    """Return whether a path leads from q0 to the grasp, inside the limits, and stays so far from everything."""
+    """Return whether a path leads from q0 to the grasp, inside the limits, and stays so far from
+    everything."""
     leads = _begins(x, q0, T) and _ends(x, q0, T) and _inside(x)
     return leads and min(gap.min() for gap in _gaps(x, T)[1].values()) >= clear
 
@@ -133,7 +148,10 @@ def _too_much(which, unit):
     def says(x, *case):
         share = shares(x)[which]
         k = share.argmax()
-        return f"At row {k}, after {x[k, 0]:.2f} s, a joint has {share[k]:.3g} times its largest {unit}."
+        return (
+            f"At row {k}, after {x[k, 0]:.2f} s, a joint has {share[k]:.3g} times its largest "
+            f"{unit}."
+        )
 
     return says
 
@@ -154,17 +172,25 @@ EXERCISE = Exercise(
         Property(
             "the first row is the time 0 and q0",
             lambda x, *case: abs(x[0, 0]) < 1e-9 and _begins(x, *case),
-            mistake=Mistake("the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"),
+            mistake=Mistake(
+                "the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"
+            ),
         ),
         Property(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
-            lambda x, q0, T: f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}.",
-            mistake=Mistake("the plan ends elsewhere than at T_grasp", "Which flange pose brings the gripper there?"),
+            lambda x, q0, T: (
+                f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}."
+            ),
+            mistake=Mistake(
+                "the plan ends elsewhere than at T_grasp",
+                "Which flange pose brings the gripper there?",
+            ),
         ),
         Property("all angles are within the limits", lambda x, *case: _inside(x)),
         Property(
-            "the arm reaches the grasp and stays 2 mm clear of table, mug and itself, between the rows included",
+            "the arm reaches the grasp and stays 2 mm clear of table, mug and itself, between the "
+            "rows included",
             lambda x, *case: _arrives(x, *case, _CLEAR),
             _touches,
             points=1,
@@ -173,10 +199,13 @@ EXERCISE = Exercise(
             "no joint is too fast",
             lambda x, *case: shares(x)[0].max() < _BOUND,
             _too_much(0, "speed"),
-            mistake=Mistake("a leg is too short in time for its speeds", "What does `timed` make of a leg?"),
+            mistake=Mistake(
+                "a leg is too short in time for its speeds", "What does `timed` make of a leg?"
+            ),
         ),
         Property(
-            "no joint accelerates harder than it may, at the start and at the end included: it rests before and after",
+            "no joint accelerates harder than it may, at the start and at the end included: it "
+            "rests before and after",
             lambda x, *case: shares(x)[1].max() < _BOUND,
             _too_much(1, "acceleration"),
             mistake=_JERKS,
@@ -185,20 +214,30 @@ EXERCISE = Exercise(
             f"it takes at most {_LONGEST:.0f} s",
             lambda x, *case: x[-1, 0] <= _LONGEST,
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
-            mistake=Mistake("it is slower than it need be", "By which factor may all times shrink?"),
+            mistake=Mistake(
+                "it is slower than it need be", "By which factor may all times shrink?"
+            ),
         ),
         Property(
             "each row is at most 0.2 s after the one before",
             lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
             _steps(np.argmax),
-            mistake=Mistake("the rows are too far apart in time", "How many rows does each leg have?"),
+            mistake=Mistake(
+                "the rows are too far apart in time", "How many rows does each leg have?"
+            ),
         ),
-        Property("it enters nothing deeper than 1 cm", lambda x, *case: _arrives(x, *case, -0.01), points=1),
+        Property(
+            "it enters nothing deeper than 1 cm",
+            lambda x, *case: _arrives(x, *case, -0.01),
+            points=1,
+        ),
     ),
     hints=(
-        "The second leg begins at `above`. One panda_ik for each further pose, which starts from the angles of the one "
+        "The second leg begins at `above`. One panda_ik for each further pose, which starts from "
+        "the angles of the one "
         "before, makes its configurations, an array of shape (41, 7).",
-        "`timed` gives the second leg its times, as it gave them to `over`, but not from time 0: what is `start`?",
+        "`timed` gives the second leg its times, as it gave them to `over`, but not from time 0: "
+        "what is `start`?",
         "The first row of the second leg stands at the end of `over` already. Leave it out: "
         "np.vstack([over, second[1:]]), with second = timed(u, down, start=over[-1, 0]).",
     ),
@@ -207,10 +246,12 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR))
+@EXERCISE.mistake(
+    seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR)
+)
 def straight_to_the_grasp(q0, T_grasp):
-    """the path to the grasp leads through something. From where must the fingers come, if they are to end on both sides
-    of the mug? And how far apart are your rows?"""
+    """the path to the grasp leads through something. From where must the fingers come, if they are
+    to end on both sides of the mug? And how far apart are your rows?"""
     return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
 
 
@@ -220,9 +261,11 @@ def flange_at_the_grasp(q0, T_grasp):
     return right(q0, T_grasp @ IN_FLANGE)
 
 
-@EXERCISE.mistake(seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND)
+@EXERCISE.mistake(
+    seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND
+)
 def from_full_speed(q0, T_grasp):
-    """the speeds are within their bounds, but the motion starts or ends at full speed. What does that ask of the motors
-    in the first row?"""
+    """the speeds are within their bounds, but the motion starts or ends at full speed. What does
+    that ask of the motors in the first row?"""
     first, second = legs(q0, T_grasp, _EVEN)
     return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))

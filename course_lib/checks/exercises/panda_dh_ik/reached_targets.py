@@ -1,4 +1,5 @@
-"""reached_targets: which of many targets damped least squares reaches, in the limits and in so many steps."""
+"""reached_targets: which of many targets damped least squares reaches, in the limits and in so many
+steps."""
 
 import numpy as np
 
@@ -10,13 +11,15 @@ from course_lib.checks.vocabulary import remembered
 from course_lib.rotations import exp_so3
 
 _REACHED = 1e-3  # metres and radians
-# From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the third to 0.04 mm.
+# From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the
+# third to 0.04 mm.
 _PASSING = np.array([-0.107, 0.83, 0.509, -0.359, 1.817, 0.075, -1.281])
 _PASSED = np.array([-0.0783, 0.7986, 0.3386, -0.3516, 2.0003, 0.0513, -1.2196])
 
 
 def _descended(targets, q0, eps, steps, clip="each"):
-    """Return the errors (steps + 1, n, 6), those after the last step included; clip: "each" step, at the "end"."""
+    """Return the errors (steps + 1, n, 6), those after the last step included; clip: "each" step,
+    at the "end"."""
     q, errors = np.zeros((len(targets), 7)) + q0, []
     for _ in range(int(steps)):
         J, e = PANDA.geometric_jacobian(q), ik.pose_error(PANDA.fk(q), targets)
@@ -42,7 +45,8 @@ def right(targets, q0, eps, steps):
 def _case(rng, n, q0, eps, steps, spread, limited=False):
     """Return n targets, some of which are reached and some are not, none of them a close call.
 
-    limited: one of those not reached is reached by whoever ignores the limits, and clipping at the end only shows too.
+    limited: one of those not reached is reached by whoever ignores the limits, and clipping at the
+    end only shows too.
     """
     while True:
         targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
@@ -61,7 +65,9 @@ def _cases(rng):
     near = PANDA.fk(READY + 0.1 * rng.uniform(-1, 1, (3, 7)))
     far = near[0].copy()
     far[0, 3] = 3.0
-    halves = np.tile(PANDA.fk(READY), (6, 1, 1))  # some with the right position, or the right orientation, only
+    halves = np.tile(
+        PANDA.fk(READY), (6, 1, 1)
+    )  # some with the right position, or the right orientation, only
     angles, metres = np.array([[0, 0.04, 0, 0.8e-3, 1.3e-3, 0], [0, 0, 0.03, 0.8e-3, 0, 1.3e-3]])
     halves[:, :3, :3] = exp_so3(angles[:, None] / np.sqrt([3, 3, 3])) @ halves[:, :3, :3]
     halves[:, :3, 3] += metres[:, None] / np.sqrt([3, 3, 3])
@@ -90,34 +96,48 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda targets, *rest: (len(targets),),
-        {(): Mistake("one number is returned", "The answer is True or False for each target: its mean is the share.")},
+        {
+            (): Mistake(
+                "one number is returned",
+                "The answer is True or False for each target: its mean is the share.",
+            )
+        },
     ),
     properties=(
         Property(
             "the answer is True or False for each target",
             lambda found, *case: np.isin(found, [0, 1]).all(),
-            mistake=Mistake("something other than True or False is returned", "With what are both errors compared?"),
+            mistake=Mistake(
+                "something other than True or False is returned",
+                "With what are both errors compared?",
+            ),
         ),
         Property(
-            "a target is reached if after the last of the damped steps, each clipped to the limits, both halves of its "
+            "a target is reached if after the last of the damped steps, each clipped to the "
+            "limits, both halves of its "
             "error are below 1e-3",
             lambda found, *case: (found == right(*case)).all(),
             says=lambda found, *case: (
-                f"In yours {int(found.sum())} of {len(found)} are reached; {int(right(*case).sum())} are."
+                f"In yours {int(found.sum())} of {len(found)} are reached; "
+                f"{int(right(*case).sum())} are."
             ),
             mistake=Mistake(
                 "the steps, or the test after them, are others than the task's",
-                "Is eps constant, are targets seen from the base, do error and Jacobian fit, and do both halves count? "
+                "Is eps constant, are targets seen from the base, do error and Jacobian fit, and "
+                "do both halves count? "
                 "With no steps the start is judged as it is.",
             ),
         ),
     ),
     hints=(
-        "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape (n, 4, 4). Begin with "
+        "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape "
+        "(n, 4, 4). Begin with "
         "q = np.zeros((len(targets), 7)) + q0, and take `steps` steps with all targets at once.",
-        "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of shape (n, 6, 6), then "
+        "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of "
+        "shape (n, 6, 6), then "
         "J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
-        "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], are to be below 1e-3.",
+        "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], "
+        "are to be below 1e-3.",
     ),
     library=right,
     tries_arguments=False,
@@ -128,5 +148,8 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(clip=("", "end"))
 def limits_ignored(*case, clip):
-    """the limits are ignored, or applied at the end only. From which configuration does each step start?"""
+    """the limits are ignored, or applied at the end only.
+
+    From which configuration does each step start?
+    """
     return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None

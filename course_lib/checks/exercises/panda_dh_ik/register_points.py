@@ -79,7 +79,10 @@ def _squares(T, src, dst, weights):
 
 def _off(T, *case):
     yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
-    return f"{difference(T, registered(*case))} The sum is {yours:.6g} with yours; {least:.6g} is possible."
+    return (
+        f"{difference(T, registered(*case))} The sum is {yours:.6g} with yours; {least:.6g} is "
+        f"possible."
+    )
 
 
 def _exact(src, dst, weights):
@@ -116,19 +119,28 @@ EXERCISE = Exercise(
             lambda T, src, dst, weights: near(moved(T, src), dst),
             _off,
             where=_exact,
-            mistake=lambda T, *case: _POSITION if close(T[:3, :3], registered(*case)[:3, :3]) else _WITHOUT_NOISE,
+            mistake=lambda T, *case: (
+                _POSITION if close(T[:3, :3], registered(*case)[:3, :3]) else _WITHOUT_NOISE
+            ),
         ),
         Property(
-            "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least: a point of weight 0 changes nothing",
+            "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least: a point of weight 0 "
+            "changes nothing",
             lambda T, *case: close(T, registered(*case)),
             _off,
-            mistake=Mistake("the weights count otherwise", "Does each w_i, itself, stand once in each of the sums?"),
+            mistake=Mistake(
+                "the weights count otherwise",
+                "Does each w_i, itself, stand once in each of the sums?",
+            ),
         ),
     ),
     hints=(
-        "Run the broken code on four points with noise of their own size until its determinant test applies. "
-        "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small rotation?",
-        "To change a sign costs least at the smallest singular value. Does a column of the finished product U V^T "
+        "Run the broken code on four points with noise of their own size until its determinant "
+        "test applies. "
+        "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small "
+        "rotation?",
+        "To change a sign costs least at the smallest singular value. Does a column of the "
+        "finished product U V^T "
         "belong to one of the singular values?",
         "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
     ),
@@ -139,7 +151,10 @@ EXERCISE = Exercise(
         (
             "ValueError",
             "is not a rotation",
-            Mistake("rigid.transform is given a reflection", "Which sign makes U V^T a rotation, and costs least?"),
+            Mistake(
+                "rigid.transform is given a reflection",
+                "Which sign makes U V^T a rotation, and costs least?",
+            ),
         ),
     ),
 )
@@ -163,15 +178,16 @@ def of_the_transpose(T, *case):
 
 @EXERCISE.seen
 def sign_missing(T, *case):
-    """U V^T has the same sign for all points: it is returned as it is, or always changed. How do you see whether it is
-    a reflection, and at which singular value does a change of sign cost least?"""
+    """U V^T has the same sign for all points: it is returned as it is, or always changed. How do
+    you see whether it is a reflection, and at which singular value does a change of sign cost
+    least?"""
     return _has_block(T, _reflection(*case), *case)
 
 
 @EXERCISE.seen
 def sign_elsewhere(T, *case):
-    """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what does that cost at each
-    of the singular values?"""
+    """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what
+    does that cost at each of the singular values?"""
     M, signs = _reflection(*case), 1 - 2 * np.eye(3)
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]

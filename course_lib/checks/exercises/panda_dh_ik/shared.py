@@ -1,4 +1,5 @@
-"""What several exercises about the Panda need: its DH table, poses and Jacobian, and the right answers they share."""
+"""What several exercises about the Panda need: its DH table, poses and Jacobian, and the right
+answers they share."""
 
 import numpy as np
 
@@ -49,7 +50,8 @@ def standard(a, alpha, d, theta):
 
 @remembered
 def frames(q):
-    """Return the poses (8, 4, 4) of frames 1 to 7 and the flange in the world, by the library's screws."""
+    """Return the poses (8, 4, 4) of frames 1 to 7 and the flange in the world, by the library's
+    screws."""
     return T_W0 @ PANDA.frames(q)
 
 
@@ -65,7 +67,8 @@ def panda_jacobian(q):
 
 @remembered
 def pose_error(T, T_target):
-    """Return the right pose error (6,), (v, omega); at an angle of pi phi and -phi are both right."""
+    """Return the right pose error (6,), (v, omega); at an angle of pi phi and -phi are both
+    right."""
     return np.roll(ik.pose_error(T, T_target), 3)
 
 

@@ -1,4 +1,5 @@
-"""Points and their partners to ask register_points and others about, the right pose of each, and poses as answers."""
+"""Points and their partners to ask register_points and others about, the right pose of each, and
+poses as answers."""
 
 import numpy as np
 
@@ -25,7 +26,8 @@ def moved(T, points):
 
 
 def product(src, dst, weights):
-    """Return the weighted mean of b a^T, a and b being the centred points: R is the rotation nearest to it."""
+    """Return the weighted mean of b a^T, a and b being the centred points: R is the rotation
+    nearest to it."""
     w = weights / weights.sum()
     return (w[:, None] * (dst - w @ dst)).T @ (src - w @ src)
 
@@ -44,17 +46,24 @@ def _drawn(draw, good):
 
 
 def _points(rng, n):
-    """Return n points, to two digits, not near one line, nor one plane if there are more than three, nor symmetric."""
+    """Return n points, to two digits, not near one line, nor one plane if there are more than
+    three, nor symmetric."""
 
     def spread(*found):
         s = np.linalg.svd(found - np.mean(found, 0), compute_uv=False)
-        return s[1] > 0.4 * s[0] and (n == 3 or s[2] > 0.25 * s[0]) and s[0] > 1.1 * s[1] and s[1] > 1.1 * s[2]
+        return (
+            s[1] > 0.4 * s[0]
+            and (n == 3 or s[2] > 0.25 * s[0])
+            and s[0] > 1.1 * s[1]
+            and s[1] > 1.1 * s[2]
+        )
 
     return _drawn(lambda: np.round(rng.uniform(-2, 2, (n, 3)), 2), spread)
 
 
 def _certain(*case):
-    """Return whether the rotation is well fixed by the points: rounding in them is not much enlarged."""
+    """Return whether the rotation is well fixed by the points: rounding in them is not much
+    enlarged."""
     B = product(*case)
     s = np.linalg.svd(B, compute_uv=False)
     return s[1] + (0.0 if s[2] <= _FLAT * s[0] else np.sign(np.linalg.det(B)) * s[2]) > 0.1 * s[0]
@@ -81,7 +90,8 @@ def noisy(rng, weights, noise=0.3):
 
 
 def reflecting(rng, weights):
-    """Return a case of much noise, whose best fit would be a reflection: in no direction that stands out."""
+    """Return a case of much noise, whose best fit would be a reflection: in no direction that
+    stands out."""
     T = any_pose(rng)
 
     def draw():
@@ -97,7 +107,8 @@ def reflecting(rng, weights):
 
 
 def in_a_plane(rng):
-    """Return exact cases in planes: with either order of the product, U V^T is a rotation in some, else a reflection.
+    """Return exact cases in planes: with either order of the product, U V^T is a rotation in some,
+    else a reflection.
 
     The determinant of the product is exactly zero there, and tells nothing of it.
     """
@@ -120,8 +131,12 @@ def _sign_of_determinant(B):
     return int(np.sign(np.linalg.det(U @ Vt)))
 
 
-_POINTS = Mistake("the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix.")
-_APART = Mistake("R and p are returned apart", "The answer is one matrix T (4, 4). Where are R and p in it?")
+_POINTS = Mistake(
+    "the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix."
+)
+_APART = Mistake(
+    "R and p are returned apart", "The answer is one matrix T (4, 4). Where are R and p in it?"
+)
 
 
 def _known_form(array, points, *rest):
@@ -147,15 +162,21 @@ IS_A_POSE = (
     Property(
         "the block R of T has columns of length one at right angles: R^T R = I",
         lambda T, *case: orthogonality_error(T[:3, :3]) < FINE,
-        says=lambda T, *case: f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}.",
-        mistake=Mistake("the block is no rotation", "Which factor of the singular value decomposition stretches?"),
+        says=lambda T, *case: (
+            f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}."
+        ),
+        mistake=Mistake(
+            "the block is no rotation",
+            "Which factor of the singular value decomposition stretches?",
+        ),
     ),
     Property("R is no reflection: det R = +1", lambda T, *case: np.linalg.det(T[:3, :3]) > 0),
 )
 
 
 def difference(T, right):
-    """Return in words which column of a pose is the first that is wrong, also if the digits shown agree."""
+    """Return in words which column of a pose is the first that is wrong, also if the digits shown
+    agree."""
     i = next((i for i in (3, 0, 1, 2) if not close(T[:3, i], right[:3, i])), 3)
     what = "The position" if i == 3 else f"The {'xyz'[i]} axis, column {i},"
     if np.abs(T - right).max() < 1e-3 * size(right):
@@ -164,5 +185,6 @@ def difference(T, right):
 
 
 def close(T, right):
-    """Return whether they agree as well as a search for the least sum of squares can achieve in floating point."""
+    """Return whether they agree as well as a search for the least sum of squares can achieve in
+    floating point."""
     return np.abs(T - right).max() <= _SEARCHED * size(right)

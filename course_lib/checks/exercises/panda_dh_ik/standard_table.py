@@ -18,7 +18,9 @@ def _cases(rng):
     drawn = [away_from_zero(rng, (n, 3)) for n in (3, 4, 7)]
     for table in drawn:
         table[0, :2] = 0
-    return [(table,) for table in (two, TABLE, *drawn, np.array([[0, 0, 1], [2, 1, 3], [4, -1, 0]]))]
+    return [
+        (table,) for table in (two, TABLE, *drawn, np.array([[0, 0, 1], [2, 1, 3], [4, -1, 0]]))
+    ]
 
 
 def _first_off(answer, table):
@@ -38,13 +40,15 @@ EXERCISE = Exercise(
             lambda answer, table: near(answer[:, 2], table[:, 2]),
         ),
         Property(
-            "for any joint angles, the standard steps multiply to the same pose as the modified ones",
+            "for any joint angles, the standard steps multiply to the same pose as the modified "
+            "ones",
             lambda answer, table: near(answer, converted(table)),
             says=_first_off,
         ),
     ),
     hints=(
-        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X is beside Z_1 now?",
+        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X "
+        "is beside Z_1 now?",
         "The column d stays. Where do the columns a and alpha go, and what stands in the last row?",
         "np.column_stack([np.roll(table[:, 0], -1), np.roll(table[:, 1], -1), table[:, 2]])",
     ),
@@ -52,12 +56,20 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)), around=(True, False))
+@EXERCISE.mistake(
+    shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)),
+    around=(True, False),
+)
 def other_columns_move(table, shifts, around):
-    """the wrong columns move, or in the wrong direction. A row holds a, alpha, d: which of them belong to a step along
-    x, which to one along z, and which of its neighbours does the step X_1 join, Z_1 or Z_2?"""
-    padded = np.vstack([table, np.zeros(3)]) if not around else table  # with zeros in place of what comes around
-    return np.column_stack([np.roll(padded[:, k], shift)[: len(table)] for k, shift in enumerate(shifts)])
+    """the wrong columns move, or in the wrong direction. A row holds a, alpha, d: which of them
+    belong to a step along x, which to one along z, and which of its neighbours does the step X_1
+    join, Z_1 or Z_2?"""
+    padded = (
+        np.vstack([table, np.zeros(3)]) if not around else table
+    )  # with zeros in place of what comes around
+    return np.column_stack(
+        [np.roll(padded[:, k], shift)[: len(table)] for k, shift in enumerate(shifts)]
+    )
 
 
 @EXERCISE.mistake

@@ -16,13 +16,18 @@ _ON_POSES = Mistake(
     "the answer is 4 x 4, a pose or the matrix of a twist",
     "Twists (omega, v) have six entries: the adjoint is a 6 x 6 matrix of four blocks.",
 )
-_NESTED = Mistake("the four blocks stand in an array of arrays", "np.block joins blocks to one matrix, (6, 6).")
+_NESTED = Mistake(
+    "the four blocks stand in an array of arrays", "np.block joins blocks to one matrix, (6, 6)."
+)
 
 
 def _cases(rng):
     far, quarter = np.array([1.0, 2, 3]), np.pi / 2
     named = [pose(rot(quarter), far) for rot in (rot_x, rot_y, rot_z)]
-    drawn = [pose(R, size * rng.normal(size=3)) for R, size in zip(random_rotations(3, rng), (1, 1, 100), strict=True)]
+    drawn = [
+        pose(R, size * rng.normal(size=3))
+        for R, size in zip(random_rotations(3, rng), (1, 1, 100), strict=True)
+    ]
     plain = [pose(np.eye(3), far), pose(rot_z(quarter), 0 * far), np.eye(4)]
     return [(T,) for T in (*named, any_pose(rng), *drawn, *plain)]
 
@@ -55,10 +60,13 @@ EXERCISE = Exercise(
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
             lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= 1e-9,
-            mistake=Mistake("the upper right block is not zero", "Does omega depend on v, or v on omega?"),
+            mistake=Mistake(
+                "the upper right block is not zero", "Does omega depend on v, or v on omega?"
+            ),
         ),
         part_is(
-            "the lower right 3x3 block is R: without a rotation, v is rotated from frame b to frame a",
+            "the lower right 3x3 block is R: without a rotation, v is rotated from frame b to "
+            "frame a",
             adjoint,
             _LOWER_RIGHT,
         ),
@@ -69,7 +77,8 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Run adjoint on a pose that rotates by 90 degrees, and compare [Ad V] with T [V] T^-1 for the six twists "
+        "Run adjoint on a pose that rotates by 90 degrees, and compare [Ad V] with T [V] T^-1 for "
+        "the six twists "
         "np.eye(6). Which columns are off?",
         "Frame a sees omega as R omega, and v as R v + p x (R omega).",
         "Four 3x3 blocks; the lower two are right. Above, omega is rotated as v is below.",
@@ -79,14 +88,21 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T))
+@EXERCISE.mistake(
+    part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T)
+)
 def order_of_the_coupling(T, coupling):
-    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In which frame is p,
-    and in which must omega be before the cross product?"""
+    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In
+    which frame is p, and in which must omega be before the cross product?"""
     return coupling(T[BLOCK], hat(T[COLUMN]))
 
 
-@EXERCISE.mistake(part=_LOWER_LEFT, coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: R @ P))
+@EXERCISE.mistake(
+    part=_LOWER_LEFT, coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: R @ P)
+)
 def sign_of_the_coupling(T, coupling):
-    """the lower left block has its sign changed. The new v has the part p x omega: is [p] that, or omega x p?"""
+    """the lower left block has its sign changed.
+
+    The new v has the part p x omega: is [p] that, or omega x p?
+    """
     return -coupling(T[BLOCK], hat(T[COLUMN]))

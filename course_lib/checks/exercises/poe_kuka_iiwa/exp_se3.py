@@ -15,7 +15,13 @@ _NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the 
 
 def _cases(rng):
     still, quarter = np.zeros(3), np.pi / 2
-    named = [(quarter * Z, X), (quarter * Z, Y), (quarter * Z, Z), (-quarter * X, Z), (Z, np.array([1.0, 2, 3]))]
+    named = [
+        (quarter * Z, X),
+        (quarter * Z, Y),
+        (quarter * Z, Z),
+        (-quarter * X, Z),
+        (Z, np.array([1.0, 2, 3])),
+    ]
     named += [(quarter * axis, still) for axis in (X, Y, Z)]
     for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, 9e-4, 1e-5, 1.2e-8, 1e-9, 1e-12):
         n, along = unit(rng), rng.uniform(0.5, 1)
@@ -35,19 +41,23 @@ def _is_small(twist):
 
 
 def _p_is_right(T, twist):
-    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * FINE * max(1.0, np.abs(twist[3:]).max())
+    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * FINE * max(
+        1.0, np.abs(twist[3:]).max()
+    )
 
 
 def _p_off(T, twist):
     right = exp_se3(twist)[COLUMN]
     return (
-        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is {format_tuple(T[COLUMN])}, off "
+        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is "
+        f"{format_tuple(T[COLUMN])}, off "
         f"by {np.abs(T[COLUMN] - right).max():.2g}."
     )
 
 
 def _keeps_digits(T, twist):
-    """Return whether the part of p along omega x v, which the rotation alone brings about, is right to two digits."""
+    """Return whether the part of p along omega x v, which the rotation alone brings about, is right
+    to two digits."""
     aside, right = np.cross(twist[:3] / _angle(twist), twist[3:]), exp_se3(twist)[COLUMN]
     allowed = 0.02 * abs(right @ aside) + 2e-15 * np.abs(twist[3:]).max() * np.linalg.norm(aside)
     return abs((T[COLUMN] - right) @ aside) <= allowed
@@ -74,12 +84,15 @@ EXERCISE = Exercise(
             says=_p_off,
             mistake=Mistake(
                 "p is not where the origin arrives",
-                "The part of v along omega moves the origin all the way, the rest along an arc. Which term is which?",
+                "The part of v along omega moves the origin all the way, the rest along an arc. "
+                "Which term is which?",
             ),
         ),
         Property(
             "a tiny rotation is none the less there: R - I is [omega], to two digits",
-            lambda T, twist: np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist),
+            lambda T, twist: (
+                np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist)
+            ),
             says=lambda T, twist: f"|omega| is {_angle(twist):.3g}.",
             where=_is_small,
         ),
@@ -91,15 +104,20 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "a is the length of omega, and n = omega / a. The part of v along n is a vector; the part across is the rest.",
-        "Which of the two parts does the rotation bend into an arc? How far does that lead along it, how far sideways?",
-        "along = (n @ v) * n, across = v - along, p = along + sin(a)/a * across + (1 - cos(a))/a * np.cross(n, v).",
+        "a is the length of omega, and n = omega / a. The part of v along n is a vector; the part "
+        "across is the rest.",
+        "Which of the two parts does the rotation bend into an arc? How far does that lead along "
+        "it, how far sideways?",
+        "along = (n @ v) * n, across = v - along, p = along + sin(a)/a * across + (1 - cos(a))/a * "
+        "np.cross(n, v).",
     ),
     forbidden=("course_lib.rigid.exp_se3",),
 )
 
 
-def _p(twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), across=True, number=False):
+def _p(
+    twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), across=True, number=False
+):
     """Return p with other factors; raises for twists that the given lines answer."""
     a, v = _angle(twist), twist[3:]
     if a < _GIVEN:
@@ -111,7 +129,10 @@ def _p(twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), acros
 
 @EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
 def p_is_v(twist, rotated):
-    """p is v, or R v. That is the velocity at the beginning, or at the end, of the motion: what is it on the way?"""
+    """p is v, or R v.
+
+    That is the velocity at the beginning, or at the end, of the motion: what is it on the way?
+    """
     return exp_so3(rotated * twist[:3]) @ twist[3:]
 
 
@@ -146,5 +167,8 @@ def omega_for_n(twist):
     ),
 )
 def factor_of_p(twist, factors):
-    """a factor in the formula of p is wrong, or a term is missing. As a goes to 0, p goes to v: is that so in yours?"""
+    """a factor in the formula of p is wrong, or a term is missing.
+
+    As a goes to 0, p goes to v: is that so in yours?
+    """
     return _p(twist, **factors)

@@ -13,7 +13,11 @@ _ALL_ROWS = Mistake("all rows are returned, or True and False for each", "Asked 
 def _motion(rng, n, joints=7):
     t = np.cumsum(rng.uniform(0.01, 0.1, n))
     limits = LIMITS[np.arange(joints) % 7] * [0.9, 1]  # the lowest angle is not minus the highest
-    q = 0.8 * limits[:, 1] * np.sin(np.outer(t, rng.uniform(0.5, 2, joints)) + rng.uniform(0, 6, joints))
+    q = (
+        0.8
+        * limits[:, 1]
+        * np.sin(np.outer(t, rng.uniform(0.5, 2, joints)) + rng.uniform(0, 6, joints))
+    )
     return t, q, limits
 
 
@@ -21,7 +25,9 @@ def _cases(rng):
     def spoilt(*changes, n=8, joints=7):
         t, q, limits = _motion(rng, n, joints)
         for where, value in changes:
-            (q if isinstance(where, tuple) else t)[where] = value(t, limits) if callable(value) else value
+            (q if isinstance(where, tuple) else t)[where] = (
+                value(t, limits) if callable(value) else value
+            )
         return t, q, limits
 
     at_the_limit, shifted = _motion(rng, 4), _motion(rng, 5)
@@ -89,19 +95,27 @@ EXERCISE = Exercise(
     points=2,
     arguments=("t", "q", "limits"),
     cases=_cases,
-    returns=numbers(lambda *case: (), lambda array, t, *rest: _ALL_ROWS if array.size > 1 else None),
+    returns=numbers(
+        lambda *case: (), lambda array, t, *rest: _ALL_ROWS if array.size > 1 else None
+    ),
     library=_right,
     properties=(
         Property(
-            "the answer is the first row that is bad for any reason, counted from 0, or -1 if there is none",
+            "the answer is the first row that is bad for any reason, counted from 0, or -1 if "
+            "there is none",
             lambda row, *case: row == _right(*case),
-            says=lambda row, *case: f"Here {_why(*case, _right(*case))}; your answer is {float(row):g}.",
+            says=lambda row, *case: (
+                f"Here {_why(*case, _right(*case))}; your answer is {float(row):g}."
+            ),
         ),
     ),
     hints=(
-        "Make an array of True and False, one for each row, for each of the three reasons; then combine them with |.",
-        "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no time before it.",
-        "np.argmax of an array of True and False is the position of the first True; ask first whether there is any.",
+        "Make an array of True and False, one for each row, for each of the three reasons; then "
+        "combine them with |.",
+        "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no "
+        "time before it.",
+        "np.argmax of an array of True and False is the position of the first True; ask first "
+        "whether there is any.",
     ),
     forbidden=("course_lib.trajectory.load",),
 )
@@ -115,20 +129,31 @@ def first_row_not_asked(t, q, limits):
 
 @EXERCISE.mistake(number=(lambda t: 0, len))
 def number_for_none(t, q, limits, number):
-    """0 or the number of rows is returned for a file without a fault. What is a file with a fault in row 0, then?"""
+    """0 or the number of rows is returned for a file without a fault.
+
+    What is a file with a fault in row 0, then?
+    """
     row = _right(t, q, limits)
     return number(t) if row < 0 else row
 
 
 @EXERCISE.mistake(ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")))
 def not_finite(t, q, limits, ignored):
-    """numbers that are not finite go unnoticed. What is nan < 1, and what is infinity? Can t hold such numbers too?"""
-    return _first(_bad(t, q, limits, ignored, (lambda x: ~np.isnan(x)) if "inf" in ignored else np.isfinite))
+    """numbers that are not finite go unnoticed.
+
+    What is nan < 1, and what is infinity? Can t hold such numbers too?
+    """
+    return _first(
+        _bad(t, q, limits, ignored, (lambda x: ~np.isnan(x)) if "inf" in ignored else np.isfinite)
+    )
 
 
 @EXERCISE.mistake(ignored=(("time",), ()))
 def time_not_asked(t, q, limits, ignored):
-    """a time that stands still or runs backwards goes unnoticed. What must hold between a row and the one before?"""
+    """a time that stands still or runs backwards goes unnoticed.
+
+    What must hold between a row and the one before?
+    """
     return _first(_bad(t, q, limits, ignored, late=np.less))
 
 
@@ -152,7 +177,10 @@ def refused_at_the_limit(t, q, limits):
 
 @EXERCISE.mistake
 def rule_by_rule(t, q, limits):
-    """the fault that is looked for first is named. A row is bad for any of the reasons: which row is the first?"""
+    """the fault that is looked for first is named.
+
+    A row is bad for any of the reasons: which row is the first?
+    """
     others = (("time", "low", "high"), ("t", "q", "low", "high"), ("t", "q", "time"))
     rows = [_first(_bad(t, q, limits, ignored)) for ignored in others]
     return next((row for row in rows if row >= 0), -1)
@@ -167,5 +195,8 @@ def counted_from_1(t, q, limits):
 
 @EXERCISE.mistake
 def row_before(t, q, limits):
-    """the row before the fault is named, where time runs backwards. Of which two rows is np.diff(t)[i] made?"""
+    """the row before the fault is named, where time runs backwards.
+
+    Of which two rows is np.diff(t)[i] made?
+    """
     return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))

@@ -9,7 +9,9 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
 from course_lib.rigid import exp_se3
 
-_EACH = Mistake("a matrix for each joint is returned", "Where is the end-effector after all of them?")
+_EACH = Mistake(
+    "a matrix for each joint is returned", "Where is the end-effector after all of them?"
+)
 
 
 def _known_form(array, screws, M, q):
@@ -19,7 +21,10 @@ def _known_form(array, screws, M, q):
 def _off(T, *case):
     right = shared.tool_pose(*case)
     if not near(T[:3, 3], right[:3, 3]):
-        return f"It is at {format_tuple(right[:3, 3])}; the last column of yours says {format_tuple(T[:3, 3])}."
+        return (
+            f"It is at {format_tuple(right[:3, 3])}; the last column of yours says "
+            f"{format_tuple(T[:3, 3])}."
+        )
     return f"Your position is right, but not the orientation. {first_off(T[:3, :3], right[:3, :3])}"
 
 
@@ -50,9 +55,12 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Let joint n move the end-effector first, from its pose at home: exp([Sn] qn) M. Then joint n - 1, and so on.",
-        "One exponential for each joint, of its screw axis times its angle; all are multiplied, joint 1 on the left.",
-        "Begin with the identity; in the loop, multiply on the right by the next joint's exponential; M comes last.",
+        "Let joint n move the end-effector first, from its pose at home: exp([Sn] qn) M. Then "
+        "joint n - 1, and so on.",
+        "One exponential for each joint, of its screw axis times its angle; all are multiplied, "
+        "joint 1 on the left.",
+        "Begin with the identity; in the loop, multiply on the right by the next joint's "
+        "exponential; M comes last.",
     ),
     forbidden=("course_lib.arms.SerialArm",),
 )
@@ -60,19 +68,28 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def M_missing(screws, M, q):
-    """M is missing. The exponentials move the end-effector away from home: where does its pose at home come in?"""
+    """M is missing.
+
+    The exponentials move the end-effector away from home: where does its pose at home come in?
+    """
     return products(shared.exponentials(screws, q))[-1]
 
 
 @EXERCISE.mistake
 def M_on_the_left(screws, M, q):
-    """M stands on the left of the exponentials. On which side of M does a motion seen from the base act?"""
+    """M stands on the left of the exponentials.
+
+    On which side of M does a motion seen from the base act?
+    """
     return M @ products(shared.exponentials(screws, q))[-1]
 
 
 @EXERCISE.mistake(times_M=(lambda T, M: T @ M, lambda T, M: M @ T, lambda T, M: T))
 def reverse_order(screws, M, q, times_M):
-    """the exponentials are multiplied in the reverse order. Joint 1 moves all the others: which is applied last?"""
+    """the exponentials are multiplied in the reverse order.
+
+    Joint 1 moves all the others: which is applied last?
+    """
     return times_M(products(shared.exponentials(screws, q)[::-1])[-1], M)
 
 

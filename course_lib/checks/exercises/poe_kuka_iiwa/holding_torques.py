@@ -13,7 +13,9 @@ _WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each join
 
 def _cases(rng):
     # Axes along -y, links along x.
-    upright = np.hstack([shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]])
+    upright = np.hstack(
+        [shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]]
+    )
     arm = (shared.KUKA, shared.KUKA_HOME)
     drawn = [
         (
@@ -61,34 +63,46 @@ EXERCISE = Exercise(
             ...,
             Mistake(
                 "the torques are not -J_s^T (p x f, f) of the weight f at the center p",
-                "How large is f? Where is p at these angles? Which matrix takes a wrench to torques?",
+                "How large is f? Where is p at these angles? Which matrix takes a wrench to "
+                "torques?",
             ),
         ),
     ),
     hints=(
-        "Three steps: where is the center of mass, seen from the base? What wrench (m, f) is the weight, seen from the "
+        "Three steps: where is the center of mass, seen from the base? What wrench (m, f) is the "
+        "weight, seen from the "
         "base? Which torques balance it?",
-        "A motion with joint velocities q' lets the weight do the power F_s . (J_s q'). The joints' power is "
+        "A motion with joint velocities q' lets the weight do the power F_s . (J_s q'). The "
+        "joints' power is "
         "tau . q'. Held still, the two add up to 0 for every q'.",
-        "So tau is minus the transpose of the space Jacobian, times F_s; and F_s is (p x f, f), f = (0, 0, -9.81 "
+        "So tau is minus the transpose of the space Jacobian, times F_s; and F_s is (p x f, f), f "
+        "= (0, 0, -9.81 "
         "mass).",
     ),
 )
 
 
 def _by(screws, M, q, mass, center, wrench):
-    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T, f)."""
+    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T,
+    f)."""
     T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
-    return -shared.jacobian(screws, q).T @ np.concatenate(wrench(T[:3, :3] @ center + T[:3, 3], T, f))
+    return -shared.jacobian(screws, q).T @ np.concatenate(
+        wrench(T[:3, :3] @ center + T[:3, 3], T, f)
+    )
 
 
 @EXERCISE.mistake(origin=(0, 1))
 def center_not_rotated(screws, M, q, mass, center, origin):
     """the center of mass is not rotated into the base's axes. In which frame is it given?"""
-    return _by(screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f))
+    return _by(
+        screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f)
+    )
 
 
 @EXERCISE.mistake(factor=(0, -1))
 def moment(*case, factor):
-    """the moment of the weight is missing, or is f x p. A force at p has the moment p x f about the origin."""
+    """the moment of the weight is missing, or is f x p.
+
+    A force at p has the moment p x f about the origin.
+    """
     return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))

@@ -1,4 +1,5 @@
-"""newton_ik: joint angles for a pose of the end-effector, by Newton's method with the body Jacobian."""
+"""newton_ik: joint angles for a pose of the end-effector, by Newton's method with the body
+Jacobian."""
 
 import numpy as np
 
@@ -12,7 +13,9 @@ from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
 STEPS, _CLOSE = 50, 1e-6  # radians and metres
 _REACHED = 1.001e-6  # a little more than asked for, because the student's sums round otherwise
 _UR5E = ur5e().screw_axes, ur5e().home[-1]
-_LONG = np.array([-1.5, -1.3, 1.6, 1.6, -0.1, -0.8])  # from which 16 steps are needed, and the error may grow
+_LONG = np.array(
+    [-1.5, -1.3, 1.6, 1.6, -0.1, -0.8]
+)  # from which 16 steps are needed, and the error may grow
 _BENT = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 3.5])  # the last beyond pi
 
 
@@ -26,7 +29,8 @@ def _step(T, J, V):
 
 
 def descent(screws, M, T_target, q0, error=body_error, step=_step, steps=STEPS):
-    """Return joint angles for T_target, or nan; step(T, J, V) is how the angles change, J the space Jacobian."""
+    """Return joint angles for T_target, or nan; step(T, J, V) is how the angles change, J the space
+    Jacobian."""
     q = np.array(q0, float)
     for _ in range(steps):
         T = tool_pose(screws, M, q)
@@ -51,7 +55,9 @@ def _cases(rng):
     kuka, bent = (KUKA, KUKA_HOME), np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2])
     here = tool_pose(*_UR5E, _BENT)
     hardly = here @ exp_se3([0, 9e-7, 9e-7, 0, -9e-7, 9e-7])  # an answer that stops too early is q0
-    converged = here @ exp_se3([0, 3e-10, 0, 0, 0, 3e-10])  # for a stricter tolerance than the task's too
+    converged = here @ exp_se3(
+        [0, 3e-10, 0, 0, 0, 3e-10]
+    )  # for a stricter tolerance than the task's too
     return [
         _near(_UR5E, _BENT, rng),
         (*_UR5E, here, _BENT),
@@ -83,10 +89,15 @@ def _gaps(q, screws, M, T_target, q0):
 
 
 def _off(q, *case):
-    return "At your angles the end-effector is {:.2g} rad and {:.2g} m away.".format(*_gaps(q, *case))
+    return "At your angles the end-effector is {:.2g} rad and {:.2g} m away.".format(
+        *_gaps(q, *case)
+    )
 
 
-_INVERTED = Mistake("the Jacobian is inverted", "With seven joints it has seven columns. What stands for its inverse?")
+_INVERTED = Mistake(
+    "the Jacobian is inverted",
+    "With seven joints it has seven columns. What stands for its inverse?",
+)
 
 EXERCISE = Exercise(
     name="newton_ik",
@@ -95,7 +106,11 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda screws, M, T_target, q0: (len(q0),),
-        {(4, 4): Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles.")},
+        {
+            (4, 4): Mistake(
+                "a pose is returned", "Inverse kinematics goes from a pose to joint angles."
+            )
+        },
         gaps=True,
     ),
     library=descent,
@@ -112,36 +127,51 @@ EXERCISE = Exercise(
             where=lambda *case: not _out_of_reach(*case),
             mistake=Mistake(
                 "the iteration gives up although the target can be reached",
-                "How many steps does the task allow? The error may grow for a step. Does q change in each of them?",
+                "How many steps does the task allow? The error may grow for a step. Does q change "
+                "in each of them?",
             ),
         ),
         Property(
             "at the angles returned the end-effector is within 1e-6 rad and 1e-6 m of T_target",
             lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
             _off,
-            mistake=Mistake("the steps end before the target is reached", "Does `short` decide that none is needed?"),
+            mistake=Mistake(
+                "the steps end before the target is reached",
+                "Does `short` decide that none is needed?",
+            ),
             points=1,
         ),
         Property(
             "the steps begin at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 0.1,
-            where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-5,
+            where=lambda screws, M, T_target, q0: (
+                np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-5
+            ),
         ),
         Property(
             "a q0 that has converged is returned unchanged",
             lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 1e-12,
-            where=lambda screws, M, T_target, q0: np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-9,
-            mistake=Mistake("a step is made without a test before it", "Does your loop test the error, and when?"),
+            where=lambda screws, M, T_target, q0: (
+                np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-9
+            ),
+            mistake=Mistake(
+                "a step is made without a test before it",
+                "Does your loop test the error, and when?",
+            ),
         ),
         Property(
             "for a target out of reach (3 m away) nan is returned",
             lambda q, *case: not _found(q),
             where=_out_of_reach,
-            mistake=Mistake("the last angles are returned, although they do not reach the target", "When is it over?"),
+            mistake=Mistake(
+                "the last angles are returned, although they do not reach the target",
+                "When is it over?",
+            ),
         ),
     ),
     hints=(
-        "In the loop: where is the end-effector at q, and which twist leads from there to T_target in unit time?",
+        "In the loop: where is the end-effector at q, and which twist leads from there to T_target "
+        "in unit time?",
         "log(T^-1 T_target) is seen from the end-effector. Which Jacobian belongs to such a twist?",
         "If short(twist), return q. Else add np.linalg.pinv(J) @ twist to q. After the last step, "
         "np.full(len(q0), np.nan).",
@@ -159,6 +189,7 @@ EXERCISE = Exercise(
     )
 )
 def another_error(screws, M, T_target, q0, error):
-    """the steps do not converge to a target close by, or end too soon. Print the error after each step. From which
-    pose to which does it lead, and are its frame, and the order of its halves, those of your Jacobian?"""
+    """the steps do not converge to a target close by, or end too soon. Print the error after each
+    step. From which pose to which does it lead, and are its frame, and the order of its halves,
+    those of your Jacobian?"""
     return descent(screws, M, T_target, q0, error)

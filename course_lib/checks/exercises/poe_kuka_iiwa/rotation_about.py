@@ -5,14 +5,25 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, away_from_zero, near, pose, rotation, unit
+from course_lib.checks.vocabulary import (
+    LAST_ROW,
+    X,
+    Y,
+    Z,
+    away_from_zero,
+    near,
+    pose,
+    rotation,
+    unit,
+)
 from course_lib.rotations import exp_so3
 
 _R, _P = (0, slice(0, 3), slice(0, 3)), (0, slice(0, 3), 3)
 _BACK_P = (1, slice(0, 3), 3)
 _ONE_POSE = Mistake(
     "one matrix is returned, not two",
-    "The answer is the pose and its inverse: an array of shape (2, 4, 4), or a list of two matrices.",
+    "The answer is the pose and its inverse: an array of shape (2, 4, 4), or a list of two "
+    "matrices.",
 )
 
 
@@ -20,7 +31,11 @@ def _cases(rng):
     quarter, hinge = np.pi / 2, np.array([1.0, 2, 0])
     named = [(Z, hinge, quarter), (X, hinge, quarter), (Y, hinge, -quarter), (Z, 0 * X, quarter)]
     angles = (0.5, -0.5, 2.0, 5.0, -20.0, np.pi - 3e-4, 3e-4, 1e-10)
-    return [*named, *((unit(rng), away_from_zero(rng, 3), angle) for angle in angles), (Z, hinge, 0.0)]
+    return [
+        *named,
+        *((unit(rng), away_from_zero(rng, 3), angle) for angle in angles),
+        (Z, hinge, 0.0),
+    ]
 
 
 def _both(R, p):
@@ -40,7 +55,8 @@ def _rotation_off(T, omega, point, theta):
 
 _RODRIGUES = Mistake(
     "R is not what Rodrigues' formula gives",
-    "Which three terms has it, with which factors, and what are they for a small theta? W @ W is a matrix product.",
+    "Which three terms has it, with which factors, and what are they for a small theta? W @ W is a "
+    "matrix product.",
 )
 
 EXERCISE = Exercise(
@@ -52,7 +68,11 @@ EXERCISE = Exercise(
     library=_right,
     properties=(
         LAST_ROW,
-        rotation(lambda T: T[_R], "the block R of the first matrix is a rotation: R^T R = I and det R = 1", _RODRIGUES),
+        rotation(
+            lambda T: T[_R],
+            "the block R of the first matrix is a rotation: R^T R = I and det R = 1",
+            _RODRIGUES,
+        ),
         Property(
             "R rotates by theta about omega, counter-clockwise as seen from the tip of omega",
             lambda T, omega, point, theta: near(T[_R], exp_so3(theta * omega)),
@@ -75,9 +95,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Three steps: R by Rodrigues' formula with W = hat(omega); p from the point that must not move; then the "
+        "Three steps: R by Rodrigues' formula with W = hat(omega); p from the point that must not "
+        "move; then the "
         "inverse.",
-        "R point + p = point gives p. Solving y = R x + p for x gives the block and the column of the inverse.",
+        "R point + p = point gives p. Solving y = R x + p for x gives the block and the column of "
+        "the inverse.",
         "R is I + sin(theta) W + (1 - cos(theta)) W W with matrix products, and p is (I - R) point.",
     ),
     forbidden=(
@@ -91,25 +113,46 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def clockwise(omega, point, theta):
-    """the rotation goes clockwise, or the pose and its inverse are swapped. Which of the two comes first?"""
+    """the rotation goes clockwise, or the pose and its inverse are swapped.
+
+    Which of the two comes first?
+    """
     return _right(omega, point, -theta)
 
 
 @EXERCISE.mistake(part=_P, sign=(1, -1, 0), rotated=(False, True))
 def point_for_p(omega, point, theta, sign, rotated):
-    """p is 0, the point itself, or the point rotated. T takes x to R x + p. Which p keeps the point where it is?"""
+    """p is 0, the point itself, or the point rotated.
+
+    T takes x to R x + p. Which p keeps the point where it is?
+    """
     return sign * (exp_so3(theta * omega) @ point if rotated else point)
 
 
-@EXERCISE.mistake(part=_P, p=(lambda R, x: R @ x - x, lambda R, x: x - R.T @ x, lambda R, x: x + R @ x))
+@EXERCISE.mistake(
+    part=_P, p=(lambda R, x: R @ x - x, lambda R, x: x - R.T @ x, lambda R, x: x + R @ x)
+)
 def sign_in_p(omega, point, theta, p):
-    """a sign in p is wrong, or R is transposed in it. T takes x to R x + p. Which p keeps the point where it is?"""
+    """a sign in p is wrong, or R is transposed in it.
+
+    T takes x to R x + p. Which p keeps the point where it is?
+    """
     return p(exp_so3(theta * omega), point)
 
 
 @EXERCISE.mistake(
-    part=_BACK_P, p=(lambda R, p: -p, lambda R, p: p, lambda R, p: R.T @ p, lambda R, p: -R @ p, lambda R, p: 0 * p)
+    part=_BACK_P,
+    p=(
+        lambda R, p: -p,
+        lambda R, p: p,
+        lambda R, p: R.T @ p,
+        lambda R, p: -R @ p,
+        lambda R, p: 0 * p,
+    ),
 )
 def column_of_the_inverse(omega, point, theta, p):
-    """the last column of the inverse does not take p back to the origin. Solve y = R x + p for x."""
+    """the last column of the inverse does not take p back to the origin.
+
+    Solve y = R x + p for x.
+    """
     return p(exp_so3(theta * omega), _right(omega, point, theta)[_P])

@@ -1,10 +1,20 @@
-"""What several exercises of this notebook share: arms to ask about, their right answers, and wrong adjoints."""
+"""What several exercises of this notebook share: arms to ask about, their right answers, and wrong
+adjoints."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
-from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, products, remembered, unit
+from course_lib.checks.vocabulary import (
+    X,
+    Y,
+    Z,
+    any_pose,
+    away_from_zero,
+    products,
+    remembered,
+    unit,
+)
 from course_lib.rigid import adjoint, exp_se3, transform
 from course_lib.rotations import exp_so3, hat
 
@@ -16,7 +26,8 @@ KUKA_HOME = transform(np.eye(3), 1.301 * Z)
 
 
 def axes(omega, points):
-    """Return the screw axes (n, 6) of joints about the directions `omega` through `points`, both (n, 3)."""
+    """Return the screw axes (n, 6) of joints about the directions `omega` through `points`, both
+    (n, 3)."""
     return np.concatenate([omega, np.cross(points, omega)], -1)
 
 
@@ -40,7 +51,8 @@ def drawn_axes(rng, n):
 
 
 def arms(rng):
-    """Return cases (screws, M, q): simple arms first, then any, then those given in whole numbers."""
+    """Return cases (screws, M, q): simple arms first, then any, then those given in whole
+    numbers."""
     tool = transform(exp_so3(np.pi / 2 * X), [2.0, 0, 1])
     named = [
         (ONE, at(1, 0, 0), np.array([np.pi / 2])),
@@ -52,9 +64,14 @@ def arms(rng):
         (KUKA, KUKA_HOME, np.array([0.3, -0.7, 1.1, 0.9, -0.4, 1.3, 0.6])),
         (KUKA, KUKA_HOME, np.zeros(7)),
     ]
-    drawn = [(axes(*drawn_axes(rng, n)), any_pose(rng), away_from_zero(rng, n)) for n in (1, 3, 4, 6, 7)]
+    drawn = [
+        (axes(*drawn_axes(rng, n)), any_pose(rng), away_from_zero(rng, n)) for n in (1, 3, 4, 6, 7)
+    ]
     screws, M, _ = drawn[1]
-    far = [(screws, M, np.array([7.5, -9.25, 40.0])), (KUKA, KUKA_HOME, away_from_zero(rng, 7, 3.3, 6.0))]
+    far = [
+        (screws, M, np.array([7.5, -9.25, 40.0])),
+        (KUKA, KUKA_HOME, away_from_zero(rng, 7, 3.3, 6.0)),
+    ]
     whole = [(WHOLE, at(2, 1, 0), np.array([0.5, 1.2, -0.7])), (WHOLE, at(2, 1, 0), WHOLE_ANGLES)]
     return [*named, *drawn, *far, *whole, named[2]]
 
@@ -95,5 +112,10 @@ def in_blocks(T, form):
 
 read_jacobian = numbers(
     lambda screws, *rest: (6, len(screws)),
-    {(6,): Mistake("one column is returned, not a matrix (6, n)", "Where does your loop collect the columns?")},
+    {
+        (6,): Mistake(
+            "one column is returned, not a matrix (6, n)",
+            "Where does your loop collect the columns?",
+        )
+    },
 )

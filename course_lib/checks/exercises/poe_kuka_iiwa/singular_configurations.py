@@ -30,7 +30,8 @@ def _rank_loss(row):
 
 
 def _leads_out(k, row):
-    """Return whether the configuration becomes regular if the joints of family k move a little, and by these only."""
+    """Return whether the configuration becomes regular if the joints of family k move a little, and
+    by these only."""
     own, others = (np.tile(row, (4, 1)) for _ in range(2))
     free = np.setdiff1d(np.arange(7), _MOVED[k])
     for i, step in enumerate((0.3, -0.3, 0.2, -0.2)):
@@ -41,13 +42,19 @@ def _leads_out(k, row):
 
 def _outside(rows):
     i, j = np.argwhere((rows < _ARM.limits[:, 0]) | (rows > _ARM.limits[:, 1]))[0]
-    return f"In row {i} joint {j + 1} is at {rows[i, j]:.4g} rad; its limit is {_ARM.limits[j, 1]:.4f}."
+    return (
+        f"In row {i} joint {j + 1} is at {rows[i, j]:.4g} rad; its limit is "
+        f"{_ARM.limits[j, 1]:.4f}."
+    )
 
 
 def _families(rows):
     k = next(k for k in range(3) if not _leads_out(k, rows[k]))
     joints = " and ".join(str(joint + 1) for joint in _MOVED[k])
-    return f"Row {k}, for the {FAMILIES[k]}: joint {joints} alone should decide whether it is singular."
+    return (
+        f"Row {k}, for the {FAMILIES[k]}: joint {joints} alone should decide whether it is "
+        f"singular."
+    )
 
 
 def _cause(row):
@@ -63,7 +70,11 @@ EXERCISE = Exercise(
     cases=lambda rng: [()],
     returns=numbers(
         lambda: (3, 7),
-        {(7, 3): Mistake("rows and columns are swapped", "One configuration a row: the shape is (3, 7).")},
+        {
+            (7, 3): Mistake(
+                "rows and columns are swapped", "One configuration a row: the shape is (3, 7)."
+            )
+        },
     ),
     library=_right,
     properties=(
@@ -71,26 +82,38 @@ EXERCISE = Exercise(
             "all angles are within the joint limits",
             lambda rows: ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all(),
             says=_outside,
-            mistake=Mistake("an angle is beyond its limit", "arm.limits has them in radians, one row a joint."),
+            mistake=Mistake(
+                "an angle is beyond its limit", "arm.limits has them in radians, one row a joint."
+            ),
         ),
         Property(
             "the Jacobian has rank 5 in each of the three configurations",
             lambda rows: all(_rank_loss(row) == 1 for row in rows),
-            says=lambda rows: f"The ranks of your three are {', '.join(str(6 - _rank_loss(row)) for row in rows)}.",
-            mistake=Mistake("a configuration is not singular", "The last of its singular values must be 0."),
+            says=lambda rows: (
+                f"The ranks of your three are "
+                f"{', '.join(str(6 - _rank_loss(row)) for row in rows)}."
+            ),
+            mistake=Mistake(
+                "a configuration is not singular", "The last of its singular values must be 0."
+            ),
         ),
         Property(
-            "row 0 is singular because of the elbow (joint 4), row 1 of the shoulder (joints 2 and 3), row 2 of the "
+            "row 0 is singular because of the elbow (joint 4), row 1 of the shoulder (joints 2 and "
+            "3), row 2 of the "
             "wrist (joints 5 and 6)",
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             says=_families,
-            mistake=Mistake("two rows are of one family", "Which joints make each row regular when they move?"),
+            mistake=Mistake(
+                "two rows are of one family", "Which joints make each row regular when they move?"
+            ),
         ),
     ),
     hints=(
-        "Start from an ordinary configuration and look at np.linalg.svd of its Jacobian. The elbow is easy: "
+        "Start from an ordinary configuration and look at np.linalg.svd of its Jacobian. The elbow "
+        "is easy: "
         "stretch it.",
-        "For the shoulder, q2 = 0 puts axis 3 on axis 1; for the wrist, q6 = 0 puts axis 7 on axis 5. "
+        "For the shoulder, q2 = 0 puts axis 3 on axis 1; for the wrist, q6 = 0 puts axis 7 on axis "
+        "5. "
         "That alone does not "
         "reduce the rank. Plot the smallest singular value against q3, or q5.",
         "It vanishes at a right angle: q3 or q5 is pi / 2.",
@@ -100,7 +123,10 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value))
 def several_together():
-    """several singularities come together. What is the rank in each row, and which other angles are 0 there?"""
+    """several singularities come together.
+
+    What is the rank in each row, and which other angles are 0 there?
+    """
     return np.zeros((3, 7))
 
 
@@ -112,32 +138,47 @@ def _nearly_singular(value, predicted):
 
 @EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_nearly_singular)
 def pi_rounded(place):
-    """pi / 2 is rounded. What is the last singular value of a configuration that is only near a singular one?"""
+    """pi / 2 is rounded.
+
+    What is the last singular value of a configuration that is only near a singular one?
+    """
     return _with(place, 1.57)
 
 
 def _half_way(value, predicted):
-    """Return whether q2 or q6 is 0 in the row of its family, which is regular, and no row has less than rank 5."""
+    """Return whether q2 or q6 is 0 in the row of its family, which is regular, and no row has less
+    than rank 5."""
     losses = [_rank_loss(row) for row in value]
     zero = [False, abs(np.sin(value[1, 1])) < 1e-9, abs(np.sin(value[2, 5])) < 1e-9]
     possible = max(losses) <= 1 and np.abs(value).max() < np.pi
-    return possible and any(at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True))
+    return possible and any(
+        at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True)
+    )
 
 
 @EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_half_way)
 def one_angle_alone(place):
-    """q6 = 0 or q2 = 0 is taken for singular by itself. A seventh joint helps out: what if its neighbour moves too?"""
+    """q6 = 0 or q2 = 0 is taken for singular by itself.
+
+    A seventh joint helps out: what if its neighbour moves too?
+    """
     return _with(place, 0.5)
 
 
 def _of_two_families(value, predicted):
     """Return whether q2 = q6 = 0 in a row, which is singular without any of the three families."""
-    return any(np.abs(np.sin(row[[1, 5]])).max() < 1e-9 and _cause(row) < 0 and _rank_loss(row) == 1 for row in value)
+    return any(
+        np.abs(np.sin(row[[1, 5]])).max() < 1e-9 and _cause(row) < 0 and _rank_loss(row) == 1
+        for row in value
+    )
 
 
 @EXERCISE.mistake(rows=((1,), (2,), (1, 2)), alike=_of_two_families)
 def shoulder_and_wrist_at_once(rows):
-    """q2 and q6 are both 0 in a row: a fourth family. Which joints must move to leave it, those of one family alone?"""
+    """q2 and q6 are both 0 in a row: a fourth family.
+
+    Which joints must move to leave it, those of one family alone?
+    """
     found = _right()
     for k in rows:
         found[k] = [0.3, 0, -0.4, 1.1, 0.5, 0, 0.2]

@@ -25,8 +25,15 @@ def _cases(rng):
     drawn = [(away_from_zero(rng, 6, 0.2, 2.0), any_pose(rng)) for _ in range(4)]
     far = any_pose(rng)
     far[:3, 3] *= 100
-    whole = [(np.array([1, 2, -1, 0, 3, 1]), any_pose(rng)), (away_from_zero(rng, 6, 0.2, 2.0), WHOLE_HOME)]
-    plain = [(np.append(Z, 0 * X), at(1, 0, 0)), (np.append(Z, X), np.eye(4)), (np.zeros(6), any_pose(rng))]
+    whole = [
+        (np.array([1, 2, -1, 0, 3, 1]), any_pose(rng)),
+        (away_from_zero(rng, 6, 0.2, 2.0), WHOLE_HOME),
+    ]
+    plain = [
+        (np.append(Z, 0 * X), at(1, 0, 0)),
+        (np.append(Z, X), np.eye(4)),
+        (np.zeros(6), any_pose(rng)),
+    ]
     return [*named, *drawn, (away_from_zero(rng, 6, 2.0, 9.0), far), *whole, *plain]
 
 
@@ -35,7 +42,9 @@ def _right(V_s, T):
     return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
-_BODY = Mistake("the second row is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?")
+_BODY = Mistake(
+    "the second row is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?"
+)
 _HYBRID = Mistake(
     "the third row is not (omega, velocity of the end-effector's origin) along the base's axes",
     "Which half comes first, and how fast does omega move the point p of T?",
@@ -50,14 +59,36 @@ EXERCISE = Exercise(
     library=_right,
     properties=(
         part_is("the first row is the twist as the space frame sees it: V_s itself", _right, 0),
-        part_is("the third row, omega: along the base's axes it is that of V_s", _right, (HYBRID, _OMEGA), _HYBRID),
-        part_is("the third row, v: the velocity of the end-effector's origin p", _right, (HYBRID, _V), _HYBRID),
-        part_is("the second row, omega: seen along the end-effector's axes", _right, (BODY, _OMEGA), _BODY),
-        part_is("the second row, v: that of the end-effector's origin, along its axes", _right, (BODY, _V), _BODY),
+        part_is(
+            "the third row, omega: along the base's axes it is that of V_s",
+            _right,
+            (HYBRID, _OMEGA),
+            _HYBRID,
+        ),
+        part_is(
+            "the third row, v: the velocity of the end-effector's origin p",
+            _right,
+            (HYBRID, _V),
+            _HYBRID,
+        ),
+        part_is(
+            "the second row, omega: seen along the end-effector's axes",
+            _right,
+            (BODY, _OMEGA),
+            _BODY,
+        ),
+        part_is(
+            "the second row, v: that of the end-effector's origin, along its axes",
+            _right,
+            (BODY, _V),
+            _BODY,
+        ),
     ),
     hints=(
-        "The first row is V_s. For the second: which adjoint takes what the base sees to what the end-effector sees?",
-        "The hybrid frame has the base's axes, so omega stays. Its origin is the end-effector's, p = T[:3, 3].",
+        "The first row is V_s. For the second: which adjoint takes what the base sees to what the "
+        "end-effector sees?",
+        "The hybrid frame has the base's axes, so omega stays. Its origin is the end-effector's, p "
+        "= T[:3, 3].",
         "Its v is the velocity of the point p of the moving body: v of V_s, plus omega x p.",
     ),
     forbidden=("course_lib.arms.SerialArm",),
@@ -75,12 +106,20 @@ def another_order(V_s, T, order):
 
 @EXERCISE.mistake(part=HYBRID, sign=(-1, 0))
 def cross_product_reversed(V_s, T, sign):
-    """the cross product in the hybrid row is missing, or in the wrong order. How fast does a rotation omega move p?"""
+    """the cross product in the hybrid row is missing, or in the wrong order.
+
+    How fast does a rotation omega move p?
+    """
     return np.append(V_s[:3], V_s[3:] + sign * np.cross(V_s[:3], T[:3, 3]))
 
 
-@EXERCISE.mistake(part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False))
+@EXERCISE.mistake(
+    part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False)
+)
 def hybrid_rotated(V_s, T, powers, moved):
-    """the hybrid row is rotated by R or R^T, or half of it is. Along which axes does the hybrid frame see?"""
+    """the hybrid row is rotated by R or R^T, or half of it is.
+
+    Along which axes does the hybrid frame see?
+    """
     of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
     return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))

@@ -8,8 +8,12 @@ from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, LAST_ROW, part_is, rota
 from course_lib.planar import pose_matrix
 
 _ORIGIN = np.s_[:2, 2]
-_ONLY_POINTS = Mistake("the points are returned, not the frames", "Each frame is a matrix, with R and p in it.")
-_ONLY_POSES = Mistake("the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each.")
+_ONLY_POINTS = Mistake(
+    "the points are returned, not the frames", "Each frame is a matrix, with R and p in it."
+)
+_ONLY_POSES = Mistake(
+    "the frames are given as (x, y, theta)", "pose_matrix makes a matrix of each."
+)
 
 
 def _cases(rng):
@@ -67,9 +71,12 @@ EXERCISE = Exercise(
     ),
     library=_right,
     hints=(
-        "What takes frame 0 to frame 1: a rotation, a translation, or both? And frame 1 to 2, and 2 to 3?",
-        "T_01 = pose_matrix([0, 0, theta[0]]). To joint 2: 1 m along joint 1's x axis, then the rotation.",
-        "T_02 = T_01 @ T_12 and T_03 = T_02 @ T_23, with T_23 = pose_matrix([1, 0, 0]). np.array([T_01, T_02, T_03]).",
+        "What takes frame 0 to frame 1: a rotation, a translation, or both? And frame 1 to 2, and "
+        "2 to 3?",
+        "T_01 = pose_matrix([0, 0, theta[0]]). To joint 2: 1 m along joint 1's x axis, then the "
+        "rotation.",
+        "T_02 = T_01 @ T_12 and T_03 = T_02 @ T_23, with T_23 = pose_matrix([1, 0, 0]). "
+        "np.array([T_01, T_02, T_03]).",
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
 )
@@ -77,23 +84,26 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(position_alone=(False, True))
 def from_the_world(theta, position_alone):
-    """theta2 is taken for the angle from the x axis of the world. It is measured from the first link: along which
-    direction does the second one point?"""
+    """theta2 is taken for the angle from the x axis of the world. It is measured from the first
+    link: along which direction does the second one point?"""
     T = _right([theta[0], theta[1] - theta[0]])
     return np.concatenate([_right(theta)[..., :2], T[..., 2:]], -1) if position_alone else T
 
 
 @EXERCISE.mistake(moved=([True, True, False], [True, True, True], [False, True, True]))
 def links_first(theta, moved):
-    """a frame is rotated first, and then translated. Joint 1 stays at the base. To joint 2: first 1 m along link 1, or
-    first the rotation?"""
+    """a frame is rotated first, and then translated. Joint 1 stays at the base. To joint 2: first 1
+    m along link 1, or first the rotation?"""
     along = [_trans() if each else np.eye(3) for each in moved]
     return _chain(_rot(theta[0]) @ along[0], _rot(theta[1]) @ along[1], along[2])
 
 
 @EXERCISE.mistake
 def second_frame_as_first(theta):
-    """the frame of joint 2 is not rotated by theta2. A frame rotates with the link that follows its joint."""
+    """the frame of joint 2 is not rotated by theta2.
+
+    A frame rotates with the link that follows its joint.
+    """
     return _chain(_rot(theta[0]), _trans(), _rot(theta[1]) @ _trans())
 
 
@@ -104,15 +114,23 @@ def from_the_frame_before(theta, second, third):
     return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
 
 
-@EXERCISE.mistake(angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1], lambda t: -t[0], lambda t: -t[1]))
+@EXERCISE.mistake(
+    angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1], lambda t: -t[0], lambda t: -t[1])
+)
 def tip_not_as_link_2(theta, angle):
-    """the tip's frame is not rotated as link 2 is. There is no joint at the tip: how is link 2 rotated?"""
+    """the tip's frame is not rotated as link 2 is.
+
+    There is no joint at the tip: how is link 2 rotated?
+    """
     T = _right(theta)
     return np.array([*T[:2], T[2] @ _rot(angle(theta))])
 
 
 @EXERCISE.mistake
 def reverse_order(theta):
-    """the chain is multiplied in the reverse order. T_02 = T_01 T_12: which letters stand next to each other?"""
+    """the chain is multiplied in the reverse order.
+
+    T_02 = T_01 T_12: which letters stand next to each other?
+    """
     T_01, T_12, T_23 = _rot(theta[0]), _trans() @ _rot(theta[1]), _trans()
     return np.array([T_01, T_12 @ T_01, T_23 @ T_12 @ T_01])

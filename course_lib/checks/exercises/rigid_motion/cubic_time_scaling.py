@@ -9,10 +9,18 @@ from course_lib.planar import cubic_time_scaling
 
 def _cases(rng):
     even = np.linspace(0, 1, 6)  # with five, the quintic's values would be a cubic's
-    rest = [(1.0, 2.0, 0.0, 1.0, 0.0, 0.0), (0.5, 2.0, 0.0, 1.0, 0.0, 0.0), (even, 1.0, 0.0, 1.0, 0.0, 0.0)]
+    rest = [
+        (1.0, 2.0, 0.0, 1.0, 0.0, 0.0),
+        (0.5, 2.0, 0.0, 1.0, 0.0, 0.0),
+        (even, 1.0, 0.0, 1.0, 0.0, 0.0),
+    ]
     moved = [(even, 1.0, 2.0, 5.0, 0.0, 0.0), (even, 1.0, 3.0, -1.0, 0.0, 0.0)]
     slow = [(4 * even, 4.0, 0.0, 1.0, 0.0, 0.0)]
-    rolling = [(T * even, T, 0.0, 1.0, *v) for T in (1.0, 2.0) for v in ((1.0, 0.0), (0.0, 1.0), (2.0, -1.0))]
+    rolling = [
+        (T * even, T, 0.0, 1.0, *v)
+        for T in (1.0, 2.0)
+        for v in ((1.0, 0.0), (0.0, 1.0), (2.0, -1.0))
+    ]
     back = [(0.5 * even, 0.5, 1.0, 1.0, 3.0, 3.0), (3 * even, 3.0, 0.0, 0.0, 0.0, -1.0)]
     whole = [(1, 4, 0, 1, 0, 0), (np.arange(5), 4, 0, 1, 0, 1)]
     drawn = []
@@ -46,7 +54,9 @@ def _at(time, end):
 
 
 def _found_at(time):
-    return lambda s, t, T, *ends: f"Yours is {float(np.asarray(s)[np.asarray(t) == time(T)][0]):.4g}."
+    return lambda s, t, T, *ends: (
+        f"Yours is {float(np.asarray(s)[np.asarray(t) == time(T)][0]):.4g}."
+    )
 
 
 def _several(t, *case):
@@ -80,7 +90,9 @@ def _cubic(u, s0, s1, d0, d1):
     return s0 + d0 * u + (3 * (s1 - s0) - 2 * d0 - d1) * u**2 + (d0 + d1 - 2 * (s1 - s0)) * u**3
 
 
-_OTHER_VELOCITY = Mistake("your cubic has another velocity at an end", "Do you differentiate by t, or by u?")
+_OTHER_VELOCITY = Mistake(
+    "your cubic has another velocity at an end", "Do you differentiate by t, or by u?"
+)
 
 EXERCISE = Exercise(
     name="cubic_time_scaling",
@@ -89,33 +101,53 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda t, *ends: np.shape(t)),
     properties=(
-        Property("at t = 0 the value is s0", _at(lambda T: 0, 0), says=_found_at(lambda T: 0), where=_has(lambda T: 0)),
-        Property("at t = T the value is s1", _at(lambda T: T, 1), says=_found_at(lambda T: T), where=_has(lambda T: T)),
+        Property(
+            "at t = 0 the value is s0",
+            _at(lambda T: 0, 0),
+            says=_found_at(lambda T: 0),
+            where=_has(lambda T: 0),
+        ),
+        Property(
+            "at t = T the value is s1",
+            _at(lambda T: T, 1),
+            says=_found_at(lambda T: T),
+            where=_has(lambda T: T),
+        ),
         Property(
             "s is a polynomial in t of degree three",
             _is_cubic,
             where=_several,
-            mistake=Mistake("s is no cubic", "With velocities at its ends a cubic may leave the range from s0 to s1."),
+            mistake=Mistake(
+                "s is no cubic",
+                "With velocities at its ends a cubic may leave the range from s0 to s1.",
+            ),
         ),
         Property(
             "at t = 0 the velocity ds/dt is v0",
             _velocity_is(0.0, 2),
-            says=lambda s, *case: f"The cubic through your values has {_velocity(0.0)(s, *case):.4g} there.",
+            says=lambda s, *case: (
+                f"The cubic through your values has {_velocity(0.0)(s, *case):.4g} there."
+            ),
             where=_several,
             mistake=_OTHER_VELOCITY,
         ),
         Property(
             "at t = T the velocity ds/dt is v1",
             _velocity_is(1.0, 3),
-            says=lambda s, *case: f"The cubic through your values has {_velocity(1.0)(s, *case):.4g} there.",
+            says=lambda s, *case: (
+                f"The cubic through your values has {_velocity(1.0)(s, *case):.4g} there."
+            ),
             where=_several,
             mistake=_OTHER_VELOCITY,
         ),
         Property(
             "each value is that of the one cubic with these values and velocities at its ends",
-            lambda s, t, T, *ends: np.abs(s - cubic_time_scaling(t, T, *ends)).max() <= _size(T, *ends),
+            lambda s, t, T, *ends: (
+                np.abs(s - cubic_time_scaling(t, T, *ends)).max() <= _size(T, *ends)
+            ),
             says=lambda s, *case: (
-                f"The value at t = {np.ravel(case[0])[0]:.4g} is {np.ravel(cubic_time_scaling(*case))[0]:.4g}."
+                f"The value at t = {np.ravel(case[0])[0]:.4g} is "
+                f"{np.ravel(cubic_time_scaling(*case))[0]:.4g}."
             ),
         ),
     ),
@@ -123,7 +155,8 @@ EXERCISE = Exercise(
     hints=(
         "s(t) = a0 + a1 t + a2 t^2 + a3 t^3 has four coefficients, and there are four conditions. "
         "Those at t = 0 give a0 and a1 at once.",
-        "With u = t / T: s = s0 + v0 T u + b u^2 + c u^3. Its derivative by u must be v1 T at u = 1.",
+        "With u = t / T: s = s0 + v0 T u + b u^2 + c u^3. Its derivative by u must be v1 T at u = "
+        "1.",
         "b = 3 (s1 - s0) - (2 v0 + v1) T and c = -2 (s1 - s0) + (v0 + v1) T.",
     ),
     forbidden=("course_lib.planar.cubic_time_scaling",),
@@ -132,14 +165,17 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(factor=(lambda T: 1, lambda T: T * T))
 def velocities_not_times_T(t, T, s0, s1, v0, v1, factor):
-    """the velocities are not multiplied by T, or more than once. By u = t / T the velocity is ds/du = T ds/dt."""
+    """the velocities are not multiplied by T, or more than once.
+
+    By u = t / T the velocity is ds/du = T ds/dt.
+    """
     return _cubic(t / T, s0, s1, v0 * factor(T), v1 * factor(T))
 
 
 @EXERCISE.mistake(factors=((0, 0), (1, 0), (0, 1), (-1, 1), (1, -1), (-1, -1)))
 def other_velocities(t, T, s0, s1, v0, v1, factors):
-    """a velocity at an end is left out, or has the opposite sign. Differentiate your s(t) at 0 and at T: which velocity
-    do you find?"""
+    """a velocity at an end is left out, or has the opposite sign. Differentiate your s(t) at 0 and
+    at T: which velocity do you find?"""
     return cubic_time_scaling(t, T, s0, s1, factors[0] * v0, factors[1] * v1)
 
 

@@ -12,11 +12,24 @@ _POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that p
 
 
 def _cases(rng):
-    ordinary = [[np.pi / 2, 1.0, 0.0], [0.5, 2.0, 0.0], [np.pi / 2, 0.0, 1.0], [-1.0, 1.0, 0.0], [2.5, -1.0, 3.0]]
+    ordinary = [
+        [np.pi / 2, 1.0, 0.0],
+        [0.5, 2.0, 0.0],
+        [np.pi / 2, 0.0, 1.0],
+        [-1.0, 1.0, 0.0],
+        [2.5, -1.0, 3.0],
+    ]
     drawn = rng.uniform([-3, -4, -4], [3, 4, 4], (3, 3)).round(2)
-    small = [[size * sign, 3.0, -2.0] for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9, 2.3e-8) for sign in (1, -1)]
+    small = [
+        [size * sign, 3.0, -2.0]
+        for size in (0.05, 3e-4, 9e-5, 1e-5, 9e-9, 2.3e-8)
+        for sign in (1, -1)
+    ]
     edge = [[np.pi, 1.0, 2.0], [-np.pi, 1.0, 2.0], [7.0, 1.0, -1.0], [2 * np.pi, 1.0, 2.0]]
-    edge += [[40.0, 1.0, 2.0], [-40.0, 2.0, 1.0]]  # where a series of any length has lost its digits
+    edge += [
+        [40.0, 1.0, 2.0],
+        [-40.0, 2.0, 1.0],
+    ]  # where a series of any length has lost its digits
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
     return [(np.array(twist),) for twist in [*ordinary, *drawn, *edge, *none, *small]]
 
@@ -45,29 +58,40 @@ EXERCISE = Exercise(
             "the upper left 2x2 block is the rotation by omega",
             lambda T, twist: _off(T, twist) <= FINE,
             says=lambda T, twist: (
-                f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}, off by up to {_off(T, twist):.1e}."
+                f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}, off by up to "
+                f"{_off(T, twist):.1e}."
             ),
         ),
         Property(
             "the position is where the arc ends, to nine digits",
             _position_holds,
-            says=lambda T, twist: f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m.",
+            says=lambda T, twist: (
+                f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m."
+            ),
             mistake=Mistake(
                 "the position is not the integral of R(omega t) v from t = 0 to 1",
-                "Integrate the cosine and the sine of omega t. Does your formula hold for a negative omega, too?",
+                "Integrate the cosine and the sine of omega t. Does your formula hold for a "
+                "negative omega, too?",
             ),
         ),
     ),
     library=exp_se2,
     hints=(
-        "The rotation is that by omega. The velocity in the world at time t is R(omega t) v: integrate it from 0 to 1.",
-        "The integral of R(omega t) has sin(omega) / omega on its diagonal, and (1 - cos(omega)) / omega beside it. "
+        "The rotation is that by omega. The velocity in the world at time t is R(omega t) v: "
+        "integrate it from 0 to 1.",
+        "The integral of R(omega t) has sin(omega) / omega on its diagonal, and (1 - cos(omega)) / "
+        "omega beside it. "
         "What do both become for omega = 0? np.sinc(x) is sin(pi x) / (pi x), and 1 at x = 0.",
-        "1 - cos(a) = 2 sin(a/2)^2, which keeps all digits. So with along = np.sinc(omega / np.pi) and "
+        "1 - cos(a) = 2 sin(a/2)^2, which keeps all digits. So with along = np.sinc(omega / np.pi) "
+        "and "
         "across = omega / 2 * np.sinc(omega / (2 * np.pi)) ** 2 the position is "
         "(along vx - across vy, across vx + along vy).",
     ),
-    forbidden=("course_lib.rigid.exp_se2", "course_lib.rigid.exp_se3", "course_lib.planar.propagate_body_exact"),
+    forbidden=(
+        "course_lib.rigid.exp_se2",
+        "course_lib.rigid.exp_se3",
+        "course_lib.planar.propagate_body_exact",
+    ),
 )
 
 
@@ -80,8 +104,8 @@ def _with_position(twist, position):
 
 @EXERCISE.mistake(terms=(10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200))
 def series(twist, terms):
-    """a series with a fixed number of terms is added up. Its terms grow until there are more of them than omega, and
-    large ones cancel badly: integrate cosine and sine in closed form."""
+    """a series with a fixed number of terms is added up. Its terms grow until there are more of
+    them than omega, and large ones cancel badly: integrate cosine and sine in closed form."""
     omega, vx, vy = twist
     A = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
     T = term = np.eye(3)
@@ -97,13 +121,13 @@ def _nearly(T, twist):
 
 @EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))
 def small_angles(twist, bound):
-    """small angles are taken for none, or lose their digits. At omega = 1e-8 the body still moves sideways by omega
-    v / 2: does 1 - cos(omega) keep its digits there?"""
+    """small angles are taken for none, or lose their digits. At omega = 1e-8 the body still moves
+    sideways by omega v / 2: does 1 - cos(omega) keep its digits there?"""
     return _with_position(twist, twist[1:]) if abs(twist[0]) < bound else None
 
 
 @EXERCISE.mistake(R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]))
 def straight_line(twist, R):
-    """the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves. What is its path if it
-    rotates meanwhile?"""
+    """the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves. What
+    is its path if it rotates meanwhile?"""
     return _with_position(twist, R(twist) @ twist[1:])

@@ -25,18 +25,31 @@ def plain_cases(rng):
         (np.array([1.0, -1.0, 0.3]), np.array([2.0, 3.0, 2.0]), 2),
     ]
     angles = np.round(rng.uniform(0.4, 2.8, 2) * [1, -1], 2)
-    return named + [between(rng, 0.1, 0.1 + angle, n) for angle, n in zip(angles, (7, 5), strict=True)]
+    return named + [
+        between(rng, 0.1, 0.1 + angle, n) for angle, n in zip(angles, (7, 5), strict=True)
+    ]
 
 
 def rotating_cases(rng):
-    """Return cases past pi, over several revolutions, by nearly and by exactly half of one; and whole numbers."""
+    """Return cases past pi, over several revolutions, by nearly and by exactly half of one; and
+    whole numbers."""
     named = [
         (np.array([0.0, 0.0, 3.0]), np.array([4.0, 2.0, -3.0]), 5),
         (np.array([-7.0, -5.0, -2.6]), np.array([6.0, 5.0, 2.2]), 6),
     ]
     beyond = np.round(rng.uniform(1.7, 3.0, 4) * [1, -1, -1, 1], 2)
-    directions = [*beyond.reshape(2, 2), (0.3, 1.2 + 2 * shared.REVOLUTION), (-0.5, -1.8 - 3 * shared.REVOLUTION)]
-    directions += [(4.0, 5.2 - shared.REVOLUTION), (4.0, 5.0), (9.4, 8.5), (0.2, 3.341), (0.2, 3.342)]
+    directions = [
+        *beyond.reshape(2, 2),
+        (0.3, 1.2 + 2 * shared.REVOLUTION),
+        (-0.5, -1.8 - 3 * shared.REVOLUTION),
+    ]
+    directions += [
+        (4.0, 5.2 - shared.REVOLUTION),
+        (4.0, 5.0),
+        (9.4, 8.5),
+        (0.2, 3.341),
+        (0.2, 3.342),
+    ]
     directions += [(0.0, np.pi), (np.pi / 2, -np.pi / 2), (0.7, 0.7 + np.pi)]
     drawn = [between(rng, *pair, 5) for pair in directions]
     return [*named, *drawn, ([2, -1, 3], [-2, 1, -3], 5), between(rng, 2.0, -2.0, 21)]
@@ -51,15 +64,23 @@ EXERCISE = Exercise(
     properties=(
         *shared.ENDS,
         Property(
-            "x and y stay on the straight line from start to goal", shared.on_a_line, where=shared.one_arc_is_shorter
+            "x and y stay on the straight line from start to goal",
+            shared.on_a_line,
+            where=shared.one_arc_is_shorter,
         ),
         shared.SHORTER_ARC,
-        *shared.timed(lambda start, goal, s, angle: shared.straight(start, [*right_change(start, goal)[:2], angle], s)),
+        *shared.timed(
+            lambda start, goal, s, angle: shared.straight(
+                start, [*right_change(start, goal)[:2], angle], s
+            )
+        ),
     ),
     library=interpolate_body,
     hints=(
-        "u = np.linspace(0, 1, n) has n evenly spaced times; s = 3 u^2 - 2 u^3 is the part of the change that is made.",
-        "The change is goal - start, of arrays (np.array(start, float)); its third entry, that of theta, is wrapped.",
+        "u = np.linspace(0, 1, n) has n evenly spaced times; s = 3 u^2 - 2 u^3 is the part of the "
+        "change that is made.",
+        "The change is goal - start, of arrays (np.array(start, float)); its third entry, that of "
+        "theta, is wrapped.",
         "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
     alike=shared.same_path,
@@ -84,13 +105,17 @@ shared.add_path_mistakes(EXERCISE, _path)
         lambda a, b: b - a,
         lambda a, b: (b - a) % shared.REVOLUTION,
         lambda a, b: wrap_angle(b) - wrap_angle(a),
-        lambda a, b: b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi),
+        lambda a, b: (
+            b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi)
+        ),
     )
 )
 def not_wrapped(start, goal, n, difference):
-    """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap the difference of
-    the two angles, and only that, before it is scaled."""
-    return _path(start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])])
+    """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap
+    the difference of the two angles, and only that, before it is scaled."""
+    return _path(
+        start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])]
+    )
 
 
 @EXERCISE.mistake
@@ -101,8 +126,8 @@ def lengths_wrapped(start, goal, n):
 
 @EXERCISE.mistake
 def whole_numbers(start, goal, n):
-    """the wrapped difference is cut off to a whole number. np.array([2, -1, 3]) holds whole numbers only, and so does a
-    difference of two such arrays: what does np.array(start, float) hold?"""
+    """the wrapped difference is cut off to a whole number. np.array([2, -1, 3]) holds whole numbers
+    only, and so does a difference of two such arrays: what does np.array(start, float) hold?"""
     if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
         return None
     return _path(start, goal, n, change=np.trunc(right_change(start, goal)))

@@ -1,14 +1,20 @@
-"""interpolate_body_screw: from pose to pose with a velocity that is constant in the body's frame."""
+"""interpolate_body_screw: from pose to pose with a velocity that is constant in the body's
+frame."""
 
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.rigid_motion import shared
-from course_lib.checks.exercises.rigid_motion.interpolate_body import between, plain_cases, rotating_cases
+from course_lib.checks.exercises.rigid_motion.interpolate_body import (
+    between,
+    plain_cases,
+    rotating_cases,
+)
 from course_lib.planar import interpolate_body_screw, pose_matrix
 from course_lib.rigid import exp_se2, inverse, log_se2
 
-SMALL = 1e-2  # radians: with an angle below that, the pole is far away, and formulas with it may lose digits
+# radians: with an angle below that, the pole is far away, and formulas with it may lose digits
+SMALL = 1e-2
 
 
 def _cases(rng):
@@ -48,11 +54,15 @@ def _distances(rows, start, goal):
 def _seen_from_the_pole(rows, start, goal, n):
     x, y = _pole(start, goal)
     distances = _distances(rows, start, goal)
-    return f"The pole is at ({x:.4g}, {y:.4g}); yours is {distances.min():.4g} to {distances.max():.4g} m from it."
+    return (
+        f"The pole is at ({x:.4g}, {y:.4g}); yours is {distances.min():.4g} to "
+        f"{distances.max():.4g} m from it."
+    )
 
 
 def _fits(rows, path, start, goal):
-    """Return whether the rows are right; with a tiny angle, to the digits that formulas with the pole leave."""
+    """Return whether the rows are right; with a tiny angle, to the digits that formulas with the
+    pole leave."""
     fine = 1e-9 if _angle(start, goal) >= SMALL else 1e-7
     return shared.deviation(rows, path) <= fine * shared.size(start, goal)
 
@@ -63,7 +73,8 @@ def _rows(T, *case):
 
 
 def _by_matrices(start, goal, n, product, s):
-    """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s of s(u)."""
+    """The poses product(T_start, T_goal, move), where move(T) is exp(s log(T)) for all s of
+    s(u)."""
 
     def move(T):
         return exp_se2(np.multiply.outer(s(np.linspace(0, 1, n)), log_se2(T)))
@@ -88,11 +99,15 @@ EXERCISE = Exercise(
         Property(
             "the body rotates about one point, the pole, and stays at the same distance from it",
             lambda rows, start, goal, n: (
-                np.ptp(_distances(rows, start, goal)) <= 1e-9 * shared.size(start, goal) / _angle(start, goal)
+                np.ptp(_distances(rows, start, goal))
+                <= 1e-9 * shared.size(start, goal) / _angle(start, goal)
             ),
             says=_seen_from_the_pole,
             where=_rotates,
-            mistake=Mistake("the path is no arc about one point", "Which function moves along an arc, not a line?"),
+            mistake=Mistake(
+                "the path is no arc about one point",
+                "Which function moves along an arc, not a line?",
+            ),
         ),
         *shared.timed(by_screw, _fits),
     ),
@@ -100,7 +115,8 @@ EXERCISE = Exercise(
     hints=(
         "T0 and T1 are given. What start sees of goal is T0^-1 T1.",
         "twist = rigid.log_se2(rigid.inverse(T0) @ T1) is the body's velocity, for one unit of s.",
-        "T = T0 @ rigid.exp_se2(s * twist) for each s = 3 u^2 - 2 u^3; x and y are T[0, 2] and T[1, 2].",
+        "T = T0 @ rigid.exp_se2(s * twist) for each s = 3 u^2 - 2 u^3; x and y are T[0, 2] and "
+        "T[1, 2].",
         "theta is start[2] + s * twist[0], or np.arctan2(T[1, 0], T[0, 0]).",
     ),
     alike=shared.same_path,
@@ -116,8 +132,8 @@ def _screw(start, goal, n, s):
 
 @EXERCISE.mistake(difference=(shared.change, lambda start, goal: np.subtract(goal, start)))
 def straight_line(start, goal, n, difference):
-    """x, y and theta are interpolated each by itself: a straight line. Here the velocity is constant in the body's
-    frame. Which function has an arc for that?"""
+    """x, y and theta are interpolated each by itself: a straight line. Here the velocity is
+    constant in the body's frame. Which function has an arc for that?"""
     path = shared.straight(start, difference(start, goal), shared.scaling(n))
     return path if shared.one_arc_is_shorter(start, goal, n) else None
 
@@ -135,6 +151,6 @@ shared.add_path_mistakes(EXERCISE, _screw)
     s=(shared.cubic, lambda u: u),
 )
 def wrong_side(start, goal, n, product, s):
-    """the displacement is seen from another frame than that in which it is applied. T_start^-1 T_goal leads from start
-    to goal, seen from start: where does T_start stand in the product?"""
+    """the displacement is seen from another frame than that in which it is applied. T_start^-1
+    T_goal leads from start to goal, seen from start: where does T_start stand in the product?"""
     return _by_matrices(start, goal, n, product, s)

@@ -8,11 +8,19 @@ from course_lib.checks.exercises.rigid_motion.shared import FINE
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.rigid import exp_se2, log_se2
 
-_MATRIX = Mistake("the matrix [V] is returned", "The answer is the three numbers of the twist, (omega, vx, vy).")
+_MATRIX = Mistake(
+    "the matrix [V] is returned", "The answer is the three numbers of the twist, (omega, vx, vy)."
+)
 
 
 def _cases(rng):
-    ordinary = [[np.pi / 2, 1.0, 0.0], [0.5, 2.0, 0.0], [-1.0, 1.0, 0.0], [2.5, -1.0, 3.0], [-2.8, 2.0, 1.0]]
+    ordinary = [
+        [np.pi / 2, 1.0, 0.0],
+        [0.5, 2.0, 0.0],
+        [-1.0, 1.0, 0.0],
+        [2.5, -1.0, 3.0],
+        [-2.8, 2.0, 1.0],
+    ]
     drawn = rng.uniform([-3, -4, -4], [3, 4, 4], (3, 3)).round(2)
     half = [[np.pi, 1.0, 2.0], [-np.pi, 2.0, -1.0]]
     small = [[size * sign, 3.0, -2.0] for size in (3e-4, 1e-5, 9e-9) for sign in (1, -1)]
@@ -61,15 +69,20 @@ EXERCISE = Exercise(
                 f"The angle of T is {_angle(T):.4g} rad. The position of its exponential is off by "
                 f"{format_tuple(_V(twist[0]) @ twist[1:] - T[:2, 2])} m."
             ),
-            mistake=Mistake("v does not lead to the position of T", "Does your v solve A v = p, or is it A p?"),
+            mistake=Mistake(
+                "v does not lead to the position of T", "Does your v solve A v = p, or is it A p?"
+            ),
         ),
     ),
     library=log_se2,
     hints=(
-        "omega is the angle of the rotation: arctan2 of its sine and its cosine, which are entries of T.",
-        "In exp_se2 the position is p = A v, with A = [[along, -across], [across, along]]. Here p and omega are known, "
+        "omega is the angle of the rotation: arctan2 of its sine and its cosine, which are entries "
+        "of T.",
+        "In exp_se2 the position is p = A v, with A = [[along, -across], [across, along]]. Here p "
+        "and omega are known, "
         "so A is; v solves a linear system of two equations.",
-        "np.linalg.solve(A, T[:2, 2]), with along and across of omega as in exp_se2: they are right at omega = 0 too.",
+        "np.linalg.solve(A, T[:2, 2]), with along and across of omega as in exp_se2: they are "
+        "right at omega = 0 too.",
     ),
     forbidden=("course_lib.rigid.log_se2", "course_lib.rigid.log_se3"),
 )
@@ -89,15 +102,15 @@ def _nearly(twist, T):
 
 @EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))
 def small_angles(T, bound):
-    """digits are lost for small angles. Near 1 the cosine hardly changes: neither arccos nor 1 - cos(omega) keeps
-    its digits there."""
+    """digits are lost for small angles. Near 1 the cosine hardly changes: neither arccos nor 1 -
+    cos(omega) keeps its digits there."""
     return _unless_right(np.append(_angle(T), T[:2, 2]), T) if abs(_angle(T)) < bound else None
 
 
 @EXERCISE.mistake(inverse=("arccos", "arcsin", "arctan"), v_too=(True, False))
 def half_of_the_circle(T, inverse, v_too):
-    """arccos, arcsin or arctan is used, which know the angle on half of the circle only. Which function takes sine
-    and cosine apart?"""
+    """arccos, arcsin or arctan is used, which know the angle on half of the circle only. Which
+    function takes sine and cosine apart?"""
     ratio = {"arccos": T[0, 0], "arcsin": T[1, 0], "arctan": T[1, 0] / T[0, 0]}[inverse]
     omega = getattr(np, inverse)(ratio if inverse == "arctan" else np.clip(ratio, -1, 1))
     return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
@@ -105,6 +118,6 @@ def half_of_the_circle(T, inverse, v_too):
 
 @EXERCISE.mistake(R=(lambda T: np.eye(2), lambda T: T[:2, :2].T, lambda T: T[:2, :2]))
 def as_if_not_rotating(T, R):
-    """v is the position, rotated or not, as if the body rotated before or after it moves. Which v leads to this
-    position while the body rotates?"""
+    """v is the position, rotated or not, as if the body rotated before or after it moves. Which v
+    leads to this position while the body rotates?"""
     return _unless_right(np.append(_angle(T), R(T) @ T[:2, 2]), T)

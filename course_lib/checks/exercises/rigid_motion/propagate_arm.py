@@ -24,7 +24,13 @@ def _cases(rng):
         (origin, [(first, 0.2995)], 0.1),
         (np.array([1, 2]), [((1, 1), 1)], 0.5),
     ]
-    rounding = ((0.3, 0.1), (0.9, 0.3), (1.0, 0.1), (1.1, 0.1), (2.1, 0.3))  # a hair above or below a multiple
+    rounding = (
+        (0.3, 0.1),
+        (0.9, 0.3),
+        (1.0, 0.1),
+        (1.1, 0.1),
+        (2.1, 0.3),
+    )  # a hair above or below a multiple
     sums = [(origin, [(first, duration)], dt) for duration, dt in rounding]
     several = [
         (origin, [(first, 0.25), (second, 0.1)], 0.1),
@@ -39,7 +45,8 @@ def _step(angles, velocity, h):
 
 
 def _assigned(start, plan, dt, time_of="elapsed"):
-    """The angle is the velocity times a time, and is not added to what was: as the broken code has it."""
+    """The angle is the velocity times a time, and is not added to what was: as the broken code has
+    it."""
     angles = [np.array(start, float)]
     for velocity, duration in plan:
         for elapsed, h in zip(np.cumsum(found := shared.lengths(duration, dt)), found, strict=True):
@@ -53,20 +60,26 @@ EXERCISE = Exercise(
     points=1,
     arguments=("start", "plan", "dt"),
     cases=_cases,
-    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(value, *case),
+    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(
+        value, *case
+    ),
     properties=(
         *shared.form(ARM),
         shared.each_step(
-            "in each step each joint angle grows by its velocity times the length of the step", _step, ARM
+            "in each step each joint angle grows by its velocity times the length of the step",
+            _step,
+            ARM,
         ),
     ),
     library=propagate_arm,
     broken=_assigned,
     alike=shared.same_rows(ARM),
     hints=(
-        "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle jump?",
+        "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle "
+        "jump?",
         "An angle after a step is the angle before it, plus velocity times the length of the step.",
-        "theta = theta + np.array(velocity) * h for each h of step_lengths(duration, dt), and a row after each step.",
+        "theta = theta + np.array(velocity) * h for each h of step_lengths(duration, dt), and a "
+        "row after each step.",
     ),
     forbidden=(
         "course_lib.planar.propagate_arm",
@@ -81,5 +94,10 @@ shared.add_step_mistakes(EXERCISE, _step)
 
 @EXERCISE.mistake
 def elapsed_twice(start, plan, dt):
-    """the time since the pair began is counted from the row before. Which time belongs to the row before?"""
-    return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(start, plan, dt)
+    """the time since the pair began is counted from the row before.
+
+    Which time belongs to the row before?
+    """
+    return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(
+        start, plan, dt
+    )

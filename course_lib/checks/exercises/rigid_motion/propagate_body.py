@@ -34,7 +34,9 @@ def drawn_case(rng, angles=1, lengths=2):
     """Return a case in general position; the columns of start are lengths, and then angles."""
     dt = float(np.round(rng.uniform(0.1, 0.4), 2))
     start = np.round([*_signed(rng, 1, 5, lengths), *_signed(rng, 1, 5, angles)], 2)
-    velocities = [tuple(np.round(_signed(rng, 0.5, 2, lengths + angles), 2).tolist()) for _ in range(3)]
+    velocities = [
+        tuple(np.round(_signed(rng, 0.5, 2, lengths + angles), 2).tolist()) for _ in range(3)
+    ]
     return start, list(zip(velocities, drawn_durations(dt, rng), strict=True)), dt
 
 
@@ -54,7 +56,13 @@ def body_cases(rng):
         (origin, [(AHEAD, 0.2995)], 0.1),
         (np.array([0, 1, 1]), [((1, 0, 0), 1)], 0.5),
     ]
-    rounding = ((0.3, 0.1), (0.9, 0.3), (1.0, 0.1), (1.1, 0.1), (2.1, 0.3))  # a hair above or below a multiple
+    rounding = (
+        (0.3, 0.1),
+        (0.9, 0.3),
+        (1.0, 0.1),
+        (1.1, 0.1),
+        (2.1, 0.3),
+    )  # a hair above or below a multiple
     sums = [(origin, [(AHEAD, duration)], dt) for duration, dt in rounding]
     several = [
         (origin, [(AHEAD, 0.25), (LEFT, 0.1)], 0.1),
@@ -97,14 +105,19 @@ EXERCISE = Exercise(
         shared.STEP_LENGTHS,
         THETA,
         shared.each_step(
-            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning", euler, shared.BODY
+            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning",
+            euler,
+            shared.BODY,
         ),
     ),
     library=propagate_body,
     hints=(
-        "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = [start] and append.",
-        "The steps of a pair are those of step_lengths(duration, dt): for h in step_lengths(duration, dt).",
-        "x grows by (cos(theta) vx - sin(theta) vy) h, y by (sin(theta) vx + cos(theta) vy) h, and only then theta by "
+        "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = "
+        "[start] and append.",
+        "The steps of a pair are those of step_lengths(duration, dt): for h in "
+        "step_lengths(duration, dt).",
+        "x grows by (cos(theta) vx - sin(theta) vy) h, y by (sin(theta) vx + cos(theta) vy) h, and "
+        "only then theta by "
         "omega h.",
     ),
     alike=shared.same_rows(shared.BODY),
@@ -119,28 +132,34 @@ def _moved(case, direction):
 
 @EXERCISE.mistake(share=(1, 0.5))
 def theta_later(start, plan, dt, share):
-    """theta at the end or in the middle of the step is used, not at its beginning. Euler's method takes the velocity
-    at the beginning of a step: which line comes last?"""
+    """theta at the end or in the middle of the step is used, not at its beginning. Euler's method
+    takes the velocity at the beginning of a step: which line comes last?"""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
 
 
-@EXERCISE.mistake(factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1)))
+@EXERCISE.mistake(
+    factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1))
+)
 def axes_of_the_world(start, plan, dt, factors):
-    """vx changes only x, and vy only y, as along the axes of the world. (vx, vy) is ahead and to the left of the body:
-    what rotates it?"""
-    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(start, plan, dt)
+    """vx changes only x, and vy only y, as along the axes of the world. (vx, vy) is ahead and to
+    the left of the body: what rotates it?"""
+    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(
+        start, plan, dt
+    )
 
 
 @EXERCISE.mistake(factor=(0, -1))
 def no_sideways(start, plan, dt, factor):
     """vy is left out, or counted to the right. Where does a body go that moves only to its left?"""
-    return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(start, plan, dt)
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(
+        start, plan, dt
+    )
 
 
 @EXERCISE.mistake
 def transposed(start, plan, dt):
-    """R is transposed: the velocity is rotated in the opposite direction. A body that faces up drives up, and y
-    grows."""
+    """R is transposed: the velocity is rotated in the opposite direction. A body that faces up
+    drives up, and y grows."""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
 
 
@@ -153,7 +172,9 @@ def theta_kept(start, plan, dt):
 @EXERCISE.mistake
 def order_of_the_twist(start, plan, dt):
     """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
-    return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(start, plan, dt)
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(
+        start, plan, dt
+    )
 
 
 shared.add_step_mistakes(EXERCISE, euler)

@@ -10,16 +10,30 @@ from course_lib.rigid import exp_se2
 
 
 def _cases(rng):
-    """Those of Euler's method; one start and plan with three dt; slow rotations, a whole revolution, standing still."""
+    """Those of Euler's method; one start and plan with three dt; slow rotations, a whole
+    revolution, standing still."""
     origin = np.array(propagate_body.ORIGIN)
     quarter = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 1.0)]
     halved = [([0, 0, 0], [((1, 0, np.pi / 2), 1.0)], 0.5)]
-    slow = [(np.array([0.0, 0.0, 0.5]), [((1.0, 0.5, omega), 1.0)], 0.5) for omega in (1e-9, -1e-9, 2e-5, -2e-5)]
-    still = [(np.array([1.0, 2.0, 0.5]), [(propagate_body.ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25)]
+    slow = [
+        (np.array([0.0, 0.0, 0.5]), [((1.0, 0.5, omega), 1.0)], 0.5)
+        for omega in (1e-9, -1e-9, 2e-5, -2e-5)
+    ]
+    still = [
+        (np.array([1.0, 2.0, 0.5]), [(propagate_body.ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25)
+    ]
     round_about = [(origin, [((0.5, 0.0, 2 * np.pi), 1.0)], 0.25)]
     start, plan, dt = propagate_body.drawn_case(rng)
     any_dt = [(start, plan, step) for step in (dt, 0.6 * dt, 10.0)]
-    return [*propagate_body.body_cases(rng), *quarter, *halved, *slow, *still, *round_about, *any_dt]
+    return [
+        *propagate_body.body_cases(rng),
+        *quarter,
+        *halved,
+        *slow,
+        *still,
+        *round_about,
+        *any_dt,
+    ]
 
 
 def _end_moves(values, cases):
@@ -58,18 +72,22 @@ EXERCISE = Exercise(
             "the last pose is the same for every dt",
             _end_moves,
             says=lambda poses, *case: (
-                f"Yours, with dt = {case[2]:.4g}, is {format_tuple(poses[-1])}; with another dt it was another."
+                f"Yours, with dt = {case[2]:.4g}, is {format_tuple(poses[-1])}; with another dt it "
+                f"was another."
             ),
             across=True,
         ),
         shared.each_step(
-            "each pose is the one before times the exponential of the twist times the time", exact, shared.BODY
+            "each pose is the one before times the exponential of the twist times the time",
+            exact,
+            shared.BODY,
         ),
     ),
     library=propagate_body_exact,
     hints=(
         "The loops are those of propagate_body; only the step differs.",
-        "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y = T[1, 2].",
+        "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y "
+        "= T[1, 2].",
         "theta = theta + omega * h is exact already.",
     ),
     alike=shared.same_rows(shared.BODY),
@@ -79,12 +97,18 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(share=(0, 0.5, 1))
 def straight_steps(start, plan, dt, share):
-    """each step goes straight, in one direction. The body rotates meanwhile, so it moves along an arc."""
-    return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))(start, plan, dt)
+    """each step goes straight, in one direction.
+
+    The body rotates meanwhile, so it moves along an arc.
+    """
+    return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))(
+        start, plan, dt
+    )
 
 
 def _by(step, angle_of=lambda T, theta: theta):
-    """Return the answer of somebody whose pose after a step is step(pose as a matrix, velocity, h)."""
+    """Return the answer of somebody whose pose after a step is step(pose as a matrix, velocity,
+    h)."""
 
     def move(pose, velocity, h):
         T = step(pose_matrix(pose), velocity, h)
@@ -95,7 +119,10 @@ def _by(step, angle_of=lambda T, theta: theta):
 
 @EXERCISE.mistake
 def on_the_left(*case):
-    """the exponential stands on the left. The velocities are in the body's frame: on which side does that stand?"""
+    """the exponential stands on the left.
+
+    The velocities are in the body's frame: on which side does that stand?
+    """
     return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
 
 
@@ -107,8 +134,14 @@ def order_of_the_twist(*case, angle_of):
 
 @EXERCISE.mistake
 def angle_without_sign(*case):
-    """arccos loses the sign of the angle. Which function needs both sine and cosine, and gives the sign, too?"""
-    step = _by(lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]] * h), lambda T, theta: np.arccos(min(1, T[0, 0])))
+    """arccos loses the sign of the angle.
+
+    Which function needs both sine and cosine, and gives the sign, too?
+    """
+    step = _by(
+        lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]] * h),
+        lambda T, theta: np.arccos(min(1, T[0, 0])),
+    )
     return step(*case)
 
 

@@ -1,7 +1,7 @@
 """What exercises of notebook 2 share: paths of a body from start to goal, and plans of velocities.
 
-The right path is known except for half a revolution, which is as short in either direction. So the properties speak of
-the other cases first, and no mistake says anything of half a revolution.
+The right path is known except for half a revolution, which is as short in either direction. So the
+properties speak of the other cases first, and no mistake says anything of half a revolution.
 """
 
 import numpy as np
@@ -15,7 +15,9 @@ from course_lib.planar import quintic_time_scaling, wrap_angle
 BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
 REVOLUTION = 2 * np.pi
 FINE = 1e-9
-MATRICES = Mistake("the matrices of the poses are returned", "A row is (x, y, theta), read from the matrix T.")
+MATRICES = Mistake(
+    "the matrices of the poses are returned", "A row is (x, y, theta), read from the matrix T."
+)
 
 
 def cubic(u):
@@ -59,7 +61,8 @@ def same_path(rows, predicted, start, goal, n):
 
 
 def close(rows, wanted, start, goal):
-    """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi in the angle."""
+    """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi
+    in the angle."""
     return deviation(rows, wanted) <= 1e-9 * size(start, goal)
 
 
@@ -70,7 +73,8 @@ def change(start, goal):
 
 
 def one_arc_is_shorter(start, goal, n):
-    """Return whether the angles are less than half a revolution apart, so that one arc is the shorter."""
+    """Return whether the angles are less than half a revolution apart, so that one arc is the
+    shorter."""
     return abs(change(start, goal)[2]) < np.pi - 1e-9
 
 
@@ -80,7 +84,8 @@ def half_a_revolution(start, goal, n):
 
 
 read_path = numbers(  # n rows (x, y, theta)
-    lambda start, goal, n: (n, 3), lambda array, start, goal, n: MATRICES if array.shape == (n, 3, 3) else None
+    lambda start, goal, n: (n, 3),
+    lambda array, start, goal, n: MATRICES if array.shape == (n, 3, 3) else None,
 )
 
 
@@ -105,9 +110,14 @@ def _on_the_shorter_arc(rows, start, goal, n):
 SHORTER_ARC = Property(
     "theta takes the shorter arc from start to goal",
     _on_the_shorter_arc,
-    says=lambda rows, start, goal, n: f"From {start[2]:.4g} that is a rotation by {change(start, goal)[2]:.4g} rad.",
+    says=lambda rows, start, goal, n: (
+        f"From {start[2]:.4g} that is a rotation by {change(start, goal)[2]:.4g} rad."
+    ),
     where=one_arc_is_shorter,
-    mistake=Mistake("the body takes the longer arc", "Between which bounds does the difference of two angles lie?"),
+    mistake=Mistake(
+        "the body takes the longer arc",
+        "Between which bounds does the difference of two angles lie?",
+    ),
 )
 
 
@@ -122,7 +132,8 @@ def on_a_line(rows, start, goal, n):
 
 
 def timed(right, fits=close):
-    """Return the properties that each row is on time; right(start, goal, s, angle): the right rows for any angle."""
+    """Return the properties that each row is on time; right(start, goal, s, angle): the right rows
+    for any angle."""
     text = "at evenly spaced u from 0 to 1, the part s = 3 u^2 - 2 u^3 of the change is made"
 
     def path(start, goal, n, sign=1):
@@ -142,7 +153,11 @@ def timed(right, fits=close):
 
     return (
         Property(text, holds, seen, where=one_arc_is_shorter),
-        Property(f"for half a revolution, in either direction: {text}", in_either_direction, where=half_a_revolution),
+        Property(
+            f"for half a revolution, in either direction: {text}",
+            in_either_direction,
+            where=half_a_revolution,
+        ),
     )
 
 
@@ -159,7 +174,8 @@ def steps(plan, dt):
 
 
 def follow(move, lengths=lengths):
-    """Return the answer of somebody who goes from row to row by move(row, velocity, h), in steps of these lengths."""
+    """Return the answer of somebody who goes from row to row by move(row, velocity, h), in steps of
+    these lengths."""
 
     def answer(start, plan, dt):
         rows = [np.array(start, float)]
@@ -172,17 +188,21 @@ def follow(move, lengths=lengths):
 
 
 def add_path_mistakes(exercise, path):
-    """Add the mistakes in the timing of a path; path(start, goal, n, s): the answer with another time scaling."""
+    """Add the mistakes in the timing of a path; path(start, goal, n, s): the answer with another
+    time scaling."""
 
     @exercise.mistake(s=TIME_SCALINGS)
     def other_time_scaling(start, goal, n, s):
-        """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is 0, 1/2 and 1 at u =
-        0, 1/2 and 1, and slow at both ends."""
+        """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is
+        0, 1/2 and 1 at u = 0, 1/2 and 1, and slow at both ends."""
         return path(start, goal, n, s(np.linspace(0, 1, n)))
 
     @exercise.mistake(u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n))
     def an_end_missing(start, goal, n, u):
-        """u does not go from 0 to 1: one of the ends has no pose. np.linspace can include both ends."""
+        """u does not go from 0 to 1: one of the ends has no pose.
+
+        np.linspace can include both ends.
+        """
         return path(start, goal, n, cubic(u(n)))
 
 
@@ -190,12 +210,19 @@ def add_step_mistakes(exercise, move):
     """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
     @exercise.mistake(
-        count=(lambda r: np.ceil(r - 1e-6), np.round, lambda r: np.floor(r + 1e-6), lambda r: max(1, round(r)))
+        count=(
+            lambda r: np.ceil(r - 1e-6),
+            np.round,
+            lambda r: np.floor(r + 1e-6),
+            lambda r: max(1, round(r)),
+        )
     )
     def not_on_time(start, plan, dt, count):
-        """a pair ends too late or too early: its last step is not shortened, or is missing. How much time of its
-        duration remains for the last step?"""
-        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(start, plan, dt)
+        """a pair ends too late or too early: its last step is not shortened, or is missing. How
+        much time of its duration remains for the last step?"""
+        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(
+            start, plan, dt
+        )
 
     @exercise.mistake
     def start_again(start, plan, dt):
@@ -211,7 +238,10 @@ def rotated(theta, v):
 
 
 def size_of(difference, angles):
-    """Return how large differences of rows are, revolutions aside. angles: for each column whether it is an angle."""
+    """Return how large differences of rows are, revolutions aside.
+
+    angles: for each column whether it is an angle.
+    """
     many = np.abs(difference) >= 1e6  # no revolutions are counted in 1e200
     revolutions = np.where(many, 0, np.round(difference / REVOLUTION))
     return np.abs(difference - np.where(angles, REVOLUTION * revolutions, 0))
@@ -222,7 +252,9 @@ def near(rows, others, angles, tolerance=1e-6):
     rows, others = np.asarray(rows), np.asarray(others)
     if rows.shape != others.shape:
         return False
-    return bool((size_of(rows - others, angles) <= tolerance * max(1, np.abs(others).max(initial=0))).all())
+    return bool(
+        (size_of(rows - others, angles) <= tolerance * max(1, np.abs(others).max(initial=0))).all()
+    )
 
 
 def same_rows(angles):
@@ -236,24 +268,31 @@ def _ends(plan, dt):
 
 
 def form(angles):
-    """Return the properties that come first: the start stands in the first row, and each step has a row."""
+    """Return the properties that come first: the start stands in the first row, and each step has a
+    row."""
     return (
         Property(
             "the first row is start",
             lambda rows, start, plan, dt: near(rows[:1], [start], angles, FINE),
-            says=lambda rows, *case: f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row.",
-            mistake=Mistake("start is not the first row", "The list begins with start, before any step is made."),
+            says=lambda rows, *case: (
+                f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row."
+            ),
+            mistake=Mistake(
+                "start is not the first row", "The list begins with start, before any step is made."
+            ),
         ),
         Property(
             "after start there is one row for each step",
             lambda rows, start, plan, dt: len(rows) == 1 + len(steps(plan, dt)[1]),
             says=lambda rows, start, plan, dt: (
-                f"The steps end at {_ends(plan, dt)} s, so with start there are {1 + len(steps(plan, dt)[1])} rows. "
+                f"The steps end at {_ends(plan, dt)} s, so with start there are "
+                f"{1 + len(steps(plan, dt)[1])} rows. "
                 f"Yours has {len(rows)}."
             ),
             mistake=Mistake(
                 "steps have no row, or a step has several",
-                "A shortened last step has a row, too. 0.3 / 0.1 is 2.9999999999999996: how many steps does "
+                "A shortened last step has a row, too. 0.3 / 0.1 is 2.9999999999999996: how many "
+                "steps does "
                 "step_lengths(duration, dt) make of it?",
             ),
         ),
@@ -261,7 +300,8 @@ def form(angles):
 
 
 def each_step(text, move, angles, part=slice(None), where=None):
-    """Return the Property that each step leads where move(row, velocity, h) does, in some columns."""
+    """Return the Property that each step leads where move(row, velocity, h) does, in some
+    columns."""
 
     def first_off(rows, plan, dt):
         for k, (velocity, h) in enumerate(zip(*steps(plan, dt), strict=True)):
@@ -273,11 +313,14 @@ def each_step(text, move, angles, part=slice(None), where=None):
     def says(rows, start, plan, dt):
         k, velocity, h, right = first_off(rows, plan, dt)
         return (
-            f"Step {k + 1} is {h:.4g} s long, with the velocities {format_tuple(velocity)}: it leads from "
+            f"Step {k + 1} is {h:.4g} s long, with the velocities {format_tuple(velocity)}: it "
+            f"leads from "
             f"{format_tuple(rows[k, part])} to {compared(right, rows[k + 1, part])}."
         )
 
-    return Property(text, lambda rows, start, plan, dt: first_off(rows, plan, dt) is None, says, where=where)
+    return Property(
+        text, lambda rows, start, plan, dt: first_off(rows, plan, dt) is None, says, where=where
+    )
 
 
 def goes_straight(start, plan, dt):
@@ -294,10 +337,12 @@ STEP_LENGTHS = Property(
     "each step is dt long, and the last one of a pair is shorter if it must be to end on time",
     # A step in another direction has no length here: of its direction other properties speak.
     lambda rows, start, plan, dt: (
-        (covered := _lengths_covered(rows, plan, dt)).min() < FINE or np.abs(covered - steps(plan, dt)[1]).max() < FINE
+        (covered := _lengths_covered(rows, plan, dt)).min() < FINE
+        or np.abs(covered - steps(plan, dt)[1]).max() < FINE
     ),
     says=lambda rows, start, plan, dt: (
-        f"By the distance covered, yours are {format_tuple(_lengths_covered(rows, plan, dt))} s long; "
+        f"By the distance covered, yours are {format_tuple(_lengths_covered(rows, plan, dt))} s "
+        f"long; "
         f"they should be {format_tuple(steps(plan, dt)[1])}."
     ),
     where=lambda start, plan, dt: all(ahead and not any(rest) for (ahead, *rest), _ in plan),

@@ -5,13 +5,22 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import angle_gap, other_bend, same_list, two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import (
+    angle_gap,
+    other_bend,
+    same_list,
+    two_link_angles,
+    two_link_tip,
+)
 
 _ABOVE_ONE = Mistake(
-    "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is nan",
+    "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is "
+    "nan",
     "Print the cosine for this tip. What does arccos, or the root of 1 - cosine^2, make of it?",
 )
-_ONE = Mistake("only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below.")
+_ONE = Mistake(
+    "only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below."
+)
 
 
 def _cases(rng):
@@ -40,13 +49,16 @@ EXERCISE = Exercise(
     points=3,
     arguments=("tip",),
     cases=_cases,
-    returns=numbers(lambda tip: (2, 2), {(2,): _ONE}, nan=lambda tip: _ABOVE_ONE if _straight(tip) else None),
+    returns=numbers(
+        lambda tip: (2, 2), {(2,): _ONE}, nan=lambda tip: _ABOVE_ONE if _straight(tip) else None
+    ),
     properties=(
         Property(
             "with the angles of either row the arm's tip is at `tip`",
             lambda angles, tip: _off(angles, tip).max() < 1e-7,
             says=lambda angles, tip: (
-                f"It should be at {format_tuple(tip)}. With your rows it is at {format_tuple(two_link_tip(angles)[0])} "
+                f"It should be at {format_tuple(tip)}. With your rows it is at "
+                f"{format_tuple(two_link_tip(angles)[0])} "
                 f"and at {format_tuple(two_link_tip(angles)[1])}."
             ),
             mistake=other_bend,
@@ -56,16 +68,22 @@ EXERCISE = Exercise(
             "the two rows are different solutions: the elbow is bent to one side and to the other",
             lambda angles, tip: angle_gap(angles[:1], angles[1:]) > 1e-3,
             where=lambda tip: not _straight(tip),
-            mistake=Mistake("the same elbow is returned twice", "The cosine does not tell the sign of theta2."),
+            mistake=Mistake(
+                "the same elbow is returned twice", "The cosine does not tell the sign of theta2."
+            ),
         ),
     ),
     library=two_link_angles,
     hints=(
-        "Base, elbow and tip form a triangle with two sides of 1 m. The law of cosines, with the squared distance "
+        "Base, elbow and tip form a triangle with two sides of 1 m. The law of cosines, with the "
+        "squared distance "
         "x^2 + y^2 = 2 + 2 cos(theta2), gives the cosine of theta2, and so theta2 up to its sign.",
-        "Seen from the first link, the tip is at (1 + cos theta2, sin theta2). Its direction from there, plus theta1, "
-        "is its direction from the world. At the edge of the reach the cosine may exceed 1 by rounding: np.clip.",
-        "theta1 = arctan2(y, x) - arctan2(sin theta2, 1 + cos theta2), once with each sign of theta2.",
+        "Seen from the first link, the tip is at (1 + cos theta2, sin theta2). Its direction from "
+        "there, plus theta1, "
+        "is its direction from the world. At the edge of the reach the cosine may exceed 1 by "
+        "rounding: np.clip.",
+        "theta1 = arctan2(y, x) - arctan2(sin theta2, 1 + cos theta2), once with each sign of "
+        "theta2.",
     ),
     alike=same_list,
     forbidden=("course_lib.ik.solve",),
@@ -73,26 +91,33 @@ EXERCISE = Exercise(
 
 
 def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
-    """Both solutions with this theta2; first(direction of the tip, theta2) is another formula of theta1."""
-    return np.array([[first(np.arctan2(tip[1], tip[0]), sign * two), sign * two] for sign in (1, -1)])
+    """Both solutions with this theta2; first(direction of the tip, theta2) is another formula of
+    theta1."""
+    return np.array(
+        [[first(np.arctan2(tip[1], tip[0]), sign * two), sign * two] for sign in (1, -1)]
+    )
 
 
 @EXERCISE.mistake(share=(0, 1, -0.5))
 def first_link_wrong(tip, share):
-    """theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong side. In the triangle
-    of base, elbow and tip two sides are equal: how large is the angle at the base?"""
+    """theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong
+    side. In the triangle of base, elbow and tip two sides are equal: how large is the angle at the
+    base?"""
     return _solutions(tip, _bend(tip), lambda direction, two: direction - share * two)
 
 
 @EXERCISE.mistake
 def from_the_world(tip):
-    """theta2 is measured from the x axis of the world. From which direction does the arm of this notebook count it?"""
+    """theta2 is measured from the x axis of the world.
+
+    From which direction does the arm of this notebook count it?
+    """
     return two_link_angles(tip) @ [[1, 1], [0, 1]]
 
 
 @EXERCISE.mistake(theta1_too=(True, False))
 def inside_the_triangle(tip, theta1_too):
-    """theta2 is the angle inside the triangle. Draw the triangle of base, elbow and tip: where in it does theta2
-    stand?"""
+    """theta2 is the angle inside the triangle. Draw the triangle of base, elbow and tip: where in
+    it does theta2 stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
     return angles if theta1_too else np.column_stack([two_link_angles(tip)[:, 0], angles[:, 1]])

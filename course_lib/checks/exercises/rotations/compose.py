@@ -23,7 +23,10 @@ def _agrees(new, R, step, frame):
     return np.allclose(new, _right(R, step, frame), atol=1e-9)
 
 
-_FACTORS = Mistake("a factor is inverted, or is not needed here", "How many rotations act on a point, and which way?")
+_FACTORS = Mistake(
+    "a factor is inverted, or is not needed here",
+    "How many rotations act on a point, and which way?",
+)
 
 EXERCISE = Exercise(
     name="compose",
@@ -47,8 +50,10 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Let p be a point of the body, in the body's coordinates. In the world's coordinates it is R p.",
-        "If step is about the world's axes, it acts on R p. If it is about the body's axes, it acts on p.",
+        "Let p be a point of the body, in the body's coordinates. In the world's coordinates it is "
+        "R p.",
+        "If step is about the world's axes, it acts on R p. If it is about the body's axes, it "
+        "acts on p.",
         'frame "world": step R; frame "body": R step.',
     ),
 )
@@ -56,13 +61,19 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def world_and_body_swapped(R, step, frame):
-    """world and body are swapped. In `step @ R @ p`, which rotation acts last, and about whose axes?"""
+    """world and body are swapped.
+
+    In `step @ R @ p`, which rotation acts last, and about whose axes?
+    """
     return R @ step if frame == "world" else step @ R
 
 
 @EXERCISE.mistake(order=(1, -1))
 def frame_not_used(R, step, frame, order):
-    """the frame makes no difference. Compare both orders for rotations by 90 degrees about z and about x."""
+    """the frame makes no difference.
+
+    Compare both orders for rotations by 90 degrees about z and about x.
+    """
     first, second = (R, step)[::order]
     return first @ second
 

@@ -23,15 +23,30 @@ def _right(R):
 def _locked(sign, alpha, gamma):
     """Rz(gamma) Ry(sign pi/2) Rx(alpha) with exact zeros."""
     return np.array(
-        [[0.0, -np.sin(gamma), sign * np.cos(gamma)], [0.0, np.cos(gamma), sign * np.sin(gamma)], [-sign, 0.0, 0.0]]
+        [
+            [0.0, -np.sin(gamma), sign * np.cos(gamma)],
+            [0.0, np.cos(gamma), sign * np.sin(gamma)],
+            [-sign, 0.0, 0.0],
+        ]
     ) @ rot_x(alpha)
 
 
 def _cases(rng):
     alpha, gamma = rng.choice([-1, 1], 2) * rng.uniform(1.7, 2.9, 2)
-    named = [(0.3, 0.0, 0.0), (0.0, 0.3, 0.0), (0.0, 0.0, 0.3), (0.5, -0.4, 1.1), (2.5, 1.0, -2.0), (-2.0, -1.2, 3.0)]
+    named = [
+        (0.3, 0.0, 0.0),
+        (0.0, 0.3, 0.0),
+        (0.0, 0.0, 0.3),
+        (0.5, -0.4, 1.1),
+        (2.5, 1.0, -2.0),
+        (-2.0, -1.2, 3.0),
+    ]
     named += [(alpha, 0.8, gamma), (-gamma, -0.8, alpha), (3.0, 0.2, 0.1), (0.1, 0.2, 3.0)]
-    near = [(alpha, sign * (np.pi / 2 - short), gamma) for sign in (1, -1) for short in (1e-2, 3e-4, 1e-5)]
+    near = [
+        (alpha, sign * (np.pi / 2 - short), gamma)
+        for sign in (1, -1)
+        for short in (1e-2, 3e-4, 1e-5)
+    ]
     exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4), np.eye(3)]
     # What products of rotations have instead of the zeros, and of the -1, at gimbal lock
     noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
@@ -64,7 +79,9 @@ EXERCISE = Exercise(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",
             lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
             says=lambda angles, R: (
-                f"The largest difference is {_gap(angles, R):.2g}." if np.isfinite(angles).all() else ""
+                f"The largest difference is {_gap(angles, R):.2g}."
+                if np.isfinite(angles).all()
+                else ""
             ),
             where=lambda R: not _lock(R),
         ),
@@ -73,24 +90,29 @@ EXERCISE = Exercise(
             lambda angles, R: not abs(angles[1]) > np.pi / 2 + 1e-6,
             mistake=Mistake(
                 "the other triple of angles is returned, with beta beyond pi/2",
-                "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) is asked?",
+                "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) "
+                "is asked?",
             ),
         ),
         Property(
             "the angles give R again at gimbal lock too",
             lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
             says=lambda angles, R: (
-                f"cos(beta) = 0 here: R[0, 0] is {R[0, 0]:.2g}, R[1, 0] is {R[1, 0]:.2g}, which is rounding."
+                f"cos(beta) = 0 here: R[0, 0] is {R[0, 0]:.2g}, R[1, 0] is {R[1, 0]:.2g}, which is "
+                f"rounding."
             ),
             mistake=Mistake(
-                "gimbal lock is not noticed here, or has a formula that is not right for both signs of beta",
-                "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries depend on gamma?",
+                "gimbal lock is not noticed here, or has a formula that is not right for both "
+                "signs of beta",
+                "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries "
+                "depend on gamma?",
             ),
         ),
     ),
     hints=(
         "Multiply Rz(gamma) Ry(beta) Rx(alpha) out: the first column and the last row are simple.",
-        "R[2, 0] = -sin(beta), R[1, 0] / R[0, 0] = tan(gamma), R[2, 1] / R[2, 2] = tan(alpha). np.arctan2 sees the "
+        "R[2, 0] = -sin(beta), R[1, 0] / R[0, 0] = tan(gamma), R[2, 1] / R[2, 2] = tan(alpha). "
+        "np.arctan2 sees the "
         "signs; for beta, np.hypot(R[0, 0], R[1, 0]) is the cosine.",
         "If that cosine is below 1e-8: alpha = 0, gamma = np.arctan2(-R[0, 1], R[1, 1]).",
     ),
@@ -98,25 +120,38 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(of=(lambda R: _right(R.T), lambda R: -_right(R), lambda R: -_right(R.T), lambda R: _right(R)[::-1]))
+@EXERCISE.mistake(
+    of=(
+        lambda R: _right(R.T),
+        lambda R: -_right(R),
+        lambda R: -_right(R.T),
+        lambda R: _right(R)[::-1],
+    )
+)
 def other_product(R, of):
-    """the angles are those of another product, or in another order. Multiply the three matrices on paper, and
-    compare the entries."""
+    """the angles are those of another product, or in another order. Multiply the three matrices on
+    paper, and compare the entries."""
     return None if _lock(R) else of(R)
 
 
 @EXERCISE.mistake(which=((0,), (2,), (0, 2)))
 def arctan(R, which):
-    """arctan takes a quotient: it cannot tell an angle from the opposite one. It lies between -pi/2 and pi/2. numpy
-    has a function that takes y and x apart."""
+    """arctan takes a quotient: it cannot tell an angle from the opposite one. It lies between -pi/2
+    and pi/2. numpy has a function that takes y and x apart."""
     angles = _right(R)
     for k in which:
         angles[k] = np.arctan(np.tan(angles[k]))
     return None if _lock(R) else angles
 
 
-@EXERCISE.mistake(seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1)
+@EXERCISE.mistake(
+    seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1
+)
 def lock_too_soon(R):
-    """near gimbal lock the formula for the exact lock is used too soon. Its error is about cos(beta): how small has
-    that to be for 1e-6?"""
-    return np.array([0.0, _right(R)[1], np.arctan2(-R[0, 1], R[1, 1])]) if np.hypot(R[0, 0], R[1, 0]) < 0.02 else None
+    """near gimbal lock the formula for the exact lock is used too soon. Its error is about
+    cos(beta): how small has that to be for 1e-6?"""
+    return (
+        np.array([0.0, _right(R)[1], np.arctan2(-R[0, 1], R[1, 1])])
+        if np.hypot(R[0, 0], R[1, 0]) < 0.02
+        else None
+    )

@@ -9,9 +9,20 @@ from course_lib.rotations import exp_so3, hat
 
 
 def _cases(rng):
-    named = [[0, 0, np.pi / 2], [0, np.pi / 2, 0], [np.pi / 2, 0, 0], [-1.0, 0, 0], [0, -1.0, 0], [0, 0, -1.0]]
+    named = [
+        [0, 0, np.pi / 2],
+        [0, np.pi / 2, 0],
+        [np.pi / 2, 0, 0],
+        [-1.0, 0, 0],
+        [0, -1.0, 0],
+        [0, 0, -1.0],
+    ]
     lengths = [0.5, 2.0, np.pi, 5.0, 3.1e-4, 9e-5, 1e-5, 1e-9, 1e-12]
-    return [(np.array(w),) for w in named] + [(size * unit(rng),) for size in lengths] + [(np.zeros(3),)]
+    return (
+        [(np.array(w),) for w in named]
+        + [(size * unit(rng),) for size in lengths]
+        + [(np.zeros(3),)]
+    )
 
 
 EXERCISE = Exercise(
@@ -23,11 +34,15 @@ EXERCISE = Exercise(
     library=exp_so3,
     properties=(
         rotation(),
-        Property("the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9)),
+        Property(
+            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9)
+        ),
         Property(
             "R rotates by the angle |w|, counter-clockwise about w",
             lambda R, w: np.abs(R - exp_so3(w)).max() < 1e-9,
-            says=lambda R, w: f"The trace of R should be 1 + 2 cos |w| = {np.trace(exp_so3(w)):.4g}.",
+            says=lambda R, w: (
+                f"The trace of R should be 1 + 2 cos |w| = {np.trace(exp_so3(w)):.4g}."
+            ),
         ),
         Property(
             "small rotations keep their digits: for a tiny w, R - I is nearly [w]",
@@ -38,7 +53,8 @@ EXERCISE = Exercise(
     hints=(
         "The angle is a = |w|, the unit axis n = w / a.",
         "At a = 0 there is no axis: treat that case first, before you divide.",
-        "R = I + sin(a) [n] + (1 - cos(a)) [n]^2, with [n] = hat(n) and the matrix product for the square.",
+        "R = I + sin(a) [n] + (1 - cos(a)) [n]^2, with [n] = hat(n) and the matrix product for the "
+        "square.",
     ),
     forbidden=(
         "course_lib.rotations.exp_so3",
@@ -51,7 +67,10 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def clockwise(w):
-    """R rotates clockwise. For a small angle a point p moves by w x p: which sign has the term with [n]?"""
+    """R rotates clockwise.
+
+    For a small angle a point p moves by w x p: which sign has the term with [n]?
+    """
     return exp_so3(-w)
 
 
@@ -70,32 +89,49 @@ def small_angles_lost(w, below):
     )
 )
 def other_factors(w, of):
-    """the factor of [n], or of [n]^2, has a wrong sign, belongs to the other, or [n]^2 is taken for n n^T. Put a = 90
-    degrees and n = z into the formula: where does x go?"""
+    """the factor of [n], or of [n]^2, has a wrong sign, belongs to the other, or [n]^2 is taken for
+    n n^T. Put a = 90 degrees and n = z into the formula: where does x go?"""
     a = np.linalg.norm(w)
     return np.eye(3) + of(a, hat(w / a)) if a else np.eye(3)
 
 
 @EXERCISE.mistake
 def length_not_divided_out(w):
-    """w is not divided by its length before [w] is formed. Rodrigues' formula contains a unit axis n."""
+    """w is not divided by its length before [w] is formed.
+
+    Rodrigues' formula contains a unit axis n.
+    """
     a, N = np.linalg.norm(w), hat(w)
     return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
 
 
 @EXERCISE.mistake(terms=range(2, 21))
 def series_cut(w, terms):
-    """the series of the exponential is cut after some terms. A few terms are enough for small angles only."""
+    """the series of the exponential is cut after some terms.
+
+    A few terms are enough for small angles only.
+    """
     return partial_sum(hat(w), terms)
 
 
-@EXERCISE.mistake(of=(lambda a, N: np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N, lambda a, N: np.exp(a * N)))
+@EXERCISE.mistake(
+    of=(
+        lambda a, N: np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N,
+        lambda a, N: np.exp(a * N),
+    )
+)
 def entry_by_entry(w, of):
-    """*, ** or np.exp works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
+    """*, ** or np.exp works entry by entry.
+
+    In numpy the product of matrices is @; M ** 2 squares each entry.
+    """
     return of(np.linalg.norm(w), hat(w / (np.linalg.norm(w) or 1)))
 
 
 @EXERCISE.mistake(order=((0, 1, 2), (2, 1, 0)))
 def one_axis_after_the_other(w, order):
-    """w is taken for angles about x, y and z, one after the other. Here it is one axis, and its length one angle."""
+    """w is taken for angles about x, y and z, one after the other.
+
+    Here it is one axis, and its length one angle.
+    """
     return np.linalg.multi_dot([exp_so3(w[k] * np.eye(3)[k]) for k in order])

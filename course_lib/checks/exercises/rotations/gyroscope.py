@@ -23,7 +23,12 @@ def _cases(rng):
     roll, R_0, R_bi = np.array([[1.0, 0, 0], [1, 0, 0]]), any_rotation(rng), any_rotation(rng)
     straight = [(np.eye(3), roll, 0.5, np.eye(3)), (R_0, rng.normal(size=(4, 3)), 0.4, np.eye(3))]
     mounted = [(np.eye(3), roll, 0.5, rot_z(np.pi / 2)), (R_0, rng.normal(size=(6, 3)), 0.3, R_bi)]
-    return [*straight, *mounted, (R_bi, 2 * rng.normal(size=(1, 3)), 0.2, R_0), (R_0, np.zeros((0, 3)), 0.1, R_bi)]
+    return [
+        *straight,
+        *mounted,
+        (R_bi, 2 * rng.normal(size=(1, 3)), 0.2, R_0),
+        (R_0, np.zeros((0, 3)), 0.1, R_bi),
+    ]
 
 
 def _is_straight(R_0, log, dt, R_bi):
@@ -33,7 +38,10 @@ def _is_straight(R_0, log, dt, R_bi):
 def _one_too_few(array, R_0, log, dt, R_bi):
     if array.shape != (len(log), 3, 3):
         return None
-    return Mistake("R_0, or the last orientation, is missing", "Is R_0 the first, and does one follow each sample?")
+    return Mistake(
+        "R_0, or the last orientation, is missing",
+        "Is R_0 the first, and does one follow each sample?",
+    )
 
 
 EXERCISE = Exercise(
@@ -48,26 +56,33 @@ EXERCISE = Exercise(
         Property(
             "every orientation is a rotation",
             lambda R, *case: max(map(orthogonality_error, R)) < 1e-9,
-            says=lambda R, *case: f"The largest entry of R^T R - I is {max(map(orthogonality_error, R)):.2g}.",
+            says=lambda R, *case: (
+                f"The largest entry of R^T R - I is {max(map(orthogonality_error, R)):.2g}."
+            ),
         ),
         Property(
-            "with the sensor's axes along the body's (R_bi = I), each sample rotates the body about its own axes",
+            "with the sensor's axes along the body's (R_bi = I), each sample rotates the body "
+            "about its own axes",
             lambda R, *case: near(R, _right(*case)),
             where=_is_straight,
             points=1,
         ),
         Property(
-            "with the sensor mounted rotated, too, each sample rotates the body about an axis of its own",
+            "with the sensor mounted rotated, too, each sample rotates the body about an axis of "
+            "its own",
             lambda R, *case: near(R, _right(*case)),
             where=lambda *case: not _is_straight(*case),
         ),
     ),
     hints=(
-        "A sample holds the coordinates of the angular velocity in the sensor's frame. What are its coordinates in the "
+        "A sample holds the coordinates of the angular velocity in the sensor's frame. What are "
+        "its coordinates in the "
         "body's frame? Read the letters of R_bi.",
-        "During dt the body rotates by |omega| dt about the axis omega, which is given in the body's own axes. On "
+        "During dt the body rotates by |omega| dt about the axis omega, which is given in the "
+        "body's own axes. On "
         "which side of R does such a step stand?",
-        "Start with [R_0]; for each sample append the last orientation times exp_so3(R_bi @ sample * dt).",
+        "Start with [R_0]; for each sample append the last orientation times exp_so3(R_bi @ sample "
+        "* dt).",
     ),
 )
 
@@ -80,34 +95,49 @@ def mounting_ignored(R_0, log, dt, R_bi):
 
 @EXERCISE.mistake(mounted=(True, False))
 def taken_for_spatial(R_0, log, dt, R_bi, mounted):
-    """each step is made about the fixed axes. A gyroscope is carried along: about whose axes does it report?"""
+    """each step is made about the fixed axes.
+
+    A gyroscope is carried along: about whose axes does it report?
+    """
     return _flown(R_0, dt * (log @ R_bi.T if mounted else log), lambda R, step: exp_so3(step) @ R)
 
 
 @EXERCISE.mistake
 def of_the_sensor(R_0, log, dt, R_bi):
-    """these are the orientations of the sensor. Asked for are those of the body, which starts at R_0."""
+    """these are the orientations of the sensor.
+
+    Asked for are those of the body, which starts at R_0.
+    """
     return _flown(R_0 @ R_bi, dt * log)
 
 
 @EXERCISE.mistake(
-    next_one=(lambda R, step, R_bi: R @ exp_so3(step) @ R_bi, lambda R, step, R_bi: R @ R_bi @ exp_so3(step))
+    next_one=(
+        lambda R, step, R_bi: R @ exp_so3(step) @ R_bi,
+        lambda R, step, R_bi: R @ R_bi @ exp_so3(step),
+    )
 )
 def mounting_in_each_step(R_0, log, dt, R_bi, next_one):
-    """R_bi is multiplied into the orientation with each step. Which coordinates does it change, from which frame?"""
+    """R_bi is multiplied into the orientation with each step.
+
+    Which coordinates does it change, from which frame?
+    """
     return _flown(R_0, dt * log, lambda R, step: next_one(R, step, R_bi))
 
 
 @EXERCISE.mistake
 def added(R_0, log, dt, R_bi):
-    """R [omega] dt is added to R, as at the beginning of the notebook. What did the drone do then?"""
+    """R [omega] dt is added to R, as at the beginning of the notebook.
+
+    What did the drone do then?
+    """
     return _flown(R_0, dt * log @ R_bi.T, lambda R, step: R + R @ hat(step))
 
 
 @EXERCISE.mistake
 def angles_added_up(R_0, log, dt, R_bi):
-    """the rotation vectors are added up, and the exponential of their sum is taken. Rotations about different axes
-    do not commute: is exp(a) exp(b) the same as exp(a + b)?"""
+    """the rotation vectors are added up, and the exponential of their sum is taken. Rotations about
+    different axes do not commute: is exp(a) exp(b) the same as exp(a + b)?"""
     sums = itertools.accumulate(dt * log @ R_bi.T, initial=np.zeros(3))
     return np.array([R_0 @ exp_so3(w) for w in sums])
 

@@ -8,7 +8,9 @@ from course_lib.checks.vocabulary import orthogonality_error, pose, unit
 from course_lib.rotations import exp_so3, nearest_quaternion, random_rotations
 
 TIGHT, LOOSE = 1e-9, 0.01
-NEARLY_ONE = 1 + 4e-6  # off by more than TIGHT, and by less than numpy's own relative tolerance of 1e-5
+NEARLY_ONE = (
+    1 + 4e-6
+)  # off by more than TIGHT, and by less than numpy's own relative tolerance of 1e-5
 _SHAPES = {"rotation": ((2, 2), (3, 3)), "pose": ((3, 3), (4, 4)), "quaternion": ((4,), (4, 1))}
 
 
@@ -18,7 +20,11 @@ def has_form(X, kind):
 
 
 def _is_rotation(R, tol):
-    return has_form(R, "rotation") and orthogonality_error(R) <= tol and abs(np.linalg.det(R) - 1) <= tol
+    return (
+        has_form(R, "rotation")
+        and orthogonality_error(R) <= tol
+        and abs(np.linalg.det(R) - 1) <= tol
+    )
 
 
 def row_error(T):
@@ -52,40 +58,88 @@ def _unit_columns(cosine, size=2):
 def _rotations(rng):
     R, flat = random_rotations(1, rng)[0], plane_rotation(2.0)
     stretched = plane_rotation(0.5) @ np.diag([1.003, 1.0])
-    tight = [flat, R, plane_rotation(np.pi), np.diag([1.0, 1.0, -1.0]), np.diag([1.0, -1.0]), -R, 2 * R]
+    tight = [
+        flat,
+        R,
+        plane_rotation(np.pi),
+        np.diag([1.0, 1.0, -1.0]),
+        np.diag([1.0, -1.0]),
+        -R,
+        2 * R,
+    ]
     tight += [np.diag([2.0, 0.5, 1.0]), _unit_columns(0.6), np.zeros((3, 3))]
     tight += [R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0]), np.eye(4), R[:, :2], R[:2], R[0]]
     # every entry of R^T R - I is 0.007, all of them together more than 0.01; so it is for R R^T too
-    loose = [stretched, R @ np.diag([1.0035, 1.0035, 1 / 1.0035]), R @ np.diag([1.02, 1 / 1.02, 1.0])]
+    loose = [
+        stretched,
+        R @ np.diag([1.0035, 1.0035, 1 / 1.0035]),
+        R @ np.diag([1.02, 1 / 1.02, 1.0]),
+    ]
     loose += [np.diag([0.991, 1.0045, 1.0045]), _unit_columns(-0.08), _unit_columns(-0.08, 3)]
     loose += [plane_rotation(0.5) @ np.diag([1.0, -0.997]), R @ np.diag([1.0, 1.0, -0.997])]
-    loose += [1.0045 * R, plane_rotation(np.pi / 4) @ np.diag([1.006, 1.0])]  # det R alone is off; R R^T alone is not
+    loose += [
+        1.0045 * R,
+        plane_rotation(np.pi / 4) @ np.diag([1.006, 1.0]),
+    ]  # det R alone is off; R R^T alone is not
     return tight, loose, [stretched]
 
 
 def _poses(rng):
     R, flat, p = random_rotations(1, rng)[0], plane_rotation(0.5), 10 * unit(rng)
     tight = [pose(flat, p[:2]), pose(R, p), pose(-R, p), pose(R @ np.diag([2.0, 0.5, 1.0]), p)]
-    tight += [pose(R, p, 0.3, -0.3, 0.0, 1.0), pose(flat, 0 * p[:2], -0.3, 0.0, 1.0), pose(flat, p[:2], 0.0, 0.0, 0.5)]
+    tight += [
+        pose(R, p, 0.3, -0.3, 0.0, 1.0),
+        pose(flat, 0 * p[:2], -0.3, 0.0, 1.0),
+        pose(flat, p[:2], 0.0, 0.0, 0.5),
+    ]
     tight += [pose(R, p, 0.0, 0.0, 0.0, last) for last in (2.0, -1.0, NEARLY_ONE)]
     tight += [np.eye(2), np.eye(5), pose(R, p)[:3], np.eye(3, 4)]
     both = [pose(flat, p[:2], 0.004, 0.0, 1.0), pose(R @ np.diag([1.003, 1.0, 1.0]), p)]
-    # the mean of the row's errors and its length are within tol, the largest error is not; and the reverse
-    return tight, [*both, pose(R, p, 0.012, 0.0, 0.0, 1.0), pose(R, p, 0.009, 0.009, 0.009, 1.0)], both
+    # the mean of the row's errors and its length are within tol, the largest error is not; and the
+    # reverse
+    return (
+        tight,
+        [*both, pose(R, p, 0.012, 0.0, 0.0, 1.0), pose(R, p, 0.009, 0.009, 0.009, 1.0)],
+        both,
+    )
 
 
 def _quaternions(rng):
     q = nearest_quaternion(rng.normal(size=4))
-    tight = [np.array([1.0, 0, 0, 0]), q, -q, q[:, None], np.array([1.0, 1, 0, 0]), np.array([0.5, 0.5, 0.0, 0.0])]
-    tight += [2 * q[:, None], np.zeros(4), NEARLY_ONE * q, np.array([1.0, 0, 0]), q[None, :], q.reshape(2, 2)]
-    return [*tight, 0.5 * np.eye(4)], [1.008 * q, 1.004 * q, 0.992 * q], [1.008 * q, 0.992 * q[:, None]]
+    tight = [
+        np.array([1.0, 0, 0, 0]),
+        q,
+        -q,
+        q[:, None],
+        np.array([1.0, 1, 0, 0]),
+        np.array([0.5, 0.5, 0.0, 0.0]),
+    ]
+    tight += [
+        2 * q[:, None],
+        np.zeros(4),
+        NEARLY_ONE * q,
+        np.array([1.0, 0, 0]),
+        q[None, :],
+        q.reshape(2, 2),
+    ]
+    return (
+        [*tight, 0.5 * np.eye(4)],
+        [1.008 * q, 1.004 * q, 0.992 * q],
+        [1.008 * q, 0.992 * q[:, None]],
+    )
 
 
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
     # Off by exactly tol: all these numbers have few binary digits.
-    exact = [(np.diag([1.125, 1.0]), "rotation", 0.265625), (1.125 * np.eye(3), "rotation", 0.423828125)]
-    exact += [(pose(np.eye(2), [3, 1], 0.25, 0, 1), "pose", 0.25), (np.array([0, 1.25, 0, 0]), "quaternion", 0.25)]
+    exact = [
+        (np.diag([1.125, 1.0]), "rotation", 0.265625),
+        (1.125 * np.eye(3), "rotation", 0.423828125),
+    ]
+    exact += [
+        (pose(np.eye(2), [3, 1], 0.25, 0, 1), "pose", 0.25),
+        (np.array([0, 1.25, 0, 0]), "quaternion", 0.25),
+    ]
     return exact + [
         (X, kind, tol)
         for kind, parts in drawn.items()
@@ -101,7 +155,10 @@ def _errors(ok, X, kind, tol):
     if kind == "quaternion":
         return f"|q| is {np.linalg.norm(X):.8g}, tol is {tol:g}."
     R = X[:-1, :-1] if kind == "pose" else X
-    seen = f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R is {np.linalg.det(R):.8g}, "
+    seen = (
+        f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R is "
+        f"{np.linalg.det(R):.8g}, "
+    )
     if kind == "pose":
         seen += f"the last row differs from (0, ..., 0, 1) by at most {np.abs(row_error(X)).max():.8g}, "
     return seen + f"tol is {tol:.8g}."
@@ -119,7 +176,8 @@ def _says(kind, text):
 
 _SHAPE_IGNORED = Mistake(
     "the shape is ignored, or one size is assumed",
-    "Test X.shape first: a rotation is 2x2 or 3x3, a pose 3x3 or 4x4. For any other shape the answer is False.",
+    "Test X.shape first: a rotation is 2x2 or 3x3, a pose 3x3 or 4x4. For any other shape the "
+    "answer is False.",
 )
 
 EXERCISE = Exercise(
@@ -136,18 +194,31 @@ EXERCISE = Exercise(
             where=lambda X, kind, tol: not has_form(X, kind),
             mistake=_SHAPE_IGNORED,
         ),
-        _says("rotation", '"rotation": every entry of R^T R is within tol of I, and det R within tol of 1'),
-        _says("pose", '"pose": the upper left block is a rotation, and each entry of the last row is within tol'),
+        _says(
+            "rotation",
+            '"rotation": every entry of R^T R is within tol of I, and det R within tol of 1',
+        ),
+        _says(
+            "pose",
+            '"pose": the upper left block is a rotation, and each entry of the last row is within tol',
+        ),
         _says("quaternion", '"quaternion": |q| is within tol of 1'),
     ),
     hints=(
-        "First the shape. A rotation is 2x2 or 3x3, a pose 3x3 or 4x4; a quaternion has the shape (4,) or (4, 1).",
-        "A rotation: R^T R = I within tol, entry by entry, and a determinant that tells it from a mirror. A pose "
+        "First the shape. A rotation is 2x2 or 3x3, a pose 3x3 or 4x4; a quaternion has the shape "
+        "(4,) or (4, 1).",
+        "A rotation: R^T R = I within tol, entry by entry, and a determinant that tells it from a "
+        "mirror. A pose "
         'contains a rotation: is_valid may call itself with the block and "rotation".',
-        "np.abs(R.T @ R - np.eye(len(R))).max() is the largest error of any entry; do the same with the last row, and "
+        "np.abs(R.T @ R - np.eye(len(R))).max() is the largest error of any entry; do the same "
+        "with the last row, and "
         "with the length of q.",
     ),
-    forbidden=("course_lib.rotations.is_so", "course_lib.rigid.is_se", "course_lib.rotations.is_quaternion"),
+    forbidden=(
+        "course_lib.rotations.is_so",
+        "course_lib.rigid.is_se",
+        "course_lib.rotations.is_quaternion",
+    ),
     errors=(
         ("LinAlgError", "must be square", _SHAPE_IGNORED),
         ("ValueError", "could not be broadcast together", _SHAPE_IGNORED),
@@ -180,13 +251,19 @@ def negative_errors_pass(X, kind, tol, about, low):
     return _only(about, X, kind, tests[about])
 
 
-@EXERCISE.mistake(about=_SHAPES, upright=(lambda d, tol: np.isclose(d, 1, atol=tol), lambda d, tol: d > 0))
+@EXERCISE.mistake(
+    about=_SHAPES, upright=(lambda d, tol: np.isclose(d, 1, atol=tol), lambda d, tol: d > 0)
+)
 def relative_tolerance(X, kind, tol, about, upright):
-    """a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own. Which keyword of theirs
-    sets it to zero?"""
+    """a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own. Which
+    keyword of theirs sets it to zero?"""
     tests = {
-        "rotation": lambda R: np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and upright(np.linalg.det(R), tol),
-        "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and np.allclose(T[-1], np.eye(len(T))[-1], atol=tol),
+        "rotation": lambda R: (
+            np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and upright(np.linalg.det(R), tol)
+        ),
+        "pose": lambda T: (
+            _is_rotation(T[:-1, :-1], tol) and np.allclose(T[-1], np.eye(len(T))[-1], atol=tol)
+        ),
         "quaternion": lambda q: np.isclose(np.linalg.norm(q), 1, atol=tol),
     }
     return _only(about, X, kind, tests[about])
@@ -194,14 +271,17 @@ def relative_tolerance(X, kind, tol, about, upright):
 
 @EXERCISE.mistake(size=(lambda q: np.sum(q**2), np.sum))
 def other_length(X, kind, tol, size):
-    """the length of a quaternion is not the root of the sum of its squares. Within a tolerance, is the square as
-    good?"""
+    """the length of a quaternion is not the root of the sum of its squares. Within a tolerance, is
+    the square as good?"""
     return _only("quaternion", X, kind, lambda q: abs(size(q) - 1) <= tol)
 
 
 @EXERCISE.mistake(size=(np.linalg.norm, lambda E: np.abs(E).mean()))
 def errors_added_up(X, kind, tol, size):
-    """the errors of all entries of R^T R are added up, in a norm or a mean. The largest error decides."""
+    """the errors of all entries of R^T R are added up, in a norm or a mean.
+
+    The largest error decides.
+    """
     return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _upright(R, tol))
 
 
@@ -211,18 +291,30 @@ def one_shape_alone(X, kind, tol, shape):
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
 
 
-@EXERCISE.mistake(passes=(lambda d, tol: True, lambda d, tol: d > 0, lambda d, tol: abs(abs(d) - 1) <= tol))
+@EXERCISE.mistake(
+    passes=(lambda d, tol: True, lambda d, tol: d > 0, lambda d, tol: abs(abs(d) - 1) <= tol)
+)
 def determinant_left_out(X, kind, tol, passes):
-    """the determinant is not compared with 1, within tol. For which matrices is R^T R = I, although they are no
-    rotations? And is a positive determinant enough?"""
-    return _only("rotation", X, kind, lambda R: np.abs(_entries(R)).max() <= tol and passes(np.linalg.det(R), tol))
+    """the determinant is not compared with 1, within tol. For which matrices is R^T R = I, although
+    they are no rotations? And is a positive determinant enough?"""
+    return _only(
+        "rotation",
+        X,
+        kind,
+        lambda R: np.abs(_entries(R)).max() <= tol and passes(np.linalg.det(R), tol),
+    )
 
 
 @EXERCISE.mistake(entries=(0, 1))
 def last_row_left_out(X, kind, tol, entries):
-    """the last row of a pose is not compared with (0, ..., 0, 1), or not all of it. How large may its entries be?"""
+    """the last row of a pose is not compared with (0, ..., 0, 1), or not all of it.
+
+    How large may its entries be?
+    """
     row = np.abs(row_error(X))[::-1][:entries] if X.ndim == 2 else ()
-    return _only("pose", X, kind, lambda T: _is_rotation(T[:-1, :-1], tol) and max(row, default=0) <= tol)
+    return _only(
+        "pose", X, kind, lambda T: _is_rotation(T[:-1, :-1], tol) and max(row, default=0) <= tol
+    )
 
 
 @EXERCISE.mistake(about=_SHAPES)

@@ -1,4 +1,7 @@
-"""log_so3: from the matrix to axis and angle. The given code takes a rotation by 180 degrees for none."""
+"""log_so3: from the matrix to axis and angle.
+
+The given code takes a rotation by 180 degrees for none.
+"""
 
 import numpy as np
 
@@ -7,7 +10,11 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.vocabulary import unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
-_DOWN, _UP, _SHORT = -1 - 2.0**-52, 1 + 2.0**-50, 1 - 2.0**-53  # just beyond -1 and 1, and just below 1
+_DOWN, _UP, _SHORT = (
+    -1 - 2.0**-52,
+    1 + 2.0**-50,
+    1 - 2.0**-53,
+)  # just beyond -1 and 1, and just below 1
 
 
 def _cases(rng):
@@ -18,14 +25,30 @@ def _cases(rng):
     nearly_half = [np.pi - 3.1e-4, np.pi - 1e-5, np.pi - 1e-9]
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
-    half += [2 * np.outer(n, n) - np.eye(3) for n in (leaning(), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))]
-    half += [np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])]  # the sum of each column of R + I is 0
-    # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is not quite symmetric.
-    rounded = [_UP * np.eye(3), _SHORT * np.eye(3), np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0])]
+    half += [
+        2 * np.outer(n, n) - np.eye(3)
+        for n in (leaning(), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
+    ]
+    half += [
+        np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])
+    ]  # the sum of each column of R + I is 0
+    # As products of rotations may come out: a trace beyond its bounds, and a matrix at pi that is
+    # not quite symmetric.
+    rounded = [
+        _UP * np.eye(3),
+        _SHORT * np.eye(3),
+        np.diag([1.0, _DOWN, _DOWN]) + 2.0**-52 * hat([1.0, 0, 0]),
+    ]
     n = leaning()
-    rotating = [*(exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0)), exp_so3(3.0 * n), exp_so3(-3.0 * n)]
+    rotating = [
+        *(exp_so3(a * unit(rng)) for a in (np.pi / 2, 0.5, 2.0)),
+        exp_so3(3.0 * n),
+        exp_so3(-3.0 * n),
+    ]
     rotating += [exp_so3(a * leaning()) for a in (*small, *nearly_half)]
-    rotating += [exp_so3(sign * nearly_half[0] * n) for sign in (1, -1)]  # whichever column of R + I is taken
+    rotating += [
+        exp_so3(sign * nearly_half[0] * n) for sign in (1, -1)
+    ]  # whichever column of R + I is taken
     return [(R,) for R in [*named, *rotating, *half, np.eye(3), *rounded]]
 
 
@@ -82,14 +105,19 @@ EXERCISE = Exercise(
         Property(
             "the exponential of the answer is R again",
             lambda w, R: _gap(w, R) < 1e-6,
-            says=lambda w, R: f"The angle of R is {_angle(R):.6g} rad; |w| of your answer is {np.linalg.norm(w):.6g}.",
+            says=lambda w, R: (
+                f"The angle of R is {_angle(R):.6g} rad; |w| of your answer is "
+                f"{np.linalg.norm(w):.6g}."
+            ),
             where=_between(1e-3, np.pi - 1e-3),
         ),
         Property(
             "the angle |w| is the smallest one, between 0 and pi",
             lambda w, R: np.linalg.norm(w) <= np.pi + 1e-6,
             where=_between(1e-3, np.pi - 1e-3),
-            mistake=Mistake("the longer of the two rotations is taken", "Which angle has the opposite axis?"),
+            mistake=Mistake(
+                "the longer of the two rotations is taken", "Which angle has the opposite axis?"
+            ),
         ),
         Property(
             "small angles keep their digits",
@@ -97,14 +125,18 @@ EXERCISE = Exercise(
             where=_between(1e-12, 1e-3),
             mistake=Mistake(
                 "small angles lose their digits, or all of them",
-                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a lot. And a small "
+                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a "
+                "lot. And a small "
                 "rotation is not the identity: which formula divides by nothing that is small?",
             ),
         ),
         Property(
             "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
             lambda w, R: _gap(w, R) < 1e-4 and np.linalg.norm(w) <= np.pi + 1e-4,
-            says=lambda w, R: f"The angle of R is {_short_of_pi(R)}. exp of your answer is off by {_gap(w, R):.2g}.",
+            says=lambda w, R: (
+                f"The angle of R is {_short_of_pi(R)}. exp of your answer is off by "
+                f"{_gap(w, R):.2g}."
+            ),
             where=lambda R: np.pi - 1e-3 < _angle(R) <= np.pi and (np.trace(R) - 1) / 2 >= -1,
         ),
         Property(
@@ -119,10 +151,13 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Run the given code at np.diag([1.0, -1.0, -1.0]). What is the skew part there, and which line decides?",
-        "At 180 degrees R = 2 n n^T - I, so every column of R + I is a multiple of n. One of them may be 0: take the "
+        "Run the given code at np.diag([1.0, -1.0, -1.0]). What is the skew part there, and which "
+        "line decides?",
+        "At 180 degrees R = 2 n n^T - I, so every column of R + I is a multiple of n. One of them "
+        "may be 0: take the "
         "longest.",
-        "So, if the skew part is (nearly) zero and the trace is negative: take the longest column of R + I, divide it "
+        "So, if the skew part is (nearly) zero and the trace is negative: take the longest column "
+        "of R + I, divide it "
         "by its length, multiply it by pi.",
     ),
     forbidden=(
@@ -136,43 +171,50 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(column=range(3))
 def zero_column(R, column):
-    """at 180 degrees the axis is always taken from the same column of R + I, which is zero for some axes. It is a
-    multiple of n, and may be 0 n: which of the three columns is not zero?"""
+    """at 180 degrees the axis is always taken from the same column of R + I, which is zero for some
+    axes. It is a multiple of n, and may be 0 n: which of the three columns is not zero?"""
     taken = (R + np.eye(3))[:, column]
     return np.pi * taken / np.linalg.norm(taken) if _half_turn(R) else log_so3(R)
 
 
 @EXERCISE.mistake(seen=lambda w, R: not np.isfinite(w).all())
 def outside_the_domain(R):
-    """something is divided by zero, or arccos is asked outside [-1, 1]. Rounding may take the trace just above 3 or
-    below -1, and at the identity and at 180 degrees the sine is 0."""
+    """something is divided by zero, or arccos is asked outside [-1, 1]. Rounding may take the trace
+    just above 3 or below -1, and at the identity and at 180 degrees the sine is 0."""
     a = np.arccos((np.trace(R) - 1) / 2)
     return a / np.sin(a) * _skew_part(R)
 
 
 @EXERCISE.mistake(seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3)
 def half_turn_taken_for_none(R):
-    """a rotation by 180 degrees is taken for none. At angle pi, R equals R^T, and R - R^T contains nothing. What
-    does R + I contain there?"""
+    """a rotation by 180 degrees is taken for none. At angle pi, R equals R^T, and R - R^T contains
+    nothing. What does R + I contain there?"""
     return np.zeros(3) if _half_turn(R) else log_so3(R)
 
 
-@EXERCISE.mistake(seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6))
+@EXERCISE.mistake(
+    seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6)
+)
 def signs_at_half_turns(R):
-    """at 180 degrees the signs of the axis's entries do not fit together. The diagonal of n n^T contains squares
-    only. Where do the products of two entries stand?"""
+    """at 180 degrees the signs of the axis's entries do not fit together. The diagonal of n n^T
+    contains squares only. Where do the products of two entries stand?"""
     return np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0)) if _half_turn(R) else log_so3(R)
 
 
 @EXERCISE.mistake(column=range(3), seen=lambda w, R: _half_turn(R))
 def half_turn_wrong(R, column):
-    """at 180 degrees the answer is not pi times the unit axis. Which entries of R hold the axis there, how long is
-    the vector that you take, and may it be 0?"""
+    """at 180 degrees the answer is not pi times the unit axis. Which entries of R hold the axis
+    there, how long is the vector that you take, and may it be 0?"""
     return np.pi * (R + np.eye(3))[:, column] / 2 if _half_turn(R) else log_so3(R)
 
 
 @EXERCISE.mistake(seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R))
 def inaccurate_near_half_turns(R):
-    """near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too inaccurate. There sin(a) is
-    small and a rounded angle has a rounded sine; and the formula for 180 degrees itself is exact at pi only."""
-    return log_so3(R) / _angle(R) * np.pi if np.pi - 1e-3 < _angle(R) and not _half_turn(R) else log_so3(R)
+    """near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too
+    inaccurate. There sin(a) is small and a rounded angle has a rounded sine; and the formula for
+    180 degrees itself is exact at pi only."""
+    return (
+        log_so3(R) / _angle(R) * np.pi
+        if np.pi - 1e-3 < _angle(R) and not _half_turn(R)
+        else log_so3(R)
+    )

@@ -16,11 +16,18 @@ def _cases(rng):
     half.append(np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, -1]]))
     random = rng.normal(size=(2, 3))
     generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
-    # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly 0, and 0
+    # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly
+    # 0, and 0
     leaning = [np.roll([0.8, 0.48, 0.36], k) * rng.choice([-1, 1], size=3) for k in range(3)]
-    near = [exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning]
+    near = [
+        exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning
+    ]
     # about axes in the coordinate planes, for which one of x, y, z is 0
-    flat = [sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j] for i, j in permutations(range(3), 2) for sign in (1, -1)]
+    flat = [
+        sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j]
+        for i, j in permutations(range(3), 2)
+        for sign in (1, -1)
+    ]
     exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
     middling = [exp_so3(2.1 * n) for n in flat]
     wide = [exp_so3(3.0 * e) for e in np.eye(3)]  # w is small, and two other entries are 0
@@ -49,7 +56,8 @@ EXERCISE = Exercise(
             "q, or -q, is the quaternion of R",
             _right_up_to_sign,
             says=lambda q, R: (
-                f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {np.trace(R):.6g}, so w^2 = (1 + trace) / 4 is "
+                f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {np.trace(R):.6g}, so w^2 = (1 "
+                f"+ trace) / 4 is "
                 f"{(1 + np.trace(R)) / 4:.2g}."
             ),
             where=lambda R: not _near_half_turn(R),
@@ -62,8 +70,10 @@ EXERCISE = Exercise(
     ),
     hints=(
         "The diagonal of R gives the four squares. At least one of them is 1/4 or more.",
-        "Take the root of the largest square; the three products that contain this entry give the others.",
-        "For example, if x is the largest: x = sqrt(1 + R00 - R11 - R22) / 2, w = (R21 - R12) / (4 x), "
+        "Take the root of the largest square; the three products that contain this entry give the "
+        "others.",
+        "For example, if x is the largest: x = sqrt(1 + R00 - R11 - R22) / 2, w = (R21 - R12) / (4 "
+        "x), "
         "y = (R10 + R01) / (4 x), z = (R02 + R20) / (4 x).",
     ),
     forbidden=(
@@ -79,18 +89,21 @@ def _vector_over_w(R):
 
 
 def _is_divided_by_little(q, R):
-    """Whether q is nan, or near 180 degrees its vector part has the direction of R - R^T, which may be 0."""
+    """Whether q is nan, or near 180 degrees its vector part has the direction of R - R^T, which may
+    be 0."""
     if not np.isfinite(q).all() or not _near_half_turn(R):
         return not np.isfinite(q).all()
     along = _vector_over_w(R)
-    parallel = np.abs(np.cross(q[1:], along)).max() < 1e-6 * np.linalg.norm(q[1:]) * np.linalg.norm(along)
+    parallel = np.abs(np.cross(q[1:], along)).max() < 1e-6 * np.linalg.norm(q[1:]) * np.linalg.norm(
+        along
+    )
     return bool(parallel if along.any() else 0 < np.linalg.norm(q) < 1e-3)
 
 
 @EXERCISE.mistake(seen=_is_divided_by_little)
 def divided_by_w(R):
-    """something that is nearly 0 serves as the divisor. Any of w, x, y, z, or the sine, can be small, but not all of w,
-    x, y, z at once. Which one is a safe divisor?"""
+    """something that is nearly 0 serves as the divisor. Any of w, x, y, z, or the sine, can be
+    small, but not all of w, x, y, z at once. Which one is a safe divisor?"""
     w = np.sqrt(max(1 + np.trace(R), 0)) / 2
     return np.array([w, *(_vector_over_w(R) / (4 * w))])
 
@@ -102,12 +115,15 @@ def _right_but_for_signs(q, R):
 
 @EXERCISE.mistake(seen=_right_but_for_signs)
 def signs_lost(R):
-    """the signs of w, x, y, z do not fit together, or 0 is taken for a sign. The diagonal gives squares only. The signs
-    come from the products of two entries: at 180 degrees, of which?"""
+    """the signs of w, x, y, z do not fit together, or 0 is taken for a sign. The diagonal gives
+    squares only. The signs come from the products of two entries: at 180 degrees, of which?"""
     return np.abs(matrix_to_quaternion(R))
 
 
 @EXERCISE.mistake(seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3)
 def not_of_length_one(R):
-    """q has not length one. Divide the products of two entries by 4 times the entry that is known, and check |q|."""
+    """q has not length one.
+
+    Divide the products of two entries by 4 times the entry that is known, and check |q|.
+    """
     return 2 * matrix_to_quaternion(R)

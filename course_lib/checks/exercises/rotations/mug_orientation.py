@@ -33,18 +33,27 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Write down the letters of what you look for and of what you have. Which frames lie between the base and the "
+        "Write down the letters of what you look for and of what you have. Which frames lie "
+        "between the base and the "
         "mug?",
-        "Neighbouring letters must match: b to g, g to c, c to m. One of the three is known the other way round.",
+        "Neighbouring letters must match: b to g, g to c, c to m. One of the three is known the "
+        "other way round.",
         "The inverse of a rotation is its transpose: R_gc is R_cg.T. Then R_bm = R_bg R_gc R_cm.",
     ),
 )
 
 
-@EXERCISE.mistake(links=((1, 1, 1), (1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1)))
+@EXERCISE.mistake(
+    links=((1, 1, 1), (1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1))
+)
 def other_direction(R_bg, R_cg, R_cm, links):
-    """a link is used in the other direction. Read the letters of your factors from left to right."""
-    first, second, third = (R if way > 0 else R.T for R, way in zip((R_bg, R_cg, R_cm), links, strict=True))
+    """a link is used in the other direction.
+
+    Read the letters of your factors from left to right.
+    """
+    first, second, third = (
+        R if way > 0 else R.T for R, way in zip((R_bg, R_cg, R_cm), links, strict=True)
+    )
     return first @ second @ third
 
 

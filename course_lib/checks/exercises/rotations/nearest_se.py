@@ -36,14 +36,21 @@ EXERCISE = Exercise(
         Property(
             "the translation (the last column) stays as it is",
             lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < 1e-9,
-            mistake=Mistake("the translation is changed", "Only the block and the last row need repair."),
+            mistake=Mistake(
+                "the translation is changed", "Only the block and the last row need repair."
+            ),
         ),
         Property(
             "the block is a rotation",
             lambda X, T: is_rotation(X[:-1, :-1]),
-            mistake=Mistake("the block is not a rotation", "Which of your functions makes a rotation of a matrix?"),
+            mistake=Mistake(
+                "the block is not a rotation",
+                "Which of your functions makes a rotation of a matrix?",
+            ),
         ),
-        Property("a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < 1e-9, where=_is_pose),
+        Property(
+            "a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < 1e-9, where=_is_pose
+        ),
         Property(
             "the block is the rotation nearest to that of T",
             lambda X, T: np.linalg.norm(X - nearest_se(T)) < 1e-6,
@@ -52,7 +59,8 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Three parts: the block T[:-1, :-1], the translation T[:-1, -1], the last row. Which of them need repair?",
+        "Three parts: the block T[:-1, :-1], the translation T[:-1, -1], the last row. Which of "
+        "them need repair?",
         "With n = len(T) - 1 the same lines serve SE(2) and SE(3).",
         "Start from np.eye(len(T)); put nearest_so of the block and the translation into it.",
     ),

@@ -10,8 +10,18 @@ from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quat
 
 def _cases(rng):
     half = np.sqrt(0.5)
-    named = [[half, 0, 0, half], [half, 0, half, 0], [half, half, 0, 0], [0, 0, 0, 1], [1, 0, 0, 0], [-1, 0, 0, 0]]
-    named += [[-0.5, 0.1, 0.7, -0.5], [0.5, -0.1, -0.5, -0.7]]  # exactly of length one, with w of either sign
+    named = [
+        [half, 0, 0, half],
+        [half, 0, half, 0],
+        [half, half, 0, 0],
+        [0, 0, 0, 1],
+        [1, 0, 0, 0],
+        [-1, 0, 0, 0],
+    ]
+    named += [
+        [-0.5, 0.1, 0.7, -0.5],
+        [0.5, -0.1, -0.5, -0.7],
+    ]  # exactly of length one, with w of either sign
     return [(np.array(q, float),) for q in named] + [(q,) for q in random_quaternions(6, rng)]
 
 
@@ -41,7 +51,9 @@ EXERCISE = Exercise(
         Property(
             "R p is the vector part of q p q*, for every p",
             lambda R, q: np.abs(R - quaternion_to_matrix(q)).max() < 1e-9,
-            says=lambda R, q: f"q rotates by {_angle(q * (1 if q[0] >= 0 else -1)):.4g} rad about (x, y, z).",
+            says=lambda R, q: (
+                f"q rotates by {_angle(q * (1 if q[0] >= 0 else -1)):.4g} rad about (x, y, z)."
+            ),
         ),
     ),
     hints=(
@@ -65,14 +77,17 @@ def scalar_last(q):
 
 @EXERCISE.mistake(factors=((1, 1), (1, 2), (2, 1)))
 def factor_missing(q, factors):
-    """a factor 2 is missing. Collect what multiplies p in q p q*: how often does each term occur?"""
+    """a factor 2 is missing.
+
+    Collect what multiplies p in q p q*: how often does each term occur?
+    """
     return _combination(q, 1, *factors)
 
 
 @EXERCISE.mistake
 def sign_of_w_lost(q):
-    """the sign of w is lost. q and -q are the same rotation: (-w, v) and (w, v) are not. Does arcsin, or a root, see
-    the sign?"""
+    """the sign of w is lost. q and -q are the same rotation: (-w, v) and (w, v) are not. Does
+    arcsin, or a root, see the sign?"""
     return quaternion_to_matrix(np.array([abs(q[0]), *q[1:]]))
 
 
@@ -84,5 +99,8 @@ def half_the_angle(q):
 
 @EXERCISE.mistake
 def entry_by_entry(q):
-    """* or ** works entry by entry. In numpy the product of matrices is @; M ** 2 squares each entry."""
+    """* or ** works entry by entry.
+
+    In numpy the product of matrices is @; M ** 2 squares each entry.
+    """
     return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * hat(q[1:]) ** 2

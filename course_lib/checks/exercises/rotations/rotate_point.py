@@ -16,10 +16,19 @@ def _right(p, a):
 
 
 def _cases(rng):
-    named = [([1.0, 0.0], np.pi / 2), ([0.0, 1.0], np.pi / 2), ([2.0, 1.0], np.pi), ([-1.0, -2.0], 0.5)]
+    named = [
+        ([1.0, 0.0], np.pi / 2),
+        ([0.0, 1.0], np.pi / 2),
+        ([2.0, 1.0], np.pi),
+        ([-1.0, -2.0], 0.5),
+    ]
     drawn = [(away_from_zero(rng, 2), a) for a in (0.7, -1.2, 2.5, 7.0)]
     named += [([3, -2], 0.5), ([2, 1], 0.5)]  # whole numbers
-    return [(np.array(p), a) for p, a in named] + drawn + [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), 1.0)]
+    return (
+        [(np.array(p), a) for p, a in named]
+        + drawn
+        + [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), 1.0)]
+    )
 
 
 EXERCISE = Exercise(
@@ -33,7 +42,9 @@ EXERCISE = Exercise(
         Property(
             "the distance from the origin does not change",
             lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < 1e-9,
-            says=lambda image, p, a: f"That is {compared(np.linalg.norm(p), np.linalg.norm(image))}.",
+            says=lambda image, p, a: (
+                f"That is {compared(np.linalg.norm(p), np.linalg.norm(image))}."
+            ),
             mistake=Mistake(
                 "the point comes nearer to the origin, or moves away",
                 "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go?",
@@ -62,6 +73,10 @@ def new_x_used(p, a):
 
 @EXERCISE.mistake(of_x=(True, False))
 def half_of_the_circle(p, a, of_x):
-    """the direction of p comes from arctan or arccos, which know half of the circle only. Which function of x and y
-    tells p from -p?"""
-    return np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T if of_x else np.sign(p[0] or 1) * _right(p, a)
+    """the direction of p comes from arctan or arccos, which know half of the circle only. Which
+    function of x and y tells p from -p?"""
+    return (
+        np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
+        if of_x
+        else np.sign(p[0] or 1) * _right(p, a)
+    )

@@ -33,14 +33,17 @@ DRAWS = (
         across=True,
         mistake=Mistake(
             "the numbers do not come from rng",
-            "Neither numpy.random nor a new generator knows the seed: every number comes from the rng passed in.",
+            "Neither numpy.random nor a new generator knows the seed: every number comes from the "
+            "rng passed in.",
         ),
     ),
     Property(
         "another seed draws something else",
         lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
         across=True,
-        mistake=Mistake("a generator is made inside the function", "Use the rng that is passed in."),
+        mistake=Mistake(
+            "a generator is made inside the function", "Use the rng that is passed in."
+        ),
     ),
     Property(
         "n draws are n different ones",
@@ -51,14 +54,18 @@ DRAWS = (
 
 ROTATIONS = Property(
     "every matrix is a rotation",
-    lambda R, n, rng: np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max() < 1e-9 and np.linalg.det(R).min() > 0,
+    lambda R, n, rng: (
+        np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max() < 1e-9 and np.linalg.det(R).min() > 0
+    ),
     says=lambda R, n, rng: (
-        f"The determinants lie between {np.linalg.det(R).min():.3g} and {np.linalg.det(R).max():.3g}, the largest "
+        f"The determinants lie between {np.linalg.det(R).min():.3g} and "
+        f"{np.linalg.det(R).max():.3g}, the largest "
         f"entry of R^T R - I is {np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max():.2g}."
     ),
     mistake=Mistake(
         "the matrices are not orthogonal",
-        "Matrix products of rotations are rotations; their sums, and products entry by entry (*), are not.",
+        "Matrix products of rotations are rotations; their sums, and products entry by entry (*), "
+        "are not.",
     ),
 )
 
@@ -88,18 +95,22 @@ def angles_of(R):
 
 
 def angle_p_value(R):
-    """Return the Kolmogorov-Smirnov p-value of the rotation angles against their density (1 - cos a)/pi."""
+    """Return the Kolmogorov-Smirnov p-value of the rotation angles against their density (1 - cos
+    a)/pi."""
     from scipy.stats import kstest
 
     return kstest(angles_of(R), lambda a: (a - np.sin(a)) / np.pi, method="asymp").pvalue
 
 
 def axis_p_value(R, axis):
-    """Return the chi-square p-value of where e_axis lands, counted in 10 x 12 cells of equal area."""
+    """Return the chi-square p-value of where e_axis lands, counted in 10 x 12 cells of equal
+    area."""
     from scipy.stats import chisquare
 
     x, y, z = R[:, :, axis].T
-    counts, _, _ = np.histogram2d(z, np.arctan2(y, x), bins=[10, 12], range=[[-1, 1], [-np.pi, np.pi]])
+    counts, _, _ = np.histogram2d(
+        z, np.arctan2(y, x), bins=[10, 12], range=[[-1, 1], [-np.pi, np.pi]]
+    )
     return chisquare(counts.ravel()).pvalue
 
 
@@ -115,7 +126,8 @@ ARVO_RANGES = [(0, 1), CIRCLE, CIRCLE]
 
 
 def arvo(R):
-    """Return (z, phi, theta) of R = (2 V V^T - I) Rz(theta): for uniform rotations uniform and independent."""
+    """Return (z, phi, theta) of R = (2 V V^T - I) Rz(theta): for uniform rotations uniform and
+    independent."""
     x, y, z = R[:, 0, 2], R[:, 1, 2], np.clip((1 - R[:, 2, 2]) / 2, 0, 1)
     phi = np.arctan2(y, x)
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], -1)
@@ -125,7 +137,8 @@ def arvo(R):
 
 _CROWDED = Mistake(
     "the rotations crowd in some directions, or leave some out",
-    "Draw where the axes land. Does each of the numbers go through its whole range, for each draw anew?",
+    "Draw where the axes land. Does each of the numbers go through its whole range, for each draw "
+    "anew?",
 )
 
 
@@ -138,7 +151,8 @@ def uniform_rotations(matrices):
             where=many,
             mistake=Mistake(
                 "small rotation angles, or large ones, come too often",
-                "Draw the histogram of your angles beside (1 - cos a)/pi. Has each of the three numbers its range, and "
+                "Draw the histogram of your angles beside (1 - cos a)/pi. Has each of the three "
+                "numbers its range, and "
                 "its root?",
             ),
         ),
@@ -154,7 +168,9 @@ def uniform_rotations(matrices):
         Property(
             "the mean of tr(R)^2 is 1",
             lambda value, n, rng: trace_p_value(matrices(value)) > LEVEL,
-            says=lambda value, n, rng: f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}.",
+            says=lambda value, n, rng: (
+                f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
+            ),
             where=many,
         ),
         Property(

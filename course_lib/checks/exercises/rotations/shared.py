@@ -7,16 +7,22 @@ from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
 _PUBLISHED = np.array(
-    [[0.69942428, 0.57542726, 0.83226602], [0.51703353, 0.77526382, 0.78676897], [0.99073504, 0.09942187, 0.47534292]]
+    [
+        [0.69942428, 0.57542726, 0.83226602],
+        [0.51703353, 0.77526382, 0.78676897],
+        [0.99073504, 0.09942187, 0.47534292],
+    ]
 )
 
-# Rank 2, and exactly so in floating point: det M is 0 and says nothing about the sign of det(U V^T), which differs
-# between this matrix and its negative. The nearest rotation is unique all the same.
+# Rank 2, and exactly so in floating point: det M is 0 and says nothing about the sign of det(U
+# V^T), which differs between this matrix and its negative. The nearest rotation is unique all the
+# same.
 _SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
 
 
 def damaged_rotations(rng):
-    """Return square matrices, each with one nearest rotation: the singular values are well apart."""
+    """Return square matrices, each with one nearest rotation: the singular values are well
+    apart."""
     R = random_rotations(3, rng)
     return [
         np.array([[0.9, -0.5], [0.5, 0.8]]),
@@ -39,7 +45,8 @@ def polar(M, *signs):
 
 
 def last_column_negated(M):
-    """Return U V^T with its last column negated if its determinant is -1: the published correction."""
+    """Return U V^T with its last column negated if its determinant is -1: the published
+    correction."""
     return right_handed(polar(M))
 
 
@@ -55,7 +62,8 @@ def ones(M):
 
 NOT_NEAREST = Mistake(
     "the answer is a rotation, and another one is nearer",
-    "U V^T is nearest if its determinant is 1. Else one sign changes between U and V^T: where is M weakest?",
+    "U V^T is nearest if its determinant is 1. Else one sign changes between U and V^T: where is M "
+    "weakest?",
 )
 
 
@@ -72,4 +80,6 @@ CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
 def hamilton_product(p, q):
     """Return the product of two quaternions (w, x, y, z)."""
-    return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])
+    return np.array(
+        [p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))]
+    )

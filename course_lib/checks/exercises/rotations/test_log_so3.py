@@ -36,7 +36,8 @@ def _if(where, otherwise):
 
 
 def _by_column(k):
-    """The version that takes column k of R + I at 180 degrees, which is 0 if the axis has no entry k."""
+    """The version that takes column k of R + I at 180 degrees, which is 0 if the axis has no entry
+    k."""
 
     def at_half_turns(w, R):
         column = (R + np.eye(3))[:, k]
@@ -52,7 +53,8 @@ def _longer(w):
 
 _STRICT = Mistake(
     "your test refuses an answer that is longer than pi by rounding only",
-    "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be off?",
+    "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be "
+    "off?",
 )
 
 EXERCISE = WriteTest(
@@ -62,40 +64,64 @@ EXERCISE = WriteTest(
     shapes=((3, 3),),
     refuses=Mistake(
         ALWAYS_FALSE.name,
-        "A right version passes too. Do you compare its answer with a w of your own, R being exp_so3(w)? The answer is "
-        "the shortest such vector: is your |w| at most pi? And compare with a tolerance (np.allclose).",
+        "A right version passes too. Do you compare its answer with a w of your own, R being "
+        "exp_so3(w)? The answer is "
+        "the shortest such vector: is your |w| at most pi? And compare with a tolerance "
+        "(np.allclose).",
     ),
     versions=(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
-        Version("that takes the other axis at 180 degrees", _if(_half_turn, lambda w, R: -w), right=True),
+        Version(
+            "that takes the other axis at 180 degrees", _if(_half_turn, lambda w, R: -w), right=True
+        ),
         Version("that differs by rounding", lambda R: log_so3(R) * (1 - 1e-12), right=True),
-        Version("that differs by rounding", lambda R: log_so3(R) * (1 + 1e-12), right=True, mistake=_STRICT),
+        Version(
+            "that differs by rounding",
+            lambda R: log_so3(R) * (1 + 1e-12),
+            right=True,
+            mistake=_STRICT,
+        ),
         Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
         Version("whose sign is wrong", lambda R: -log_so3(R)),
         Version("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
         Version("that lacks a factor 1/2", lambda R: 2 * log_so3(R)),
         Version("whose length is always 1", lambda R: log_so3(R) / (_angle(R) or 1)),
-        Version("that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)),
+        Version(
+            "that returns the skew part of R", lambda R: log_so3(R) * np.sinc(_angle(R) / np.pi)
+        ),
         Version("that takes the longer of the two rotations", lambda R: _longer(log_so3(R))),
         Version(
             "that is wrong only beyond 90 degrees",
             _if(lambda R: _angle(R) > np.pi / 2 + 1e-6, lambda w, R: w * (np.pi / _angle(R) - 1)),
         ),
-        Version("that is wrong only near 180 degrees", _if(_nearly_half, lambda w, R: np.pi * w / _angle(R))),
+        Version(
+            "that is wrong only near 180 degrees",
+            _if(_nearly_half, lambda w, R: np.pi * w / _angle(R)),
+        ),
         Version("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
         Version("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
         Version("that is wrong only at 180 degrees about some axes", _by_column(0)),
         Version("that is wrong only at 180 degrees about some axes", _by_column(2)),
-        Version("that is wrong only at the identity", _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan))),
-        Version("that is wrong only for small angles", _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3))),
+        Version(
+            "that is wrong only at the identity",
+            _if(lambda R: _angle(R) == 0, lambda w, R: np.full(3, np.nan)),
+        ),
+        Version(
+            "that is wrong only for small angles",
+            _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3)),
+        ),
     ),
     hints=(
-        "You need no right logarithm to compare with: the exponential of the answer has to be R again.",
-        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, 180 degrees and "
-        "a little less, about axes of every sign and the coordinate axes. The exponential cannot see whether the "
+        "You need no right logarithm to compare with: the exponential of the answer has to be R "
+        "again.",
+        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, "
+        "180 degrees and "
+        "a little less, about axes of every sign and the coordinate axes. The exponential cannot "
+        "see whether the "
         "shortest vector is returned: its length can.",
-        "Make rotations as exp_so3(w) of vectors w of your own; two conditions hold for each answer. np.allclose "
+        "Make rotations as exp_so3(w) of vectors w of your own; two conditions hold for each "
+        "answer. np.allclose "
         "compares arrays, np.asarray turns a list into one.",
     ),
 )

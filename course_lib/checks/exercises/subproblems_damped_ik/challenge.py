@@ -1,4 +1,5 @@
-"""The score of notebook 3's challenge: how many damped steps a rule for step size and damping needs."""
+"""The score of notebook 3's challenge: how many damped steps a rule for step size and damping
+needs."""
 
 import numpy as np
 
@@ -6,13 +7,15 @@ MOST = 200  # steps; a run that takes more counts as many
 
 
 def mean_steps(rule, step, alpha=0.2, eps=2.0):
-    """Return the mean number of steps to 1 mm over 40 targets of the planar arm with four links of one metre.
+    """Return the mean number of steps to 1 mm over 40 targets of the planar arm with four links of
+    one metre.
 
     Parameters
     ----------
     rule : callable
-        From the step just tried, rule(k, before, after, alpha, eps), to the next alpha and eps: its number, counted
-        from 0, the distance from the target before and after it in metres, its step size and its damping.
+        From the step just tried, rule(k, before, after, alpha, eps), to the next alpha and eps: its
+        number, counted from 0, the distance from the target before and after it in metres, its step
+        size and its damping.
     step : callable
         step(q, target, alpha, eps), the joint angles after one damped step, shape (4,).
     alpha, eps : float, optional
@@ -58,5 +61,7 @@ def _checked(answer):
     except (TypeError, ValueError):
         alpha = eps = np.nan
     if not (np.isfinite([alpha, eps]).all() and eps > 0):
-        raise ValueError(f"rule must return two finite numbers, alpha and an eps above 0; it returned {answer!r}")
+        raise ValueError(
+            f"rule must return two finite numbers, alpha and an eps above 0; it returned {answer!r}"
+        )
     return alpha, eps

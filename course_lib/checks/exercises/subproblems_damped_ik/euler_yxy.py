@@ -19,16 +19,20 @@ _ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
 
 _AT_THE_END = Mistake(
     "R[1, 1] is slightly beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
-    "Which function finds an angle from its sine and cosine, whatever they are? And which of b1 and b3 is determined "
+    "Which function finds an angle from its sine and cosine, whatever they are? And which of b1 "
+    "and b3 is determined "
     "if sin(b2) = 0?",
 )
 
 
 _FIRST = Mistake(
     "the first triple does not rebuild R",
-    "R e_y is a column of R, and e_y^T R a row. Which sign has the b1 of subproblem 2? np.arctan2 sees both signs.",
+    "R e_y is a column of R, and e_y^T R a row. Which sign has the b1 of subproblem 2? np.arctan2 "
+    "sees both signs.",
 )
-_SECOND = Mistake("the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?")
+_SECOND = Mistake(
+    "the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?"
+)
 
 
 def _yxy(b1, b2, b3):
@@ -45,7 +49,11 @@ def _cases(rng):
         quadrants.append(_yxy(*np.where(far > 0, np.sign(turns) * (far - np.abs(turns)), turns)))
     a, b = some_angle(rng, 1), some_angle(rng, -1)
     ends = [np.eye(3), rot_y(a), rot_y(b - 2), _HALF, rot_y(a) @ _HALF, rot_y(b) @ _HALF]
-    ends += [rot_y(a) + np.diag([0, 2 * _ULP, 0]), rot_y(b) + _ROUNDED, rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0])]
+    ends += [
+        rot_y(a) + np.diag([0, 2 * _ULP, 0]),
+        rot_y(b) + _ROUNDED,
+        rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0]),
+    ]
     close = [_yxy(a, 1e-3, b), _yxy(b, np.pi - 1e-3, a)]
     return [(R,) for R in named + quadrants + ends + close]
 
@@ -73,7 +81,9 @@ def _triples(value, R):
 
 
 def _rebuilt(within):
-    return lambda found, R: bool(max((_misses(triple, R) for triple in found), default=0.0) < within)
+    return lambda found, R: bool(
+        max((_misses(triple, R) for triple in found), default=0.0) < within
+    )
 
 
 def _off(found, R):
@@ -109,7 +119,8 @@ EXERCISE = Exercise(
             where=lambda R: 1e-9 < _sine(R) < 1e-2,
             mistake=Mistake(
                 "b2 near 0 or pi is treated as if it were 0 or pi",
-                "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of 0?",
+                "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of "
+                "0?",
             ),
         ),
         Property(
@@ -125,7 +136,8 @@ EXERCISE = Exercise(
             where=_end,
             mistake=Mistake(
                 "b1 and b3 do not fit together where sin(b2) = 0",
-                "At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If you choose b1, what remains of R for b3? "
+                "At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If you choose b1, what "
+                "remains of R for b3? "
                 "And rounding may leave a tiny sine: how do you compare it with 0?",
             ),
         ),
@@ -133,26 +145,36 @@ EXERCISE = Exercise(
             "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
             lambda found, R: len(found) == 2,
             lambda found, R: f"Yours has {len(found)}.",
-            mistake=Mistake("a triple is missing where sin(b2) = 0", "There both are the same: return it twice."),
+            mistake=Mistake(
+                "a triple is missing where sin(b2) = 0", "There both are the same: return it twice."
+            ),
         ),
     ),
     hints=(
-        "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is subproblem 2.",
-        "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) Ry(-b1) R: "
+        "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is "
+        "subproblem 2.",
+        "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) "
+        "Ry(-b1) R: "
         "subproblem 1 for e_x.",
         "Or by entries: R[1, 1] = cos(b2), R[0, 1] = sin(b1) sin(b2), R[2, 1] = cos(b1) sin(b2), "
         "R[1, 0] = sin(b2) sin(b3), R[1, 2] = -sin(b2) cos(b3).",
-        "Where sin(b2) = 0, b1 is free: take 0, return the triple twice, and get b3 from Rx(-b2) Ry(-b1) R.",
+        "Where sin(b2) = 0, b1 is free: take 0, return the triple twice, and get b3 from Rx(-b2) "
+        "Ry(-b1) R.",
     ),
     forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
 )
 
 
 def _alone(found, R):
-    return different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
+    return (
+        different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
+    )
 
 
 @EXERCISE.mistake(seen=_alone)
 def one_only(R):
-    """only one triple is returned. Subproblem 2 finds two pairs: what does the other triple look like?"""
+    """only one triple is returned.
+
+    Subproblem 2 finds two pairs: what does the other triple look like?
+    """
     return _both(R)[:1]

@@ -15,7 +15,9 @@ _FINE = 1e-8  # how far an entry may be off: good finite differences pass
 # What would do the work, also by an arm of the notebook: refused in all exercises with this arm.
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
 
-_WITH_ANGLE = Mistake("the Jacobian of a whole pose is returned", "Asked for is that of the tip's position.")
+_WITH_ANGLE = Mistake(
+    "the Jacobian of a whole pose is returned", "Asked for is that of the tip's position."
+)
 
 
 @remembered
@@ -32,8 +34,18 @@ def jacobian(q):
 
 def _cases(rng):
     quarter = np.pi / 2
-    named = [[0, 0, 0, 0], [quarter, 0, 0, 0], [0, 0, 0, quarter], [0, quarter, 0, 0], [0.3, 0, 0, 0]]
-    drawn = [rng.uniform(0.2, 1.2, 4) * signs for signs in itertools.product((1, -1), repeat=4) if signs[0] == 1]
+    named = [
+        [0, 0, 0, 0],
+        [quarter, 0, 0, 0],
+        [0, 0, 0, quarter],
+        [0, quarter, 0, 0],
+        [0.3, 0, 0, 0],
+    ]
+    drawn = [
+        rng.uniform(0.2, 1.2, 4) * signs
+        for signs in itertools.product((1, -1), repeat=4)
+        if signs[0] == 1
+    ]
     beyond = [rng.uniform(-9, 9, 4) for _ in range(3)]
     return [(np.array(q, float),) for q in [*named, *drawn, *beyond]] + [(np.array([1, -1, 2, 0]),)]
 
@@ -53,9 +65,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, cos a_i) for each "
+        "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, "
+        "cos a_i) for each "
         "rad/s of a joint up to i.",
-        "Joint j rotates the links j, ..., 4: column j is the sum of (-sin a_i, cos a_i) over i = j, ..., 4.",
+        "Joint j rotates the links j, ..., 4: column j is the sum of (-sin a_i, cos a_i) over i = "
+        "j, ..., 4.",
         "Two loops, or a cumulative sum from the back: np.cumsum(x[::-1])[::-1].",
     ),
     forbidden=ARMS,
@@ -65,27 +79,38 @@ _AFTER = np.triu(np.ones((4, 4)))  # joint j moves the links from j on
 
 
 def _of_links(directions, moved_by=_AFTER):
-    """The Jacobian of links that point along `directions`, where joint j moves the links with moved_by[j]."""
+    """The Jacobian of links that point along `directions`, where joint j moves the links with
+    moved_by[j]."""
     return np.array([-np.sin(directions), np.cos(directions)]) @ np.transpose(moved_by)
 
 
 @EXERCISE.mistake(moved_by=(_AFTER, np.eye(4), np.ones((4, 4))))
 def angles_not_summed(q, moved_by):
-    """the angles are not summed. Each joint angle is measured from the link before it: along which direction does
-    link i point?"""
+    """the angles are not summed. Each joint angle is measured from the link before it: along which
+    direction does link i point?"""
     return _of_links(q, moved_by)
 
 
 @EXERCISE.mistake(
-    moved_by=(np.eye(4), _AFTER * [0, 0, 0, 1], _AFTER * [1, 1, 1, 0], _AFTER.T, _AFTER - np.eye(4), np.ones((4, 4)))
+    moved_by=(
+        np.eye(4),
+        _AFTER * [0, 0, 0, 1],
+        _AFTER * [1, 1, 1, 0],
+        _AFTER.T,
+        _AFTER - np.eye(4),
+        np.ones((4, 4)),
+    )
 )
 def other_links(q, moved_by):
-    """the sum for joint j is over other links than those that it moves. Which links move if only joint 2 does?"""
+    """the sum for joint j is over other links than those that it moves.
+
+    Which links move if only joint 2 does?
+    """
     return _of_links(np.cumsum(q), moved_by)
 
 
 @EXERCISE.mistake(signs=([[-1], [1]], [[1], [1]], [[1], [-1]]))
 def not_differentiated(q, signs):
-    """sine and cosine are not differentiated, or their rows are swapped. Row 1 is the velocity along x: what is the
-    derivative of the x coordinate?"""
+    """sine and cosine are not differentiated, or their rows are swapped. Row 1 is the velocity
+    along x: what is the derivative of the x coordinate?"""
     return jacobian(q)[::-1] * signs

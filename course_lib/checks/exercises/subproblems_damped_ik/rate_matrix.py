@@ -28,7 +28,9 @@ def quadrants(rng):
     found = []
     for far1, far2 in itertools.product((0, 1), repeat=2):
         for sign in (-1, 1):
-            near = np.array([some_angle(rng, s) for s in (rng.choice([-1, 1]), sign, rng.choice([-1, 1]))])
+            near = np.array(
+                [some_angle(rng, s) for s in (rng.choice([-1, 1]), sign, rng.choice([-1, 1]))]
+            )
             far = np.array([far1, far2, rng.choice([0, 1])])
             found.append(np.where(far, np.copysign(np.pi, near) - near, near))
     return found
@@ -36,7 +38,14 @@ def quadrants(rng):
 
 def _cases(rng):
     quarter = np.pi / 2
-    named = [[0, quarter, 0], [0, 0, 0], [quarter, quarter, 0], [0, quarter, quarter], [0, 0.5, 0], [0.5, quarter, 0]]
+    named = [
+        [0, quarter, 0],
+        [0, 0, 0],
+        [quarter, quarter, 0],
+        [0, quarter, quarter],
+        [0, 0.5, 0],
+        [0.5, quarter, 0],
+    ]
     ends = [[0.7, 0.0, -0.4], [-0.9, np.pi, 0.3], [7.0, -8.0, 20.0]]
     return [(np.array(b, float),) for b in named + quadrants(rng) + ends] + [(np.array([1, 2, 3]),)]
 
@@ -45,7 +54,8 @@ def _no_axis(A, b):
     j = int(np.argmax(np.abs(A - rates(b)).max(0) > _FINE))
     return Mistake(
         f"the {ORDINALS[j]} column is not the axis about which b{j + 1} rotates",
-        "About which axis does this factor rotate, and which rotations, to its left, carry that axis along?",
+        "About which axis does this factor rotate, and which rotations, to its left, carry that "
+        "axis along?",
     )
 
 
@@ -65,8 +75,10 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Set b' = (1, 0, 0), then (0, 1, 0), then (0, 0, 1): each column is the axis about which one angle rotates.",
-        "b1 rotates everything to its right about the fixed e_y. The axis of b2 is e_x, rotated by Ry(b1).",
+        "Set b' = (1, 0, 0), then (0, 1, 0), then (0, 0, 1): each column is the axis about which "
+        "one angle rotates.",
+        "b1 rotates everything to its right about the fixed e_y. The axis of b2 is e_x, rotated by "
+        "Ry(b1).",
         "The axis of b3 is e_y, rotated by Rx(b2) and then Ry(b1): Ry(b1) (0, cos b2, sin b2).",
     ),
 )
@@ -74,8 +86,8 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake
 def seen_from_the_end_effector(b):
-    """this is the angular velocity seen from the rotating end-effector. Which of R' R^T and R^T R' belongs to the
-    fixed frame?"""
+    """this is the angular velocity seen from the rotating end-effector. Which of R' R^T and R^T R'
+    belongs to the fixed frame?"""
     return _rotation(b).T @ rates(b)
 
 
@@ -88,6 +100,6 @@ def seen_from_the_end_effector(b):
     )
 )
 def axis_not_carried_along(b, axes):
-    """an axis is not carried along by the rotations before it. Which rotations stand to the left of that about b2,
-    and of that about b3?"""
+    """an axis is not carried along by the rotations before it. Which rotations stand to the left of
+    that about b2, and of that about b3?"""
     return np.column_stack([Y, *axes(b)])

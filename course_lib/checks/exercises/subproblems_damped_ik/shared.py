@@ -1,4 +1,5 @@
-"""Answers that are lists of all solutions: none, one or two, each an angle or several, up to multiples of 2 pi."""
+"""Answers that are lists of all solutions: none, one or two, each an angle or several, up to
+multiples of 2 pi."""
 
 import numpy as np
 
@@ -7,12 +8,18 @@ from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.vocabulary import inside
 from course_lib.rotations import exp_so3
 
-FINE, TOUCHING = 1e-9, 1e-6  # the error that a right answer may have; where two solutions coincide, digits are lost
+FINE, TOUCHING = (
+    1e-9,
+    1e-6,
+)  # the error that a right answer may have; where two solutions coincide, digits are lost
 
-_NOT_ONE = Mistake("nan is returned where there is no solution", "Which number tells that there is none?")
+_NOT_ONE = Mistake(
+    "nan is returned where there is no solution", "Which number tells that there is none?"
+)
 NO_SOLUTION = Mistake(
     "the list holds something that is no solution",
-    "Put it into the equation, term by term. Which length, point or angle is another one than you thought?",
+    "Put it into the equation, term by term. Which length, point or angle is another one than you "
+    "thought?",
 )
 _ROUNDED_OUT = Mistake(
     "rounding takes a number slightly out of its range, where the two solutions coincide",
@@ -41,7 +48,8 @@ def different(found):
 
 
 def unless_empty(reader, solutions):
-    """Return the reader, with a mistake of its own for nan where there are less than two solutions(*arguments)."""
+    """Return the reader, with a mistake of its own for nan where there are less than two
+    solutions(*arguments)."""
 
     def asking(value, *case):
         try:
@@ -56,7 +64,8 @@ def unless_empty(reader, solutions):
 
 
 def single(value, expected):
-    """Return a number, which may stand in an array or list of one; expected: what it is, in words."""
+    """Return a number, which may stand in an array or list of one; expected: what it is, in
+    words."""
     found = rows(1, expected)(value)
     if len(found) != 1:
         raise Unreadable(f"the answer is {expected}. Yours has {len(found)} numbers.", OTHER_FORM)
@@ -64,7 +73,8 @@ def single(value, expected):
 
 
 def two(solutions, *case):
-    """Return the two solutions as an array; raises if there are not two, where mistakes do not apply."""
+    """Return the two solutions as an array; raises if there are not two, where mistakes do not
+    apply."""
     first, second = solutions(*case)
     return np.array([first, second])
 
@@ -72,9 +82,9 @@ def two(solutions, *case):
 def all_of_them(equation, one, misses, tell, solutions, none):
     """Return the properties of a list of all solutions.
 
-    equation: "each theta ...", what one solution does. one: what one is called. misses(solution, *arguments): its
-    error; tell(solution, *arguments): the same in words. solutions(*arguments): two, one if the two coincide, or none.
-    none: the properties if there is none.
+    equation: "each theta ...", what one solution does. one: what one is called. misses(solution,
+    *arguments): its error; tell(solution, *arguments): the same in words. solutions(*arguments):
+    two, one if the two coincide, or none. none: the properties if there is none.
     """
 
     def solved(within):
@@ -98,10 +108,18 @@ def all_of_them(equation, one, misses, tell, solutions, none):
             f"each {one} is in the list once",
             lambda found, *case: len(found) == 2,
             where=has(2),
-            mistake=Mistake("a solution is listed twice", "A multiple of 2 pi more or less makes no other solution."),
+            mistake=Mistake(
+                "a solution is listed twice",
+                "A multiple of 2 pi more or less makes no other solution.",
+            ),
         ),
         *none,
-        Property(f"{equation}, also here, where the two solutions coincide", solved(TOUCHING), worst, where=has(1)),
+        Property(
+            f"{equation}, also here, where the two solutions coincide",
+            solved(TOUCHING),
+            worst,
+            where=has(1),
+        ),
     )
 
 
@@ -110,39 +128,50 @@ def add_too_few(exercise, solutions, misses):
 
     @exercise.mistake(seen=lambda found, *case: len(found) == 0 and len(solutions(*case)) == 2)
     def nothing_found(*case):
-        """the list is empty although there are solutions. Print the number that decides whether there is a solution:
-        for this input there are two."""
+        """the list is empty although there are solutions. Print the number that decides whether
+        there is a solution: for this input there are two."""
         return two(solutions, *case)[:0]
 
     def alone(found, *case):
         two(solutions, *case)
-        return different(found) == 1 and all(misses(solution, *case) < TOUCHING for solution in found)
+        return different(found) == 1 and all(
+            misses(solution, *case) < TOUCHING for solution in found
+        )
 
     @exercise.mistake(seen=alone)
     def one_only(*case):
-        """only one of the two solutions is returned. A root has two signs, and so has an angle with a given cosine:
-        where does your function use both?"""
+        """only one of the two solutions is returned. A root has two signs, and so has an angle with
+        a given cosine: where does your function use both?"""
         return two(solutions, *case)[:1]
 
 
 def add_swings(exercise, solutions, ends):
-    """Add the mistakes of two angles that lie on both sides of a third one, that from ends(*arguments)[1] to [2].
+    """Add the mistakes of two angles that lie on both sides of a third one, that from
+    ends(*arguments)[1] to [2].
 
-    ends(*arguments): the axis, the point that rotates, and the direction in which it points in the middle.
+    ends(*arguments): the axis, the point that rotates, and the direction in which it points in the
+    middle.
     """
 
     def by_arctan(k, p, g):
         return np.arctan(np.divide(k @ np.cross(p, g), across(k, p) @ g))
 
-    @exercise.mistake(middle=(by_arctan, lambda *of: np.pi / 2 - angle_about(*of), lambda *of: abs(angle_about(*of))))
+    @exercise.mistake(
+        middle=(
+            by_arctan,
+            lambda *of: np.pi / 2 - angle_about(*of),
+            lambda *of: abs(angle_about(*of)),
+        )
+    )
     def middle_wrong(*case, middle):
-        """the angle in the middle of the two solutions is wrong. It may have either sign, and be beyond 90 degrees:
-        which function sees the signs of sine and cosine, and which of the two does it take first?"""
+        """the angle in the middle of the two solutions is wrong. It may have either sign, and be
+        beyond 90 degrees: which function sees the signs of sine and cosine, and which of the two
+        does it take first?"""
         return two(solutions, *case) - angle_about(*ends(*case)) + middle(*ends(*case))
 
     @exercise.mistake(first=(0, 1), second=(lambda x: -x, lambda x: np.pi - x, lambda x: np.pi + x))
     def second_from_the_first(*case, first, second):
-        """the second solution is the first with the other sign, or differs by pi. arccos has two angles, x and -x.
-        Which line adds the middle to them, and when?"""
+        """the second solution is the first with the other sign, or differs by pi. arccos has two
+        angles, x and -x. Which line adds the middle to them, and when?"""
         found = two(solutions, *case)[first]
         return [found, second(found)]

@@ -1,4 +1,5 @@
-"""A six-axis arm with a spherical wrist (dimensions of an ABB IRB 120), and what is asked of lists of its angles."""
+"""A six-axis arm with a spherical wrist (dimensions of an ABB IRB 120), and what is asked of lists
+of its angles."""
 
 import numpy as np
 
@@ -56,8 +57,8 @@ def all_solutions(T):
 def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
     """Return the properties of a list of all joint angles, several or none.
 
-    equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in words.
-    solutions(*arguments): the right list. wrong: the Mistake if one is no solution.
+    equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in
+    words. solutions(*arguments): the right list. wrong: the Mistake if one is no solution.
     """
     return (
         Property(
@@ -73,26 +74,38 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "a subproblem finds nothing",
-                "Print what each returns. Are both points of subproblem 2 equally far from the shoulder, for each q3?",
+                "Print what each returns. Are both points of subproblem 2 equally far from the "
+                "shoulder, for each q3?",
             ),
         ),
         Property(
             "the list holds every solution",
             lambda found, *case: different(found) == len(solutions(*case)),
-            lambda found, *case: f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}.",
+            lambda found, *case: (
+                f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}."
+            ),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake("solutions are missing", "Does your function go on with each answer of a subproblem?"),
+            mistake=Mistake(
+                "solutions are missing",
+                "Does your function go on with each answer of a subproblem?",
+            ),
         ),
         Property(
             "each solution is in the list once",
             lambda found, *case: len(found) == len(solutions(*case)),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake("a solution is listed twice", "A multiple of 2 pi more or less makes no other solution."),
+            mistake=Mistake(
+                "a solution is listed twice",
+                "A multiple of 2 pi more or less makes no other solution.",
+            ),
         ),
         Property(
             "the list is empty if the target is out of reach",
             lambda found, *case: len(found) == 0,
             where=lambda *case: len(solutions(*case)) == 0,
-            mistake=Mistake("joint angles are returned for a target out of reach", "Which subproblem has no solution?"),
+            mistake=Mistake(
+                "joint angles are returned for a target out of reach",
+                "Which subproblem has no solution?",
+            ),
         ),
     )

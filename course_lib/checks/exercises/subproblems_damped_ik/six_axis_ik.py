@@ -1,4 +1,5 @@
-"""six_axis_ik: every solution of the inverse kinematics of a six-axis arm with a spherical wrist."""
+"""six_axis_ik: every solution of the inverse kinematics of a six-axis arm with a spherical
+wrist."""
 
 import numpy as np
 
@@ -20,7 +21,10 @@ from course_lib.rotations import rot_y, rot_z
 
 
 def _cases(rng):
-    named = [[0.3, 0.4, -0.5, 0.6, 0.7, -0.8], [0.5, -0.4, 0.9, 0.8, -2.2, 0.6]]  # a slightly and a well bent arm
+    named = [
+        [0.3, 0.4, -0.5, 0.6, 0.7, -0.8],
+        [0.5, -0.4, 0.9, 0.8, -2.2, 0.6],
+    ]  # a slightly and a well bent arm
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
     reached = [(ARM.fk(q),) for q in named + drawn]
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
@@ -47,7 +51,9 @@ _CENTER = Mistake(
 
 
 def _wrong(found, T):
-    return _CENTER if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < 1e-8 for q in found) else NO_SOLUTION
+    return (
+        _CENTER if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < 1e-8 for q in found) else NO_SOLUTION
+    )
 
 
 EXERCISE = Exercise(
@@ -55,13 +61,18 @@ EXERCISE = Exercise(
     points=3,
     arguments=("T",),
     cases=_cases,
-    returns=unless_empty(rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"), all_solutions),
+    returns=unless_empty(
+        rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"), all_solutions
+    ),
     library=all_solutions,
     alike=same_list,
-    properties=every_solution("each row brings the flange to T", _misses, _tell, all_solutions, _wrong),
+    properties=every_solution(
+        "each row brings the flange to T", _misses, _tell, all_solutions, _wrong
+    ),
     hints=(
         "Where is the wrist center? The motion T HOME^-1 has taken it from WRIST to where it is.",
-        "For each triple of arm_angles: which rotation do joints 4, 5 and 6 have to add? T HOME^-1 has the rotation "
+        "For each triple of arm_angles: which rotation do joints 4, 5 and 6 have to add? T HOME^-1 "
+        "has the rotation "
         "R(z, q1) R(y, q2 + q3) W.",
         "wrist_angles(W) gives both (q4, q5, q6): four triples, two each, make eight.",
     ),
@@ -81,7 +92,8 @@ def _undone(q, R):
 
 
 def _with(T, center, rest=_undone):
-    """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the wrist."""
+    """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the
+    wrist."""
     R, found = (T @ inverse(HOME))[:3, :3], []
     for q in arm_solutions(center):
         found += [(*q, *b) for b in wrist_angles(rest(q, R))]
@@ -90,8 +102,8 @@ def _with(T, center, rest=_undone):
 
 @EXERCISE.mistake
 def flange_for_wrist(T):
-    """the flange's position is taken for the wrist center. How far is the flange beyond the wrist center, and in
-    which direction?"""
+    """the flange's position is taken for the wrist center. How far is the flange beyond the wrist
+    center, and in which direction?"""
     return _with(T, T[:3, 3])
 
 
@@ -110,8 +122,9 @@ def home_orientation_left_out(T):
     )
 )
 def first_joints_not_undone(T, rest):
-    """the rotation of the first three joints is not undone, not all of it, or in the wrong order. Which of
-    R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other side?"""
+    """the rotation of the first three joints is not undone, not all of it, or in the wrong order.
+    Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other
+    side?"""
     return _with(T, _center(T), rest)
 
 

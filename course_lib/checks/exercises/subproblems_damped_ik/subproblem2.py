@@ -13,7 +13,8 @@ _ANGLED = np.array([0.6, 0.0, 0.8])
 
 
 def _axes(rng, cosine):
-    """Two axes with this cosine between them, the unit vector square to both, and one square to that and the first."""
+    """Two axes with this cosine between them, the unit vector square to both, and one square to
+    that and the first."""
     k1 = unit(rng)
     n = np.cross(k1, unit(rng))
     n /= np.linalg.norm(n)
@@ -36,7 +37,8 @@ def _apart(rng, cosine, side):
 
 
 def _around(rng, reach, size):
-    """Points on circles that would touch in the plane of the axes if reach were 1, and do not meet as it is above."""
+    """Points on circles that would touch in the plane of the axes if reach were 1, and do not meet
+    as it is above."""
     k1, k2, n, e = _axes(rng, 0.5)
     in_plane = reach * (np.cos(0.5) * k1 + np.sin(0.5) * e)
     points = [(k @ in_plane) * k + np.sqrt(1 - (k @ in_plane) ** 2) * n for k in (k1, k2)]
@@ -59,7 +61,12 @@ def _cases(rng):
         _meeting(rng, -0.6, (large(-1), small(-1)), 0.3),
         _meeting(rng, -0.3, (small(1), large(-1)), 40.0),
     ]
-    apart = [(Z, X, Y + 3 * Z, 3 * X - Y), _apart(rng, 0.4, 1), _apart(rng, -0.2, -1), _around(rng, 1.01, 0.3)]
+    apart = [
+        (Z, X, Y + 3 * Z, 3 * X - Y),
+        _apart(rng, 0.4, 1),
+        _apart(rng, -0.2, -1),
+        _around(rng, 1.01, 0.3),
+    ]
     apart += [_around(rng, 1 + 1e-7, 2.0)]
     return meeting + apart
 
@@ -93,7 +100,9 @@ EXERCISE = Exercise(
     points=3,
     arguments=("k1", "k2", "p1", "p2"),
     cases=_cases,
-    returns=shared.unless_empty(rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions),
+    returns=shared.unless_empty(
+        rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions
+    ),
     library=solutions,
     alike=same_list,
     properties=shared.all_of_them(
@@ -116,9 +125,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "p1 moves on a circle about k1, p2 on one about k2. Where they meet there is a point z with |z| = |p1| = |p2|, "
+        "p1 moves on a circle about k1, p2 on one about k2. Where they meet there is a point z "
+        "with |z| = |p1| = |p2|, "
         "k1 . z = k1 . p1 and k2 . z = k2 . p2.",
-        "z = a k1 + b k2 + c (k1 x k2), and the given lines find a and b. Pythagoras gives c^2, as in the text. If it "
+        "z = a k1 + b k2 + c (k1 x k2), and the given lines find a and b. Pythagoras gives c^2, as "
+        "in the text. If it "
         "is negative there is no solution: an empty list.",
         "For each of the two z: theta1 = subproblem1(k1, p1, z), theta2 = subproblem1(k2, p2, z).",
     ),

@@ -1,4 +1,5 @@
-"""subproblem3: the rotations about an axis that bring one point to a given distance from another."""
+"""subproblem3: the rotations about an axis that bring one point to a given distance from
+another."""
 
 import numpy as np
 
@@ -12,7 +13,8 @@ from course_lib.subproblems import subproblem3, subproblem4
 
 
 def _reachable(rng, aside, middle, size):
-    """p and g about an axis, and a distance at which p is rotated `aside` beyond the direction of g."""
+    """p and g about an axis, and a distance at which p is rotated `aside` beyond the direction of
+    g."""
     k = unit(rng)
     p, g = size * off_axis(k, rng), size * off_axis(k, rng)
     g = rotated(k, angle_about(k, g, p) + middle, g)
@@ -22,7 +24,11 @@ def _reachable(rng, aside, middle, size):
 
 
 def _cases(rng):
-    named = [(Z, X, X, np.sqrt(2.0)), (Z, X, 2 * Y, np.sqrt(3.0)), (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0))]
+    named = [
+        (Z, X, X, np.sqrt(2.0)),
+        (Z, X, 2 * Y, np.sqrt(3.0)),
+        (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0)),
+    ]
     generic = [
         _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
         _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
@@ -56,11 +62,16 @@ def _solutions(k, p, g, d):
 
 
 def _misses(theta, k, p, g, d):
-    return abs(np.linalg.norm(rotated(k, theta, p) - g) - d) / max(np.linalg.norm(p), np.linalg.norm(g))
+    return abs(np.linalg.norm(rotated(k, theta, p) - g) - d) / max(
+        np.linalg.norm(p), np.linalg.norm(g)
+    )
 
 
 def _tell(theta, k, p, g, d):
-    return f"With {theta:.6g} it is {round(np.linalg.norm(rotated(k, theta, p) - g), 9):.6g}; d is {d:.6g}."
+    return (
+        f"With {theta:.6g} it is {round(np.linalg.norm(rotated(k, theta, p) - g), 9):.6g}; d is "
+        f"{d:.6g}."
+    )
 
 
 def _is_empty(found, *case):
@@ -69,7 +80,10 @@ def _is_empty(found, *case):
 
 def _nothing_there(found, k, p, g, d):
     far, close = _reach(k, p, g)
-    return f"R(k, theta) p comes as near to g as {close:.4g} and goes as far as {far:.4g}; d is {d:.4g}."
+    return (
+        f"R(k, theta) p comes as near to g as {close:.4g} and goes as far as {far:.4g}; d is "
+        f"{d:.4g}."
+    )
 
 
 EXERCISE = Exercise(
@@ -91,7 +105,10 @@ EXERCISE = Exercise(
                 "the list is empty if d is negative, because no distance is negative",
                 _is_empty,
                 where=lambda k, p, g, d: d < 0,
-                mistake=Mistake("a negative d is squared, and its sign lost", "Which points are at a distance of -1?"),
+                mistake=Mistake(
+                    "a negative d is squared, and its sign lost",
+                    "Which points are at a distance of -1?",
+                ),
             ),
             Property(
                 "the list is empty if d is too large or too small",
@@ -100,14 +117,16 @@ EXERCISE = Exercise(
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
                     "an angle is returned although no angle is right",
-                    "How near and how far does p come? Clipping a number hides that it is out of range.",
+                    "How near and how far does p come? Clipping a number hides that it is out of "
+                    "range.",
                 ),
             ),
         ),
     ),
     hints=(
         "Square both sides of |R p - g| = d. Which terms depend on theta?",
-        "Only g . R p does: it must be a certain height of R p along g. Squaring loses the sign of d: look at d first.",
+        "Only g . R p does: it must be a certain height of R p along g. Squaring loses the sign of "
+        "d: look at d first.",
         "That is subproblem 4 with h = g and the height (|p|^2 + |g|^2 - d^2) / 2.",
     ),
     forbidden=("course_lib.subproblems.subproblem3",),
@@ -125,8 +144,8 @@ shared.add_too_few(EXERCISE, _solutions, _misses)
     )
 )
 def height_wrong(k, p, g, d, height):
-    """the height that p should have along g is wrong. Square |R p - g| = d, multiply it out, and solve for g . R p:
-    which lengths are squared, and what about the factor and the signs?"""
+    """the height that p should have along g is wrong. Square |R p - g| = d, multiply it out, and
+    solve for g . R p: which lengths are squared, and what about the factor and the signs?"""
     two(_solutions, k, p, g, d)
     found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
     return list(found.theta) if found.exact else None

@@ -1,11 +1,17 @@
-"""subproblem4: the rotations about an axis that bring a point to a given height along a direction."""
+"""subproblem4: the rotations about an axis that bring a point to a given height along a
+direction."""
 
 import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.exercises.subproblems_damped_ik import shared
-from course_lib.checks.exercises.subproblems_damped_ik.shared import across, angle_about, rotated, two
+from course_lib.checks.exercises.subproblems_damped_ik.shared import (
+    across,
+    angle_about,
+    rotated,
+    two,
+)
 from course_lib.checks.exercises.subproblems_damped_ik.subproblem1 import off_axis
 from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
 from course_lib.subproblems import subproblem4
@@ -21,7 +27,14 @@ def _reachable(rng, aside, middle, size):
 
 def _cases(rng):
     tilted = (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2)
-    named = [(Z, X, X, 0.5), (Z, X, Y, 0.0), (Z, Y, 2 * X, -1.0), (Z, X, 2 * X + Z, 1.0), tilted, (Z, 2 * X, X, 1.0)]
+    named = [
+        (Z, X, X, 0.5),
+        (Z, X, Y, 0.0),
+        (Z, Y, 2 * X, -1.0),
+        (Z, X, 2 * X + Z, 1.0),
+        tilted,
+        (Z, 2 * X, X, 1.0),
+    ]
     generic = [
         _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
         _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
@@ -70,7 +83,9 @@ EXERCISE = Exercise(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
         _misses,
-        lambda theta, k, h, p, d: f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}.",
+        lambda theta, k, h, p, d: (
+            f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}."
+        ),
         _solutions,
         none=(
             Property(
@@ -86,9 +101,11 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the constant, A and B first.",
+        "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the "
+        "constant, A and B first.",
         "Then r and phi from A and B. If |d - constant| > r there is no solution: an empty list.",
-        "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same distance from it.",
+        "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same "
+        "distance from it.",
         "theta = phi plus or minus arccos((d - constant) / r), with r = np.hypot(A, B).",
     ),
     forbidden=("course_lib.subproblems.subproblem4",),
@@ -98,7 +115,8 @@ shared.add_too_few(EXERCISE, _solutions, _misses)
 
 
 def _either_side(case, e, A=None):
-    """The two angles of somebody with another e or A; a cosine out of range is replaced by the nearest in range."""
+    """The two angles of somebody with another e or A; a cosine out of range is replaced by the
+    nearest in range."""
     two(_solutions, *case)
     k, h, p, _ = case
     A, B = across(k, h) @ p if A is None else A, h @ np.cross(k, p)
@@ -106,10 +124,12 @@ def _either_side(case, e, A=None):
     return [middle - aside, middle + aside]
 
 
-@EXERCISE.mistake(of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y), of_A=(True, False))
+@EXERCISE.mistake(
+    of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y), of_A=(True, False)
+)
 def constant_wrong(k, h, p, d, of_d, of_A):
-    """the constant part of the height is not subtracted where it should be, or is another one. Which part of h . R p
-    never changes? Is it in d, and is it in h . p?"""
+    """the constant part of the height is not subtracted where it should be, or is another one.
+    Which part of h . R p never changes? Is it in d, and is it in h . p?"""
     e = d - of_d(k @ h, k @ p)
     return _either_side((k, h, p, d), e) if of_A else _either_side((k, h, p, d), e, A=h @ p)
 

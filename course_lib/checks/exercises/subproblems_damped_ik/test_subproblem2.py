@@ -61,17 +61,25 @@ EXERCISE = WriteTest(
     points=3,
     arguments=("subproblem2",),
     hints=(
-        "You need no right version to compare with: choose the meeting point z first, and make p1 and p2 from it, as "
+        "You need no right version to compare with: choose the meeting point z first, and make p1 "
+        "and p2 from it, as "
         "the given test does. Draw axes and points at random.",
-        "A right list contains two different pairs, each brings the points together, and it is empty if nothing can. "
+        "A right list contains two different pairs, each brings the points together, and it is "
+        "empty if nothing can. "
         "Test with axes at acute and obtuse angles, and with points that are not of length one.",
         "For the empty list: two small circles, each about its own axis.",
     ),
     shapes=((3,),) * 4,
     versions=(
         Version("that is as in the text", lambda *case: solutions(*case), right=True),
-        Version("that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1]), right=True),
-        Version("whose angles differ by 2 pi", _pairs(lambda pairs: pairs + np.array([2, -2]) * np.pi), right=True),
+        Version(
+            "that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1]), right=True
+        ),
+        Version(
+            "whose angles differ by 2 pi",
+            _pairs(lambda pairs: pairs + np.array([2, -2]) * np.pi),
+            right=True,
+        ),
         Version("whose last digits differ", _pairs(lambda pairs: pairs * (1 + 1e-13)), right=True),
         Version("that returns a list of lists", _pairs(lambda pairs: pairs.tolist()), right=True),
         Version(_COUNT, _pairs(lambda pairs: pairs[:1])),

@@ -2,8 +2,8 @@
 
     python carry_over.py ../robot-kinematics-of-before
 
-An answer, code or words, goes into the cell of the same exercise, unless something is written there already.
-The older folder is only read. Cells that you added yourself are not carried over.
+An answer, code or words, goes into the cell of the same exercise, unless something is written there
+already. The older folder is only read. Cells that you added yourself are not carried over.
 """
 
 import ast
@@ -20,14 +20,20 @@ def main(arguments):
     """Carry the answers of all notebooks over; return an exit code."""
     older = Path(arguments[0], "notebooks") if len(arguments) == 1 else None
     if older is None or not older.is_dir():
-        print("Name the folder of the older release, the one that holds its notebooks/.", file=sys.stderr)
+        print(
+            "Name the folder of the older release, the one that holds its notebooks/.",
+            file=sys.stderr,
+        )
         return 1
     for path in sorted(HERE.glob("[0-9][0-9]_*.ipynb")):
         if (older / path.name).exists():
             try:
                 print(f"{path.name}: {carry_over(older / path.name, path)}")
             except (ValueError, LookupError, TypeError) as error:
-                print(f"{path.name}: left as it is, because one of them is not a notebook ({error})", file=sys.stderr)
+                print(
+                    f"{path.name}: left as it is, because one of them is not a notebook ({error})",
+                    file=sys.stderr,
+                )
     return 0
 
 
@@ -41,9 +47,15 @@ def carry_over(older, path):
         new[name][0]["source"] = mine[name]
     if free:
         beside = path.with_suffix(".new")
-        beside.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n", encoding="utf-8", newline="\n")
+        beside.write_text(
+            json.dumps(notebook, indent=1, ensure_ascii=False) + "\n",
+            encoding="utf-8",
+            newline="\n",
+        )
         os.replace(beside, path)
-    kept = [name for name in mine if name in new and name not in free and text(new[name]) != mine[name]]
+    kept = [
+        name for name in mine if name in new and name not in free and text(new[name]) != mine[name]
+    ]
     words = f"answers carried over: {len(free)}"
     words += f"; answered here already: {', '.join(kept)}" if kept else ""
     lost = [name for name in mine if name not in new]
@@ -71,7 +83,11 @@ def untouched(answer):
         return True
     try:
         (function,) = ast.parse(answer).body
-        return len(function.body) <= 2 and isinstance(function.body[-1], ast.Raise) and "#" not in answer
+        return (
+            len(function.body) <= 2
+            and isinstance(function.body[-1], ast.Raise)
+            and "#" not in answer
+        )
     except (SyntaxError, ValueError, AttributeError):
         return False
 
