@@ -31,46 +31,66 @@ void main() { gl_Position = vec4(2. * at.x / size.x - 1., 1. - 2. * at.y / size.
   const DASHED = `#version 300 es
 precision highp float; in float far; uniform vec4 colour; uniform vec2 dash; out vec4 rgba;
 void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colour; }`;
-  const LAMP = [0.4, -0.5, 1.2], MOST = 24;
+  const LAMP = [0.4, -0.5, 1.2],
+    MOST = 24;
 
   const rgb = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255);
 
   // Corners of a mesh's triangles: position, normal, colour and body, 8 numbers each. A corner's normal is the mean of
   // the faces around it that lean less than 50 degrees to its own, so that edges stay sharp and the rest is smooth.
   function corners({ vertices, faces, colours, bodies }) {
-    const key = (v) => Math.round(v[0] * 1e4) * 1e10 + Math.round(v[1] * 1e4) * 1e5 + Math.round(v[2] * 1e4);
-    const keys = vertices.map(key), around = new Map(), areas = faces.map(([a, b, c]) =>
-      M.cross(M.add(vertices[b], vertices[a], -1), M.add(vertices[c], vertices[a], -1)));
-    const units = areas.map(M.unit), out = new Float32Array(24 * faces.length);
-    faces.forEach((face, k) => face.forEach((i) => {
-      if (!around.has(keys[i])) around.set(keys[i], []);
-      around.get(keys[i]).push(k);
-    }));
-    faces.forEach((face, k) => face.forEach((i, j) => {
-      const [ux, uy, uz] = units[k], sum = [0, 0, 0], at = 8 * (3 * k + j);
-      for (const other of around.get(keys[i])) { // written out: robots have twenty thousand of these
-        const [vx, vy, vz] = units[other], area = areas[other];
-        if (ux * vx + uy * vy + uz * vz > 0.63) for (let c = 0; c < 3; c++) sum[c] += area[c];
-      }
-      out.set(vertices[i], at);
-      out.set(M.unit(sum), at + 3);
-      out[at + 6] = colours[k];
-      out[at + 7] = bodies[i];
-    }));
+    const key = (v) =>
+      Math.round(v[0] * 1e4) * 1e10 + Math.round(v[1] * 1e4) * 1e5 + Math.round(v[2] * 1e4);
+    const keys = vertices.map(key),
+      around = new Map(),
+      areas = faces.map(([a, b, c]) =>
+        M.cross(M.add(vertices[b], vertices[a], -1), M.add(vertices[c], vertices[a], -1)),
+      );
+    const units = areas.map(M.unit),
+      out = new Float32Array(24 * faces.length);
+    faces.forEach((face, k) =>
+      face.forEach((i) => {
+        if (!around.has(keys[i])) around.set(keys[i], []);
+        around.get(keys[i]).push(k);
+      }),
+    );
+    faces.forEach((face, k) =>
+      face.forEach((i, j) => {
+        const [ux, uy, uz] = units[k],
+          sum = [0, 0, 0],
+          at = 8 * (3 * k + j);
+        for (const other of around.get(keys[i])) {
+          // written out: robots have twenty thousand of these
+          const [vx, vy, vz] = units[other],
+            area = areas[other];
+          if (ux * vx + uy * vy + uz * vz > 0.63) for (let c = 0; c < 3; c++) sum[c] += area[c];
+        }
+        out.set(vertices[i], at);
+        out.set(M.unit(sum), at + 3);
+        out[at + 6] = colours[k];
+        out[at + 7] = bodies[i];
+      }),
+    );
     return out;
   }
 
   // ---- the one context ----
 
-  const canvas = document.createElement("canvas"), redraws = new Set();
-  let gl = null, programs = null, made = new WeakMap();
+  const canvas = document.createElement("canvas"),
+    redraws = new Set();
+  let gl = null,
+    programs = null,
+    made = new WeakMap();
   function start() {
     gl = gl || canvas.getContext("webgl2", { stencil: true, antialias: false });
     if (!gl) return false;
     if (programs) return !gl.isContextLost();
     const link = (vertex, fragment) => {
       const program = gl.createProgram();
-      [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].forEach(([kind, source]) => {
+      [
+        [gl.VERTEX_SHADER, vertex],
+        [gl.FRAGMENT_SHADER, fragment],
+      ].forEach(([kind, source]) => {
         const shader = gl.createShader(kind);
         gl.shaderSource(shader, source);
         gl.compileShader(shader);
@@ -78,11 +98,15 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
       });
       gl.linkProgram(program);
       const places = {};
-      return { program, at: (name) => (places[name] = places[name] || gl.getUniformLocation(program, name)) };
+      return {
+        program,
+        at: (name) => (places[name] = places[name] || gl.getUniformLocation(program, name)),
+      };
     };
     programs = { body: link(BODY, LIT), line: link(LINE, DASHED) };
-    ["stream", "ribbon"].forEach((name) =>
-      (programs[name] = { array: gl.createVertexArray(), buffer: gl.createBuffer() }));
+    ["stream", "ribbon"].forEach(
+      (name) => (programs[name] = { array: gl.createVertexArray(), buffer: gl.createBuffer() }),
+    );
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthFunc(gl.LEQUAL);
     return !gl.isContextLost();
@@ -104,14 +128,22 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
       gl.vertexAttribPointer(place, size, gl.FLOAT, false, 4 * stride, 4 * from);
     });
   }
-  const CORNER = [["at", 3, 0], ["normal", 3, 3], ["index", 2, 6]];
-  function bind(mesh) { // returns how many corners it has; a mesh that is new in every frame is not kept
+  const CORNER = [
+    ["at", 3, 0],
+    ["normal", 3, 3],
+    ["index", 2, 6],
+  ];
+  function bind(mesh) {
+    // returns how many corners it has; a mesh that is new in every frame is not kept
     if (!mesh.fleeting && made.has(mesh)) {
       gl.bindVertexArray(made.get(mesh).array);
       return made.get(mesh).count;
     }
-    const data = corners(mesh), count = data.length / 8;
-    const own = mesh.fleeting ? programs.stream : { array: gl.createVertexArray(), buffer: gl.createBuffer(), count };
+    const data = corners(mesh),
+      count = data.length / 8;
+    const own = mesh.fleeting
+      ? programs.stream
+      : { array: gl.createVertexArray(), buffer: gl.createBuffer(), count };
     fill(own, programs.body.program, data, 8, CORNER);
     if (!mesh.fleeting) made.set(mesh, own);
     return count;
@@ -119,23 +151,31 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
 
   // For smooth edges a picture is drawn at twice its width and height. Without a graphics card that takes too long while
   // something moves: then only the last picture of a movement is drawn so.
-  const rests = new WeakMap(), REST = 160; // milliseconds without another picture
-  let isSlow = false, drawn = 0;
+  const rests = new WeakMap(),
+    REST = 160; // milliseconds without another picture
+  let isSlow = false,
+    drawn = 0;
   function draw(context, what, redraw) {
     if (!start()) return;
-    const rest = rests.get(context) || { last: -Infinity }, now = performance.now();
+    const rest = rests.get(context) || { last: -Infinity },
+      now = performance.now();
     const moves = isSlow && now - rest.last < REST;
     clearTimeout(rest.timer);
     drawAt(context, what, moves ? 1 : 2);
-    if (++drawn === 3) { // the first one compiles; reading a pixel waits until it is drawn
+    if (++drawn === 3) {
+      // the first one compiles; reading a pixel waits until it is drawn
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
       isSlow = performance.now() - now > 12;
     }
-    rests.set(context, { last: performance.now(), timer: moves ? setTimeout(redraw, REST + 20) : 0 });
+    rests.set(context, {
+      last: performance.now(),
+      timer: moves ? setTimeout(redraw, REST + 20) : 0,
+    });
   }
   // Draw what a figure has listed, `fine` times as large, and copy it into the figure's canvas.
   function drawAt(context, { width, height, dense, view, eye, floor, meshes, lines }, fine) {
-    const { body, line } = programs, [w, h] = [width, height].map((x) => fine * Math.round(x * dense));
+    const { body, line } = programs,
+      [w, h] = [width, height].map((x) => fine * Math.round(x * dense));
     if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h]; // all of it is copied below
     gl.viewport(0, 0, w, h);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
@@ -180,8 +220,11 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
       gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
       gl.uniform1i(body.at("shadow"), 1);
       gl.uniform1f(body.at("ground"), floor.height);
-      meshes.filter(({ shadow }) => shadow).forEach((each) =>
-        paint({ ...each, palette: each.palette.map(() => floor.shade), opacity: floor.darkness }));
+      meshes
+        .filter(({ shadow }) => shadow)
+        .forEach((each) =>
+          paint({ ...each, palette: each.palette.map(() => floor.shade), opacity: floor.darkness }),
+        );
       off(gl.STENCIL_TEST);
       gl.uniform1i(body.at("shadow"), 0);
       on(gl.DEPTH_TEST); // what is below the floor is hidden by it
@@ -200,12 +243,15 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
       on(gl.CULL_FACE);
       useBodies();
       // Of a translucent body only the nearest surface is drawn: its depth first, then its colour; farther bodies first.
-      here.filter(({ opacity }) => opacity < 1).sort((a, b) => b.far - a.far).forEach((each) => {
-        gl.colorMask(false, false, false, false);
-        paint(each);
-        gl.colorMask(true, true, true, true);
-        paint(each);
-      });
+      here
+        .filter(({ opacity }) => opacity < 1)
+        .sort((a, b) => b.far - a.far)
+        .forEach((each) => {
+          gl.colorMask(false, false, false, false);
+          paint(each);
+          gl.colorMask(true, true, true, true);
+          paint(each);
+        });
     });
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, w, h);
@@ -214,29 +260,74 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
 
   // ---- simple bodies ----
 
-  const mesh = (vertices, faces, colour, body = 0) =>
-    ({ vertices, faces, colours: faces.map(() => colour), bodies: vertices.map(() => body) });
+  const mesh = (vertices, faces, colour, body = 0) => ({
+    vertices,
+    faces,
+    colours: faces.map(() => colour),
+    bodies: vertices.map(() => body),
+  });
   // Revolve a profile of (radius, height) about the z axis of a pose; a torus if the profile is closed.
   function lathe(T, profile, colour, { body = 0, n = 24, closed = false } = {}) {
-    const faces = [], m = profile.length, at = (i, k) => (i % m) * n + (k % n);
-    const vertices = profile.flatMap(([r, h]) => Array.from({ length: n }, (_, k) =>
-      M.move(T, [r * Math.cos((2 * Math.PI * k) / n), r * Math.sin((2 * Math.PI * k) / n), h])));
-    for (let i = 0; i < m - (closed ? 0 : 1); i++) for (let k = 0; k < n; k++) {
-      faces.push([at(i, k), at(i, k + 1), at(i + 1, k + 1)], [at(i, k), at(i + 1, k + 1), at(i + 1, k)]);
-    }
+    const faces = [],
+      m = profile.length,
+      at = (i, k) => (i % m) * n + (k % n);
+    const vertices = profile.flatMap(([r, h]) =>
+      Array.from({ length: n }, (_, k) =>
+        M.move(T, [r * Math.cos((2 * Math.PI * k) / n), r * Math.sin((2 * Math.PI * k) / n), h]),
+      ),
+    );
+    for (let i = 0; i < m - (closed ? 0 : 1); i++)
+      for (let k = 0; k < n; k++) {
+        faces.push(
+          [at(i, k), at(i, k + 1), at(i + 1, k + 1)],
+          [at(i, k), at(i + 1, k + 1), at(i + 1, k)],
+        );
+      }
     return mesh(vertices, faces, colour, body);
   }
   function box([lx, ly, lz], [hx, hy, hz], colour) {
-    const vertices = [lz, hz].flatMap((z) => [[lx, ly, z], [hx, ly, z], [hx, hy, z], [lx, hy, z]]);
-    const sides = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
-    return mesh(vertices, sides.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]), colour);
+    const vertices = [lz, hz].flatMap((z) => [
+      [lx, ly, z],
+      [hx, ly, z],
+      [hx, hy, z],
+      [lx, hy, z],
+    ]);
+    const sides = [
+      [0, 3, 2, 1],
+      [4, 5, 6, 7],
+      [0, 1, 5, 4],
+      [1, 2, 6, 5],
+      [2, 3, 7, 6],
+      [3, 0, 4, 7],
+    ];
+    return mesh(
+      vertices,
+      sides.flatMap(([a, b, c, d]) => [
+        [a, b, c],
+        [a, c, d],
+      ]),
+      colour,
+    );
   }
   const ring = (T, radius, width, colour) => {
-    const section = [[radius - width, -width], [radius, -width], [radius, width], [radius - width, width]];
+    const section = [
+      [radius - width, -width],
+      [radius, -width],
+      [radius, width],
+      [radius - width, width],
+    ];
     return lathe(T, section, colour, { n: 64, closed: true });
   };
-  const ball = (n = 24) => lathe(M.eye(4), Array.from({ length: n / 2 + 1 }, (_, i) =>
-    [Math.sin((2 * Math.PI * i) / n), -Math.cos((2 * Math.PI * i) / n)]), 0, { n });
+  const ball = (n = 24) =>
+    lathe(
+      M.eye(4),
+      Array.from({ length: n / 2 + 1 }, (_, i) => [
+        Math.sin((2 * Math.PI * i) / n),
+        -Math.cos((2 * Math.PI * i) / n),
+      ]),
+      0,
+      { n },
+    );
   function join(meshes) {
     let first = 0;
     const faces = meshes.flatMap((each) => {
@@ -249,14 +340,49 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
   }
   // Along z from 0 to 1: the shaft is body 0, the head body 1, each to be scaled by its pose.
   const arrow = join([
-    lathe(M.eye(4), [[0, 0], [1, 0], [1, 1], [0, 1]], 0, { n: 14 }),
-    lathe(M.eye(4), [[0, 0], [1, 0], [0, 1]], 0, { body: 1, n: 18 }),
+    lathe(
+      M.eye(4),
+      [
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+      ],
+      0,
+      { n: 14 },
+    ),
+    lathe(
+      M.eye(4),
+      [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+      ],
+      0,
+      { body: 1, n: 18 },
+    ),
   ]);
-  const disc = lathe(M.eye(4), [[1, 0], [0, 0]], 0, { n: 64 });
+  const disc = lathe(
+    M.eye(4),
+    [
+      [1, 0],
+      [0, 0],
+    ],
+    0,
+    { n: 64 },
+  );
   // A small aircraft, nose along x, wings along y: every orientation of it looks different.
   const PALETTE = ["#e8eaed", "#8d959e", "#0072b2", "#009e73", "#d55e00", "#e69f00"];
-  const FUSELAGE = [[0, -0.8], [0.07, -0.75], [0.13, -0.5], [0.16, -0.2], [0.17, 0.2], [0.14, 0.5], [0.08, 0.75],
-    [0, 0.85]];
+  const FUSELAGE = [
+    [0, -0.8],
+    [0.07, -0.75],
+    [0.13, -0.5],
+    [0.16, -0.2],
+    [0.17, 0.2],
+    [0.14, 0.5],
+    [0.08, 0.75],
+    [0, 0.85],
+  ];
   const aircraft = join([
     lathe(M.pose(M.rotation([0, 1, 0], Math.PI / 2), [0, 0, 0]), FUSELAGE, 0, { n: 28 }),
     box([-0.2, -0.85, -0.03], [0.2, 0.85, 0.03], 2),
@@ -265,13 +391,33 @@ void main() { if (dash.y > 0. && mod(far, dash.y) > dash.x) discard; rgba = colo
   ]);
   // A model as Python packs it (course_lib.figures.toys.toy.solid): whole numbers in base64.
   function unpack({ vertices, faces, colours, bodies, palette }) {
-    const read = (text, Kind) => Array.from(new Kind(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer));
-    const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
+    const read = (text, Kind) =>
+      Array.from(new Kind(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer));
+    const triples = (flat) =>
+      Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
     return {
-      vertices: triples(read(vertices, Int16Array).map((x) => x / 1e4)), faces: triples(read(faces, Uint16Array)),
-      colours: read(colours, Uint8Array), bodies: read(bodies, Uint8Array), palette,
+      vertices: triples(read(vertices, Int16Array).map((x) => x / 1e4)),
+      faces: triples(read(faces, Uint16Array)),
+      colours: read(colours, Uint8Array),
+      bodies: read(bodies, Uint8Array),
+      palette,
     };
   }
 
-  return { start, draw, redraws, mesh, lathe, box, ring, ball, join, arrow, disc, aircraft, PALETTE, unpack };
+  return {
+    start,
+    draw,
+    redraws,
+    mesh,
+    lathe,
+    box,
+    ring,
+    ball,
+    join,
+    arrow,
+    disc,
+    aircraft,
+    PALETTE,
+    unpack,
+  };
 })();

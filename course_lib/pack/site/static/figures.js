@@ -17,7 +17,9 @@
   function setUp(box) {
     const live = box.querySelector(".toy-live");
     const meta = JSON.parse(box.querySelector("script").textContent).layout.meta.course;
-    let stop = null, isDrawn = false, inDark = false;
+    let stop = null,
+      isDrawn = false,
+      inDark = false;
 
     function draw() {
       if (isDrawn) return;
@@ -25,7 +27,8 @@
       try {
         stop = window.course.kinds[meta.kind](live, meta);
         box.classList.add("drawn");
-      } catch (error) { // it remains a still picture, until it comes near again
+      } catch (error) {
+        // it remains a still picture, until it comes near again
         console.warn(error);
         letGo();
       }
@@ -46,15 +49,24 @@
   window.course = window.course || { kinds: {} };
   const figures = new Map();
   const figureOf = (box) => figures.get(box) || figures.set(box, setUp(box)).get(box);
-  const watch = new IntersectionObserver((entries) => entries.forEach(({ target, isIntersecting }) => {
-    if (isIntersecting) figureOf(target).draw();
-  }), { rootMargin: NEAR });
-  new MutationObserver(() => figures.forEach(({ changeTheme }) => changeTheme())).observe(document.documentElement, {
-    attributeFilter: ["data-theme"],
-  });
+  const watch = new IntersectionObserver(
+    (entries) =>
+      entries.forEach(({ target, isIntersecting }) => {
+        if (isIntersecting) figureOf(target).draw();
+      }),
+    { rootMargin: NEAR },
+  );
+  new MutationObserver(() => figures.forEach(({ changeTheme }) => changeTheme())).observe(
+    document.documentElement,
+    {
+      attributeFilter: ["data-theme"],
+    },
+  );
 
   // Without its own script a figure remains a still picture.
-  const toys = [...document.querySelectorAll(".toy-figure")].filter((box) => box.dataset.kind in window.course.kinds);
+  const toys = [...document.querySelectorAll(".toy-figure")].filter(
+    (box) => box.dataset.kind in window.course.kinds,
+  );
   toys.forEach((box) => watch.observe(box));
 
   // A toy has its height once it is drawn: one after the other when the page is loaded and the browser is idle, those

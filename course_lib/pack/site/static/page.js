@@ -14,7 +14,8 @@
 (() => {
   "use strict";
   const unfold = (part) => {
-    for (let e = part && part.closest("details"); e; e = e.parentElement.closest("details")) e.open = true;
+    for (let e = part && part.closest("details"); e; e = e.parentElement.closest("details"))
+      e.open = true;
   };
   const arrive = () => {
     const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));
