@@ -22,9 +22,9 @@ settings.register_profile(
 settings.load_profile("course")
 
 
-BANK = Path(__file__).parent / "answers"
+LESSONS = Path(__file__).parent / "lessons"
 collect_ignore = [
-    "answers"
+    "lessons"
 ]  # some are called test_..., as the exercises are in which a test is written
 ABOUT_AN_EXERCISE = (
     "test_bank.py",
@@ -40,9 +40,9 @@ def pytest_ignore_collect(collection_path):
     only, name = os.environ.get("ONLY", ""), collection_path.name
     if not only or not collection_path.is_file():
         return None
-    if any(BANK.glob(f"*/*{only}*.py")):
+    if any(LESSONS.glob(f"*/answers/*{only}*.py")):
         return name not in ABOUT_AN_EXERCISE or None
-    if any(BANK.glob(f"*{only}*")):
+    if any(LESSONS.glob(f"*{only}*")):
         return not (name in ABOUT_A_NOTEBOOK or only in name) or None
     return (
         not (
@@ -94,11 +94,11 @@ def pytest_collection_finish(session):
     }
     only = os.environ.get("ONLY")
     if only and not session.items and not session.testsfailed:
-        names = {path.stem for pattern in ("*", "*/*.py") for path in BANK.glob(pattern)}
+        names = {path.stem for pattern in ("*", "*/answers/*.py") for path in LESSONS.glob(pattern)}
         names |= {
             path.stem
             for pattern in ("tests/*.py", "notebooks/*.ipynb")
-            for path in BANK.parents[1].glob(pattern)
+            for path in LESSONS.parents[1].glob(pattern)
         }
         near = difflib.get_close_matches(
             only, sorted(names | {name.removeprefix("test_") for name in names})

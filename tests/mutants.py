@@ -208,7 +208,7 @@ def solved(name):
         ) - set(space)
         for part in [*sources.values(), *map(ast.unparse, _needed(given, wanted, set(space)))]:
             exec(part, space)
-    checks = importlib.import_module(f"course_lib.checks.{name.partition('_')[2]}").CHECKS
+    checks = importlib.import_module(f"course_lib.lessons.{name.partition('_')[2]}.check").CHECKS
     right = {
         check.exercise.name: check.exercise.library for check in checks if check.exercise.library
     }

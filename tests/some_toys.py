@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, ur5e
-from course_lib.checks.exercises.subproblems_damped_ik.six_axis_arm import ARM, all_solutions
+from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import ARM, all_solutions
 
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
 ROUND = (

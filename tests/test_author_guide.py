@@ -11,12 +11,12 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 GUIDE = (ROOT / "course_lib/checks/README.md").read_text(encoding="utf-8")
 # What the guide calls its exercise and its notebook, or another name if the course has them by now.
 EXERCISE, NOTEBOOK, OTHER = "unhat", "statics", "joint_torques"
-while list((ROOT / "course_lib/checks").glob(f"exercises/*/{EXERCISE}.py")):
+while list((ROOT / "course_lib/lessons").glob(f"*/exercises/{EXERCISE}.py")):
     GUIDE, EXERCISE = (
         re.sub(rf"\b{EXERCISE}\b|(?<=_){EXERCISE}\b", f"{EXERCISE}_anew", GUIDE),
         f"{EXERCISE}_anew",
     )
-while (ROOT / f"course_lib/checks/{NOTEBOOK}.py").exists():
+while (ROOT / f"course_lib/lessons/{NOTEBOOK}").exists():
     GUIDE, NOTEBOOK = (
         re.sub(rf"\b{NOTEBOOK}\b|(?<=_){NOTEBOOK}\b", f"{NOTEBOOK}_anew", GUIDE),
         f"{NOTEBOOK}_anew",
@@ -74,7 +74,7 @@ def course(tmp_path_factory):
 def test_a_new_exercise_passes_the_commands_of_the_guide(course):
     for path, content in of_the_exercise().items():
         (course / path).write_text(content)
-    package = course / "course_lib/checks/poe_kuka_iiwa.py"
+    package = course / "course_lib/lessons/poe_kuka_iiwa/check.py"
     added = re.sub(
         r"EXERCISES = \((\s*)", rf'EXERCISES = (\1"{EXERCISE}",\1', package.read_text(), count=1
     )
@@ -103,12 +103,13 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
     """Statics, with the exercise of the guide under another name."""
     for path, content in of_the_exercise().items():
         path = course / path.replace("poe_kuka_iiwa", NOTEBOOK).replace(EXERCISE, OTHER)
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content.replace(EXERCISE, OTHER))
-    package = f"course_lib/checks/{NOTEBOOK}.py"
-    (course / package).write_text(FILES[package])
-    (course / f"course_lib/checks/exercises/{NOTEBOOK}/__init__.py").touch()
-    imports = f"import numpy as np\n\nfrom course_lib.checks import {NOTEBOOK} as check"
+    lesson = f"course_lib/lessons/{NOTEBOOK}"
+    (course / f"{lesson}/__init__.py").write_text('"""What only notebook 7 needs: statics."""\n')
+    (course / f"{lesson}/exercises/__init__.py").touch()
+    (course / f"{lesson}/check.py").write_text(FILES[f"{lesson}/check.py"])
+    imports = f"import numpy as np\n\nfrom course_lib.lessons.{NOTEBOOK} import check"
     book = [new_markdown_cell("# 7 · Statics\n\nWhat does a joint feel? It takes about two hours.")]
     book += [
         new_code_cell(imports),
@@ -139,11 +140,6 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
         "language": "python",
     }
     nbformat.write(notebook, course / f"notebooks/07_{NOTEBOOK}.ipynb")
-    project = course / "pyproject.toml"
-    line = '    "course_lib.checks.exercises.poe_kuka_iiwa",\n'
-    project.write_text(
-        project.read_text().replace(line, line + line.replace("poe_kuka_iiwa", NOTEBOOK))
-    )
     count_as_set_up(course)
     made(course, "notebooks", f"NOTEBOOKS=notebooks/07_{NOTEBOOK}.ipynb")
     made(course, "test", f"ONLY={NOTEBOOK}")

@@ -21,9 +21,11 @@ from signatures import (
     valid_arguments,
 )
 
-from course_lib import cells, descents, ik, registration, trajectory
+from course_lib import ik, registration, trajectory
 from course_lib.arms import DHRow, SerialArm, panda, planar_arm
-from course_lib.grid_ik import GridIK, planar_forward
+from course_lib.lessons.decomposition_ik import cells
+from course_lib.lessons.decomposition_ik.grid_ik import GridIK, planar_forward
+from course_lib.lessons.panda_dh_ik import descents
 
 ARRAYS = [
     (call, argument)

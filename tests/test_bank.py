@@ -1,6 +1,6 @@
 """Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows no formula.
 
-tests/answers/<notebook>/<exercise>.py holds functions as students write them. Those called
+tests/lessons/<notebook>/answers/<exercise>.py holds functions as students write them. Those called
 right_... are accepted: three at least, different in method or form. Those called wrong_... are
 refused; the first line of their docstring is a phrase of the name that the check gives the mistake,
 the type of the error they end in, or "unnamed" if no known mistake is to be claimed. The mistakes
@@ -26,9 +26,9 @@ from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, j
 from course_lib.checks.naming import attempt, predict
 from course_lib.checks.notebook import describe
 
-BANK = Path(__file__).parent / "answers"
+LESSONS = Path(__file__).parent / "lessons"
 FILES = sorted(
-    BANK.glob("*/*.py")
+    LESSONS.glob("*/answers/*.py")
 )  # by their names, so that nothing is imported that is not asked for
 SEEDS = [PUBLIC_SEED, 7, *range(10_000, 10_000 + int(os.environ.get("SEEDS", 2)) - 2)]
 SLOW = (
@@ -39,8 +39,14 @@ SLOW = (
 )  # whose wrong answers are asked one seed's cases
 MOST_LINES = 24  # of a message
 
+
+def notebook_of(path):
+    """Return the name of the notebook to whose lesson a file of answers belongs."""
+    return path.parents[1].name
+
+
 each_exercise = pytest.mark.parametrize(
-    "path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES]
+    "path", FILES, ids=[f"{notebook_of(path)}-{path.stem}" for path in FILES]
 )
 
 
@@ -52,7 +58,7 @@ def exercise_of(path):
     are judged.
     """
     exercise = importlib.import_module(
-        f"course_lib.checks.exercises.{path.parent.name}.{path.stem}"
+        f"course_lib.lessons.{notebook_of(path)}.exercises.{path.stem}"
     ).EXERCISE
     if exercise.cases is None:
         return exercise
@@ -102,7 +108,7 @@ def _remembering(function):
 @cache
 def answers(path):
     """Return the answers to one exercise: {name: function}."""
-    spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
+    spec = importlib.util.spec_from_file_location(f"{notebook_of(path)}_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return {
@@ -163,9 +169,9 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
     assert not found, "\n".join(found)
     right = sum(name.startswith("right_") for name in answers(path))
     counts = (right, len(answers(path)) - right, len(exercise.mistakes))
-    record_property("bank", (path.parent.name, exercise.name, *map(str, counts)))
+    record_property("bank", (notebook_of(path), exercise.name, *map(str, counts)))
     assert right >= 3, (
-        f"tests/answers/{path.parent.name}/{path.name} holds {right} answers right_...: three at "
+        f"tests/lessons/{notebook_of(path)}/answers/{path.name} holds {right} answers right_...: three at "
         f"least"
     )
 
@@ -258,9 +264,9 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
         assert describe(verdict)
 
 
-@pytest.mark.parametrize("notebook", sorted({path.parent.name for path in FILES}))
+@pytest.mark.parametrize("notebook", sorted({notebook_of(path) for path in FILES}))
 def test_exercises_their_modules_and_their_answers_have_the_same_names(notebook):
-    module = importlib.import_module(f"course_lib.checks.{notebook}")
+    module = importlib.import_module(f"course_lib.lessons.{notebook}.check")
     names = [check.exercise.name for check in module.CHECKS]
     assert [*module.EXERCISES, *getattr(module, "MORE", ())] == names
-    assert {path.stem for path in FILES if path.parent.name == notebook} == set(names)
+    assert {path.stem for path in FILES if notebook_of(path) == notebook} == set(names)

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from course_lib import cells
-from course_lib.checks import decomposition_ik as check
-from course_lib.grid_ik import planar_forward
+from course_lib.lessons.decomposition_ik import cells, check
+from course_lib.lessons.decomposition_ik.grid_ik import planar_forward
 
 BOTH = np.array([[1.0, 1.0], [2.0, -1.0], [1.1, 1.1], [2.1, -1.1], [1.2, 1.0], [2.2, -1.2]])
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from course_lib.arms import planar_arm
-from course_lib.checks.exercises.subproblems_damped_ik.challenge import mean_steps
+from course_lib.lessons.subproblems_damped_ik.exercises.challenge import mean_steps
 
 ARM = planar_arm([1, 1, 1, 1])
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from course_lib import arms, descents, ik, rigid, rotations
+from course_lib import arms, ik, rigid, rotations
+from course_lib.lessons.panda_dh_ik import descents
 
 PANDA = arms.panda()
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])

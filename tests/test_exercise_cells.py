@@ -9,7 +9,7 @@ import nbformat
 import pytest
 
 ROOT = Path(__file__).parents[1]
-BANK = sorted((ROOT / "tests/answers").glob("*/*.py"))
+BANK = sorted((ROOT / "tests/lessons").glob("*/answers/*.py"))
 
 
 def graded(notebook):
@@ -69,9 +69,9 @@ def missing_of(exercise, cells):
     return [what for what, holds in wanted.items() if not holds]
 
 
-@pytest.mark.parametrize("path", BANK, ids=[f"{path.parent.name}-{path.stem}" for path in BANK])
+@pytest.mark.parametrize("path", BANK, ids=[f"{path.parents[1].name}-{path.stem}" for path in BANK])
 def test_task_answer_and_check_fit_the_exercise(path):
-    package = importlib.import_module(f"course_lib.checks.{path.parent.name}")
+    package = importlib.import_module(f"course_lib.lessons.{path.parents[1].name}.check")
     exercise = getattr(package, path.stem).exercise
-    missing = missing_of(exercise, cells_of(path.parent.name))
+    missing = missing_of(exercise, cells_of(path.parents[1].name))
     assert not missing, f"{exercise.name}: " + "; ".join(missing)

@@ -9,18 +9,19 @@ from helpers import ALT, shown
 from matplotlib.figure import Figure
 
 from course_lib import arms, rigid, rotations, trajectory
-from course_lib.figures import decomposition_ik as nb6
-from course_lib.figures import panda_dh_ik as nb5
-from course_lib.figures import poe_kuka_iiwa as nb4
-from course_lib.figures import rigid_motion as nb2
-from course_lib.figures import rotations as nb1
-from course_lib.figures import show, tables
-from course_lib.figures import subproblems_damped_ik as nb3
+from course_lib.figures import show
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import velocities_of_the_tip
 from course_lib.figures.style import plane_figure
 from course_lib.figures.three_views import three_views
 from course_lib.figures.toys.toy import Toy
+from course_lib.lessons.decomposition_ik import figures as nb6
+from course_lib.lessons.panda_dh_ik import figures as nb5
+from course_lib.lessons.panda_dh_ik import tables
+from course_lib.lessons.poe_kuka_iiwa import figures as nb4
+from course_lib.lessons.rigid_motion import figures as nb2
+from course_lib.lessons.rotations import figures as nb1
+from course_lib.lessons.subproblems_damped_ik import figures as nb3
 
 X, Y, Z = np.eye(3)
 R = rotations.random_rotations(200, np.random.default_rng(0))

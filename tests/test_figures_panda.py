@@ -5,8 +5,8 @@ from films import Film
 
 from course_lib import rigid, rotations
 from course_lib.arms import panda
-from course_lib.figures import panda_dh_ik as figures
 from course_lib.figures import solids
+from course_lib.lessons.panda_dh_ik import figures
 
 ARM = panda()
 BASE = np.array([-0.2, 0.13, 0.6])

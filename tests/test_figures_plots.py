@@ -6,11 +6,11 @@ from numpy.testing import assert_allclose
 
 from course_lib import rotations
 from course_lib.arms import planar_arm
-from course_lib.figures import decomposition_ik as nb6
-from course_lib.figures import poe_kuka_iiwa as nb4
-from course_lib.figures import rigid_motion as nb2
-from course_lib.figures import subproblems_damped_ik as nb3
 from course_lib.figures.style import BLUE
+from course_lib.lessons.decomposition_ik import figures as nb6
+from course_lib.lessons.poe_kuka_iiwa import figures as nb4
+from course_lib.lessons.rigid_motion import figures as nb2
+from course_lib.lessons.subproblems_damped_ik import figures as nb3
 from course_lib.planar import interpolate_arm, interpolate_body
 
 N = 31

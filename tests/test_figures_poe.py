@@ -8,8 +8,8 @@ from films import Film
 
 from course_lib import rigid
 from course_lib.arms import iiwa14, ur5e
-from course_lib.figures import poe_kuka_iiwa as figures
 from course_lib.figures import three_views
+from course_lib.lessons.poe_kuka_iiwa import figures
 
 ARMS = {"iiwa": iiwa14(), "ur5e": ur5e()}
 

@@ -6,8 +6,8 @@ from films import Film
 from numpy.testing import assert_allclose
 
 from course_lib import subproblems
-from course_lib.figures import rotations as nb1
-from course_lib.figures import subproblems_damped_ik as figures
+from course_lib.lessons.rotations import figures as nb1
+from course_lib.lessons.subproblems_damped_ik import figures
 from course_lib.rotations import exp_so3, random_rotations
 
 ROUNDED = 2e-3  # pictures keep tenths of a millimetre

@@ -9,8 +9,8 @@ import pytest
 from sklearn.utils.estimator_checks import check_estimator
 
 from course_lib.arms import planar_arm
-from course_lib.checks import decomposition_ik as check
-from course_lib.grid_ik import GridIK, planar_forward
+from course_lib.lessons.decomposition_ik import check
+from course_lib.lessons.decomposition_ik.grid_ik import GridIK, planar_forward
 
 LOW, HIGH = np.deg2rad([0, -90]), np.deg2rad([170, 90])
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
-from test_bank import FILES, exercise_of
+from test_bank import FILES, exercise_of, notebook_of
 
 from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
 from course_lib.checks.write_test import WriteTest
@@ -81,10 +81,10 @@ def parts(exercise):
 # The interrupt for processor time may come while a mutant's objects are deleted, where nothing can
 # catch it.
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-@pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
+@pytest.mark.parametrize("path", FILES, ids=[f"{notebook_of(path)}-{path.stem}" for path in FILES])
 def test_a_mutant_is_refused_or_equal(path, record_property):
     exercise, name = exercise_of(path), path.stem
-    (notebook,) = (found.stem for found in NOTEBOOKS.glob(f"[0-9][0-9]_{path.parent.name}.ipynb"))
+    (notebook,) = (found.stem for found in NOTEBOOKS.glob(f"[0-9][0-9]_{notebook_of(path)}.ipynb"))
     space, sources = solved(notebook)
     judge_of, solution = Judge(exercise, space), Solution(exercise, space, sources)
     assert judge_of.accepts(sources[name])

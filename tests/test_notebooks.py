@@ -32,7 +32,7 @@ pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.st
 
 def checks_of(path):
     """The checks module of a notebook: rotations for 01_rotations."""
-    return importlib.import_module("course_lib.checks." + path.stem.split("_", 1)[1])
+    return importlib.import_module(f"course_lib.lessons.{path.stem[3:]}.check")
 
 
 def code_cells(notebook):
@@ -138,7 +138,7 @@ def test_its_checks_are_those_of_its_package_in_their_order(path):
     notebook = nbformat.read(path, 4)
     cells = graded(notebook)
     checked = [name.removeprefix("check_") for name in cells if name.startswith("check_")]
-    lines = f"course_lib/checks/{path.stem[3:]}.py"
+    lines = f"course_lib/lessons/{path.stem[3:]}/check.py"
     unknown = [f"{name}: {lines} has no line for it" for name in checked if name not in names]
     assert not unknown, "\n" + "\n".join(unknown)
     assert checked == names, (

@@ -79,7 +79,7 @@ def test_holds_what_students_need_and_nothing_else(files):
         r"notebooks/(notation|reports|places|changes)\.md",
         r"notebooks/data/\w+\.(csv|json)",
         r"course_lib/\w+\.py",
-        r"course_lib/(checks|figures)/(\w+/){0,2}\w+\.py",
+        r"course_lib/(checks|figures|lessons)/(\w+/){0,2}\w+\.py",
         r"course_lib/figures/scripts/\w+\.js",
         r"course_lib/jupyter/(labconfig/page|jupyter_server)_config\.json",
         r"course_lib/pack/environment\.sh",
@@ -198,7 +198,7 @@ def test_without_more_its_cells_and_what_names_them_are_left_out(folded, tmp_pat
     )
     with zipfile.ZipFile(tmp_path / "without.zip") as archive:
         archive.extractall(tmp_path)
-    code = "from course_lib.checks import rotations as check; check.progress()"
+    code = "from course_lib.lessons.rotations import check; check.progress()"
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / top)}
     done = subprocess.run(
         [sys.executable, "-c", code], env=environment, capture_output=True, text=True

@@ -5,14 +5,14 @@ import re
 import nbformat
 import pytest
 from leaks import ROOT, answer_cells, secrets, texts
-from test_bank import FILES, exercise_of
+from test_bank import FILES, exercise_of, notebook_of
 
 from course_lib.pack.release.bundle import collect
 
 
 def may_say(exercise, name):
     """Whether a file may hold lines of a solution: the exercise's own check, which knows the answer."""
-    own = re.fullmatch(r"course_lib/checks/exercises/\w+/(\w+)\.py", name)
+    own = re.fullmatch(r"course_lib/lessons/\w+/exercises/(\w+)\.py", name)
     return own is not None and own[1] in (exercise, f"{exercise}_mistakes")
 
 
@@ -62,7 +62,7 @@ def test_no_solution_and_no_word_of_a_model_answer_or_rubric_goes_out(found, exe
     assert not own, f"\n{lines}\nSay it otherwise in one of the two."
 
 
-@pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}-{path.stem}" for path in FILES])
+@pytest.mark.parametrize("path", FILES, ids=[f"{notebook_of(path)}-{path.stem}" for path in FILES])
 def test_no_hint_but_the_last_holds_a_line_of_the_solution(wanted, path):
     hints = {f"hint {k}": hint.encode() for k, hint in enumerate(exercise_of(path).hints[:-1], 1)}
     own = {secret: name for secret, name in wanted.items() if name == path.stem}

@@ -84,7 +84,7 @@ def test_every_cell_runs_and_checks_say_not_attempted_yet_and_later_what_is_wron
     outputs = [output for cell in notebook.cells for output in cell.outputs]
     assert [output.text for output in outputs if output.get("name") == "stderr"] == []
 
-    package = importlib.import_module(f"course_lib.checks.{name[3:].removesuffix('.ipynb')}")
+    package = importlib.import_module(f"course_lib.lessons.{name[3:].removesuffix('.ipynb')}.check")
     exercises = [check.exercise for check in package.CHECKS]
     checks = [cell for cell in notebook.cells if points(cell)]
     assert [cell.metadata.nbgrader.grade_id for cell in checks] == [

@@ -10,8 +10,8 @@ from py_mini_racer import MiniRacer
 from course_lib import ik, registration, rigid, rotations
 from course_lib.arms import SerialArm, panda, planar_arm, ur5e
 from course_lib.figures.solids import meshes
-from course_lib.figures.toys.alive import SPOTS
 from course_lib.figures.toys.toy import SCRIPTS
+from course_lib.lessons.panda_dh_ik.toys import SPOTS
 from course_lib.planar import (
     interpolate_body_screw,
     pose_matrix,

@@ -5,8 +5,8 @@ import pytest
 from scipy.stats import chisquare, kstest
 
 from course_lib import rotations
-from course_lib.checks import rotations as check
-from course_lib.checks.exercises.rotations.sampling import (
+from course_lib.lessons.rotations import check
+from course_lib.lessons.rotations.exercises.sampling import (
     angle_p_value,
     arvo,
     axis_p_value,

@@ -1,1 +1,4 @@
-"""Checks of the exercises, one package a notebook: ``from course_lib.checks import rotations as check``."""
+"""The engine that judges the answers to exercises, and shows verdicts, hints and predictions in a notebook.
+
+The exercises themselves are in `course_lib.lessons`.
+"""

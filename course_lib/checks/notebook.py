@@ -41,7 +41,7 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     Parameters
     ----------
     module : str
-        The notebook's module in course_lib.checks. The folder of the same name in `exercises` has a
+        The module `check` of a lesson. The folder of the same name in `exercises` has a
         module for each exercise, which holds it as EXERCISE.
     exercises : tuple of str
         The names of the core's exercises, in the order of the notebook.
@@ -56,7 +56,7 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     -------
     dict
     """
-    folder = module.replace("course_lib.checks.", "course_lib.checks.exercises.")
+    folder = f"{module.rpartition('.')[0]}.exercises"
     checks = [
         Check(importlib.import_module(f"{folder}.{name}").EXERCISE) for name in exercises + more
     ]

@@ -10,7 +10,7 @@ from course_lib.figures.display import show
 from course_lib.figures.plots import lines
 
 _TOYS = {  # by the module of course_lib.figures.toys in which they are
-    "alive": ("alive", "click", "drive", "fly", "reach", "table"),
+    "alive": ("alive", "drive", "fly", "reach", "table"),
     "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
     "orientation": ("circles_toy", "orientation_toy"),
     "plane": ("cells_toy", "planar_arm_toy", "two_poses_toy"),

@@ -23,7 +23,14 @@ ROOT = Path(__file__).parents[3]
 @functools.cache
 def course_hash():
     """Return a hash of all that a result depends on except submission and seed: the package and the notebooks."""
-    parts = "*.py", "checks/**/*.py", "figures/**/*.py", "pack/*.py", "pack/grade/*.py"
+    parts = (
+        "*.py",
+        "checks/**/*.py",
+        "figures/**/*.py",
+        "lessons/**/*.py",
+        "pack/*.py",
+        "pack/grade/*.py",
+    )
     package = [path for part in parts for path in (ROOT / "course_lib").glob(part)]
     notebooks = [*ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"), *ROOT.glob("notebooks/data/*.*")]
     digest = hashlib.sha256()

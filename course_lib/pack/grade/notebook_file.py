@@ -174,7 +174,7 @@ def courses():
     found = {}
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
         package = path.stem.partition("_")[2]
-        checks = importlib.import_module(f"course_lib.checks.{package}").CHECKS
+        checks = importlib.import_module(f"course_lib.lessons.{package}.check").CHECKS
         exercises = tuple(check.exercise for check in checks)
         book = nbformat.v4.reads_json(path.read_text(encoding="utf-8"))
         named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]

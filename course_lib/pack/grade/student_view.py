@@ -16,6 +16,19 @@ PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
 ASKING = ("call_student.py", "wire.py", "adapters.py")
 SCRIPTS = ("runner.py", "statements.py", "confine.py")
+DRAWING = (
+    "figures",
+    "tables",
+    "toys",
+)  # modules of a lesson in which nothing is computed that counts
+# Where releases before 1.2 had the mathematics that one lesson needs: what was handed in with one is
+# graded as well.
+FORMER_NAMES = {
+    "cells": "decomposition_ik",
+    "grid_ik": "decomposition_ik",
+    "descents": "panda_dh_ik",
+    "pick": "panda_dh_ik",
+}
 
 TAKEN = '''
 def {name}(*arguments, **named):
@@ -82,6 +95,7 @@ def dotted_name(function):
     module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
     own = (
         module.startswith("course_lib.checks")
+        or ".exercises." in module
         or not module.startswith("course_lib.")
         or "." in name
     )
@@ -105,22 +119,31 @@ def contents(checks, forbidden):
     files |= {
         f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING
     }
-    for path in PACKAGE.glob("*.py"):
-        dotted = frozenset(
-            name for name in forbidden if name.startswith(f"course_lib.{path.stem}.")
-        )
-        files[f"course_lib/{path.name}"] = without(path, dotted)
     asked = {exercise.name for exercises in checks.values() for exercise in exercises}
-    beside = [
-        path for path in (PACKAGE / "checks/exercises").rglob("*.py") if path.stem not in asked
-    ]
-    for path in [*(PACKAGE / "figures").rglob("*.py"), *beside]:
-        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = QUIET.format(
-            library={}
-        ).encode()
+    quiet = QUIET.format(library={}).encode()
+    lessons = PACKAGE / "lessons"
+    drawing = [path for path in lessons.glob("*/*.py") if path.stem in DRAWING]
+    exercises_beside = [path for path in lessons.glob("*/exercises/*.py") if path.stem not in asked]
+    for path in [*(PACKAGE / "figures").rglob("*.py"), *drawing, *exercises_beside]:
+        files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = quiet
+    judging = [path for path in lessons.glob("*/check.py")]
+    mathematics = [*PACKAGE.glob("*.py"), *lessons.glob("*.py"), *lessons.glob("*/*.py")]
+    for path in mathematics:
+        if path in drawing or path in judging:
+            continue
+        place = path.relative_to(PACKAGE)
+        module = ".".join(("course_lib", *place.with_suffix("").parts))
+        dotted = frozenset(name for name in forbidden if name.startswith(f"{module}."))
+        files[f"course_lib/{place.as_posix()}"] = without(path, dotted)
     for package, exercises in checks.items():
         library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
-        files[f"course_lib/checks/{package}/__init__.py"] = QUIET.format(library=library).encode()
+        stand_in = QUIET.format(library=library).encode()
+        files[f"course_lib/lessons/{package}/check.py"] = stand_in
+        files[f"course_lib/checks/{package}.py"] = stand_in
+        files[f"course_lib/figures/{package}.py"] = quiet
+    for name, lesson in FORMER_NAMES.items():
+        moved = f"from course_lib.lessons.{lesson}.{name} import *\n"
+        files[f"course_lib/{name}.py"] = moved.encode()
     modules = {
         path: source
         for path, source in files.items()
@@ -149,14 +172,17 @@ def compiled(source):
 
 @functools.cache
 def without(path, dotted):
-    """Return the source of a module in which the dotted names raise, without the helpers that only they used."""
+    """Return the source of a module in which the dotted names raise.
+
+    Helpers that only they used are gone, too.
+    """
     source = path.read_text(encoding="utf-8")
     if not dotted:
         return source.encode()
+    module = ".".join((PACKAGE.name, *path.relative_to(PACKAGE).with_suffix("").parts))
     tree, names = ast.parse(source), {name.rpartition(".")[2] for name in dotted}
     taken = {
-        name: ast.parse(TAKEN.format(name=name, dotted=f"course_lib.{path.stem}.{name}")).body
-        for name in names
+        name: ast.parse(TAKEN.format(name=name, dotted=f"{module}.{name}")).body for name in names
     }
     used = _still_used(tree, names)
     body = []

@@ -10,8 +10,8 @@ from unittest import mock
 import numpy as np
 from nbformat import NotebookNode
 
-from course_lib.checks import rotations
 from course_lib.figures.display import TOY
+from course_lib.lessons.rotations import check
 from course_lib.pack.site import COVER, HOME
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
@@ -198,7 +198,7 @@ def _check_of(answer: str) -> str:
     """Return as HTML what the check says of an answer to an exercise of the first notebook."""
     outputs = []
     with mock.patch("IPython.display.display", lambda data, **options: outputs.append(data)):
-        exec(answer, {"np": np, "check": rotations})
+        exec(answer, {"np": np, "check": check})
     # An empty line would end the HTML, and nothing changes here that would have to be read out.
     return outputs[-1]["text/html"].replace("\n", "<br>").replace(' role="status"', "")
 

@@ -1,1 +1,0 @@
-"""The exercises, a folder for each notebook and a module for each exercise."""

@@ -1,0 +1,219 @@
+"""fit_cells: in each cell and for each branch an affine model of the joint angles."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_angles
+from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, with_one
+from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
+
+_COUNT = Mistake(
+    "count is not used for the number of cells",
+    "May the last cells be empty? How many models are asked?",
+)
+_EMPTY = Mistake(
+    "a model is fitted to a cluster without samples", "How many samples does a model need at least?"
+)
+
+
+def _both(rng, middle, up, down):
+    """Positions and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
+
+    The first three of each lie near three corners of the cell, so that they determine a plane well.
+    """
+    corners = np.array([[-1, -1], [1, -0.9], [-0.8, 1]])
+    xy = [
+        np.concatenate([corners * rng.uniform(0.9, 1, (3, 1)), rng.uniform(-1, 1, (n, 2))])[:n]
+        for n in (up, down)
+    ]
+    xy = middle + 0.16 * np.concatenate(xy)
+    return xy, two_link_angles(xy)[np.arange(len(xy)), np.repeat([0, 1], [up, down])]
+
+
+def _one_elbow(rng, middle, elbow, n):
+    """Samples of a cell that holds one elbow only: a small lump near to the base, a large one far
+    from it."""
+    outward = np.array(middle) / np.linalg.norm(middle)
+    far = np.repeat([-1, 1], [n // 4, n - n // 4])
+    xy = middle + 0.16 * far[:, None] * outward + rng.uniform(-0.04, 0.04, (n, 2))
+    return xy, two_link_angles(xy)[:, elbow]
+
+
+def _mixed(rng, count, **cells):
+    """The arguments for some cells {c0: samples, ...}, none: outside; the samples stand in any
+    order."""
+    xy, q = (np.concatenate([samples[i] for samples in cells.values()]) for i in (0, 1))
+    numbered = [-1 if name == "none" else int(name[1:]) for name in cells]
+    cell = np.repeat(numbered, [len(samples[0]) for samples in cells.values()])
+    order = rng.permutation(len(cell))
+    return xy[order], q[order], cell[order], count
+
+
+def _cases(rng):
+    """Every pair of clusters lies so far apart that there is no doubt about them."""
+    a, b, c, d = (0.9, 1.3), (-0.2, 1.6), (1.2, 1.0), (-0.9, 1.4)
+    few = {
+        "c0": _both(rng, (0.5, 1.4), 1, 0),
+        "c1": _both(rng, b, 1, 1),
+        "c2": _both(rng, c, 3, 16),
+    }
+    few |= {"c3": _both(rng, d, 8, 2), "c4": _both(rng, a, 4, 5)}
+    return [
+        _mixed(rng, 1, c0=_both(rng, a, 12, 12)),
+        _mixed(rng, 1, none=_both(rng, b, 12, 12)),
+        _mixed(rng, 1, c0=_both(rng, b, 22, 2)),
+        _mixed(rng, 1, c0=_both(rng, d, 1, 22)),
+        _mixed(rng, 1, c0=_both(rng, c, 20, 3)),
+        _mixed(rng, 1, c0=_one_elbow(rng, (0.5, 1.5), 0, 24)),
+        _mixed(rng, 1, c0=_one_elbow(rng, (-0.4, 1.5), 1, 25), none=_both(rng, (0.3, 1.55), 8, 8)),
+        _mixed(
+            rng,
+            4,
+            c0=_both(rng, a, 9, 7),
+            c2=_both(rng, b, 8, 11),
+            none=_both(rng, (0.3, 1.55), 8, 8),
+        ),
+        _mixed(
+            rng,
+            4,
+            c3=_both(rng, c, 9, 9),
+            c1=_both(rng, d, 14, 6),
+            none=_both(rng, (1.1, 1.15), 5, 5),
+        ),
+        _mixed(rng, 5, **few),
+    ]
+
+
+def _least_squares(xy, q):
+    return np.linalg.lstsq(with_one(xy)[:, [1, 2, 0]], q, rcond=None)[0].T
+
+
+def _linear_regression(xy, q):
+    """Return what LinearRegression finds, also for one or two samples, but faster."""
+    middle, mean = xy.mean(0), q.mean(0)
+    A = np.linalg.lstsq(xy - middle, q - mean, rcond=1e-6)[0].T  # its tol
+    return np.column_stack([A, mean - A @ middle])
+
+
+def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, least=3):
+    """Return the models (count, 2, 2, 3) of the clusters of cells; NaN for those of fewer samples
+    than `least`."""
+    models = np.full((count, 2, 2, 3), np.nan)
+    for c in range(count):
+        own = np.flatnonzero(cell == c)
+        labels = np.asarray(split(q[own]), int)
+        for k in (0, 1):
+            chosen = own[labels == k]
+            if len(chosen) >= least:
+                models[c, k] = fit(xy[chosen], q[chosen])
+    return models
+
+
+def _tell(index, models, xy, q, cell, count):
+    c, k, j, _ = index
+    n = np.sum(split_branches(q[cell == c]) == k)
+    return (
+        f"Samples of cluster {k} in cell {c}: {n}. Your row for q{j + 1} there is "
+        f"{format_tuple(models[c, k, j])}."
+    )
+
+
+def _far_off(models, right):
+    return ~np.isnan(right) & (np.abs(models - right) > 1e-7 * (1 + np.abs(right)))
+
+
+EXERCISE = Exercise(
+    name="fit_cells",
+    points=3,
+    arguments=("xy", "q", "cell", "count"),
+    cases=_cases,
+    returns=numbers(
+        lambda xy, q, cell, count: (count, 2, 2, 3),
+        lambda array, *case: (
+            _COUNT if array.shape[1:] == (2, 2, 3) and len(array) < case[-1] else None
+        ),
+        gaps=True,
+    ),
+    library=fit_cells,
+    tries_arguments=False,
+    properties=(
+        no_number(
+            no_gap,
+            "a cluster with fewer than 3 samples has no model: all 6 numbers are nan",
+            fit_cells,
+            _tell,
+            Mistake(
+                "a cluster of too few samples has a model",
+                "Do you count those of the cluster, or of the cell?",
+            ),
+        ),
+        no_number(
+            lambda a, b: no_gap(b, a),
+            "a cluster with 3 samples or more has a model",
+            fit_cells,
+            _tell,
+            Mistake(
+                "a cluster with enough samples has no model",
+                "Is each cluster of each cell asked by itself?",
+            ),
+        ),
+        no_number(
+            _far_off,
+            "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples",
+            fit_cells,
+            _tell,
+            Mistake(
+                "a model is not that of its own samples",
+                "What is fitted to what, for which cell and cluster?",
+            ),
+        ),
+    ),
+    errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
+    hints=(
+        "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",
+        "own = cell == c gives the samples of the cell; labels = split_branches(q[own]) their "
+        "clusters.",
+        "For k in (0, 1): in_k = labels == k. With fewer than 3 samples, continue: the nan stays.",
+        "fit = LinearRegression().fit(xy[own][in_k], q[own][in_k]).",
+        "models[c, k, :, :2] = fit.coef_ and models[c, k, :, 2] = fit.intercept_.",
+    ),
+    forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
+)
+
+
+@EXERCISE.mistake(
+    fit=(
+        lambda xy, q: np.column_stack(
+            [_least_squares(xy, q)[:, :2].T, _least_squares(xy, q)[:, 2]]
+        ),
+        lambda xy, q: _least_squares(xy, q).T.reshape(2, 3),
+        lambda xy, q: _least_squares(xy[:, ::-1], q),
+        lambda xy, q: _least_squares(xy, q)[:, [2, 0, 1]],
+    )
+)
+def another_order(*case, fit):
+    """the coefficients stand in another order.
+
+    Which row belongs to q1, which column to x, which is the intercept?
+    """
+    return fit_cells(*case, fit=fit)
+
+
+@EXERCISE.mistake
+def outside_in_the_last_cell(xy, q, cell, count):
+    """the samples outside all cells, with number -1, go into the last cell.
+
+    Which entry of an array has index -1?
+    """
+    return fit_cells(xy, q, cell % count, count)
+
+
+@EXERCISE.mistake(least=(1, 2, 4), fit=(_linear_regression, _least_squares))
+def another_limit(*case, least, fit):
+    """the number of samples that a model needs is not 3.
+
+    Has a cluster of exactly 2 a model, and one of exactly 3?
+    """
+    return fit_cells(*case, fit=fit, least=least)

@@ -1,0 +1,94 @@
+"""fit_joint_cells: in each cell of joint space an affine model of the position."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_tip
+from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one
+
+
+def _affine(q, xy):
+    return np.linalg.lstsq(with_one(q)[:, [1, 2, 0]], xy, rcond=None)[0].T
+
+
+def fit_joint_cells(q, xy, cell, count, fit=_affine, least=3):
+    """Return the models (count, 2, 3) of the cells; NaN for those of fewer samples than `least`."""
+    models = np.full((count, 2, 3), np.nan)
+    for c in range(count):
+        own = cell == c
+        if own.sum() >= least:
+            models[c] = fit(q[own], xy[own])
+    return models
+
+
+def _case(rng, *sizes):
+    """Samples of as many cells, in any order; the first three of each determine a plane well."""
+    square = np.array([[-0.1, -0.1], [0.1, -0.08], [-0.09, 0.1]])
+    middles = rng.uniform([0.3, -1.3], [2.6, 1.3], (len(sizes), 2))
+    q = [
+        m + np.r_[square, rng.uniform(-0.1, 0.1, (n, 2))][:n]
+        for m, n in zip(middles, sizes, strict=True)
+    ]
+    cell, q = np.repeat(np.arange(len(sizes)), sizes), np.concatenate(q)
+    order = rng.permutation(len(cell))
+    return q[order], two_link_tip(q[order]), cell[order], len(sizes)
+
+
+def _judged(is_wrong, text, name, hint):
+    return no_number(is_wrong, text, fit_joint_cells, _tell, Mistake(name, hint))
+
+
+def _tell(index, models, q, xy, cell, count):
+    c, i, _ = index
+    return (
+        f"Samples in cell {c}: {np.sum(cell == c)}. Your row for {'xy'[i]} there is "
+        f"{format_tuple(models[c, i])}."
+    )
+
+
+EXERCISE = Exercise(
+    name="fit_joint_cells",
+    points=1,
+    arguments=("q", "xy", "cell", "count"),
+    cases=lambda rng: [
+        _case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))
+    ],
+    returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
+    library=fit_joint_cells,
+    tries_arguments=False,
+    properties=(
+        _judged(
+            no_gap,
+            "a cell with fewer than 3 samples has no model: all 6 numbers are nan",
+            "a cell of too few samples has a model",
+            "How many samples of its own has each cell?",
+        ),
+        _judged(
+            lambda a, b: no_gap(b, a),
+            "a cell with 3 samples or more has a model",
+            "a cell with enough samples has no model",
+            "Does your loop go on after a cell without a model?",
+        ),
+        _judged(
+            lambda a, b: off(a / 100, b / 100),
+            "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit",
+            "a model is not that of its own samples",
+            "What is fitted to what, and for which cell?",
+        ),
+    ),
+    hints=(
+        "models = np.full((count, 2, 3), np.nan), and then a loop over the cells, as in fit_cells.",
+        "own = cell == c; what is fitted is the position, xy[own], and its arguments are the "
+        "angles, q[own].",
+        "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ beside "
+        "line.intercept_.",
+    ),
+)
+
+
+@EXERCISE.mistake
+def angles_from_positions(q, xy, cell, count):
+    """angles are fitted to positions, as in fit_cells. Which of the two is to be predicted here?"""
+    return fit_joint_cells(xy, q, cell, count)

@@ -1,0 +1,132 @@
+"""fk_2r: the position of the tip of a planar arm with two links of one metre."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import two_link_tip
+
+_FIRST_ROWS = Mistake(
+    "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
+    "Along which axis do the two angles of a pair lie? The dots in q[..., 0] stand for all axes "
+    "before it.",
+)
+_COLUMNS_ONLY = Mistake(
+    "q[:, 0] asks for a list of pairs: a single pair has no rows",
+    "Which index takes the first angle of a single pair, and of each pair in a batch?",
+)
+
+
+def _cases(rng):
+    quarter = np.pi / 2
+    named = [[0.0, 0], [quarter, 0], [0, quarter], [0, -quarter], [quarter, quarter], [0.0, np.pi]]
+    drawn = np.round(np.array([[0.4, 0.7], [1.9, -1.2]]) + rng.uniform(-0.2, 0.2, (2, 2)), 2)
+    low, high = np.deg2rad([0, -90]), np.deg2rad([170, 90])
+    batches = [rng.uniform(low, high, (*batch, 2)) for batch in [(5,), (2,), (2, 3), (2, 0)]]
+    return [
+        (q,)
+        for q in [
+            *map(np.array, named),
+            *drawn,
+            *batches,
+            [quarter, quarter],
+            np.array([1, 2]),
+            np.array([[1, 0], [0, 2]]),
+        ]
+    ]
+
+
+def _first_rows(q):
+    q1, q2 = q[0], q[1]
+    return np.array([np.cos(q1) + np.cos(q1 + q2), np.sin(q1) + np.sin(q1 + q2)])
+
+
+def _known_form(array, q):
+    rows = _first_rows(q)
+    return (
+        _FIRST_ROWS
+        if np.ndim(q) > 1 and (same(array, rows) or same(array, np.moveaxis(rows, 0, -1)))
+        else None
+    )
+
+
+def _elbow(q):
+    q1 = np.asarray(q, float)[..., 0]
+    return np.stack([np.cos(q1), np.sin(q1)], -1)
+
+
+def _tell(found, q):
+    """The angles for which the position is farthest from where it should be."""
+    k = np.argmax(np.linalg.norm(found - two_link_tip(q), axis=-1))
+    angles, tip = np.reshape(q, (-1, 2))[k], found.reshape(-1, 2)[k]
+    elbow = round(float(np.linalg.norm(tip - _elbow(angles))), 9)
+    return (
+        f"For q = {format_tuple(angles)} yours is {format_tuple(np.round(tip, 9))}: {elbow:.4g} m "
+        f"from the elbow."
+    )
+
+
+EXERCISE = Exercise(
+    name="fk_2r",
+    points=1,
+    arguments=("q",),
+    cases=_cases,
+    returns=numbers(np.shape, _known_form, exact=True),
+    library=two_link_tip,
+    properties=(
+        Property(
+            "with both angles zero the arm is stretched along x: the tip is at (2, 0)",
+            lambda found, q: np.allclose(found, [2, 0], rtol=0, atol=1e-9),
+            where=lambda q: np.size(q) > 0 and not np.any(q),
+        ),
+        Property(
+            "the tip is 1 m from the elbow, which is 1 m from the base in the direction q1",
+            lambda found, q: np.allclose(
+                np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9
+            ),
+            says=_tell,
+            mistake=Mistake(
+                "the second link is not 1 m long", "Which angle belongs to its cosine and sine?"
+            ),
+        ),
+        Property(
+            "the second link bends by q2 from the direction of the first, counter-clockwise",
+            lambda found, q: np.allclose(found, two_link_tip(q), rtol=0, atol=1e-9),
+            says=_tell,
+        ),
+    ),
+    hints=(
+        "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
+        "q2 is counted from the first link, so the second one points in the direction q1 + q2.",
+        "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
+        "puts x and y back at the end.",
+    ),
+    forbidden=(
+        "course_lib.arms.SerialArm",
+        "course_lib.arms.planar_arm",
+        "course_lib.lessons.decomposition_ik.grid_ik.planar_forward",
+    ),
+    errors=(
+        ("IndexError", "too many indices", _COLUMNS_ONLY),
+        ("ValueError", "values to unpack", _FIRST_ROWS),
+    ),
+)
+
+
+@EXERCISE.mistake(
+    direction=(
+        lambda q1, q2: q2,
+        lambda q1, q2: q1 - q2,
+        lambda q1, q2: q2 - q1,
+        lambda q1, q2: 2 * q1 + q2,
+    )
+)
+def second_direction(q, direction):
+    """the second link has another direction than q1 + q2.
+
+    From which direction is q2 counted, and which way round?
+    """
+    q = np.asarray(q, float)
+    second = direction(q[..., 0], q[..., 1])
+    return _elbow(q) + np.stack([np.cos(second), np.sin(second)], -1)

@@ -1,0 +1,97 @@
+"""newton_step: one step of Newton's method from approximate joint angles towards a position."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
+
+
+def _jacobian(q):
+    """The derivatives (2, 2) of x and y by the two joint angles."""
+    first, both = q[0], q[0] + q[1]
+    second = np.array([-np.sin(both), np.cos(both)])
+    return np.column_stack([np.array([-np.sin(first), np.cos(first)]) + second, second])
+
+
+def newton_step(q, xy, jacobian=_jacobian, solve=np.linalg.solve):
+    """Return the joint angles (2,) after one Newton step from q (2,) towards the position xy
+    (2,)."""
+    return q + solve(jacobian(q), xy - two_link_tip(q))
+
+
+def _cases(rng):
+    simple = np.array([0.0, np.pi / 2]), np.array([1.1, 1.0])
+    there = np.array([0.3, -1.2])
+    xy = np.stack([np.cos(a := rng.uniform(0.3, 2.4, 4)), np.sin(a)], -1) * rng.uniform(
+        1.4, 1.8, (4, 1)
+    )
+    elbow = two_link_angles(xy)[np.arange(4), [0, 1, 0, 1]]
+    near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
+    return [simple, *zip(near_ones, xy, strict=True), (there, two_link_tip(there))]
+
+
+EXERCISE = Exercise(
+    name="newton_step",
+    points=2,
+    arguments=("q", "xy"),
+    cases=_cases,
+    returns=numbers(lambda q, xy: (2,)),
+    library=newton_step,
+    properties=(
+        Property(
+            "if q leads to xy already, it stays as it is",
+            lambda answer, q, xy: near(answer, q),
+            where=lambda q, xy: near(two_link_tip(q), xy),
+        ),
+        Property(
+            "J times the change of q is p - f(q)",
+            lambda answer, q, xy: near(answer, newton_step(q, xy)),
+            mistake=Mistake(
+                "the step is not J^-1 (p - f(q))", "Differentiate x and y. Is J inverted as it is?"
+            ),
+        ),
+    ),
+    hints=(
+        "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times "
+        "the step.",
+        "The first row of J holds the derivatives of x = cos(q1) + cos(q1 + q2), the second those "
+        "of y.",
+        "np.linalg.solve(J, residual) is the change of q.",
+    ),
+    forbidden=("course_lib.lessons.decomposition_ik.grid_ik.planar_forward",),
+)
+
+
+@EXERCISE.mistake(
+    solve=(
+        lambda J, e: np.linalg.solve(J.T, e),
+        lambda J, e: J.T @ e,
+        lambda J, e: J @ e,
+        lambda J, e: (1 / J) @ e,
+    )
+)
+def no_inverse(q, xy, solve):
+    """J is not inverted as it stands.
+
+    Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?
+    """
+    return newton_step(q, xy, solve=solve)
+
+
+@EXERCISE.mistake(
+    jacobian=(
+        lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),
+        lambda q: _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0],
+        lambda q: (
+            _jacobian(q)[:, 1:] * [1, 1] + (_jacobian(q)[:, :1] - _jacobian(q)[:, 1:]) * [0, 1]
+        ),
+        lambda q: _jacobian(q)[:, ::-1],
+    )
+)
+def another_jacobian(q, xy, jacobian):
+    """a column of J is not the derivative by its angle.
+
+    Which links move with q1, which with q2, and which way?
+    """
+    return newton_step(q, xy, jacobian)

@@ -1,0 +1,133 @@
+"""predict: what the models of a position's cell say about its joint angles."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
+
+_ONE = Mistake(
+    "only one pair of angles is predicted for each query", "How many branches are there?"
+)
+_ALL = Mistake(
+    "the models of each query meet all positions",
+    "Which products of A @ xy.T belong to their own query?",
+)
+_LEFT_OUT = Mistake(
+    "queries without a cell are left out", "What stands in row i if query i has no cell?"
+)
+
+
+def predict(models, cell, xy, affine=None):
+    """Return the angles (m, 2, 2) of both clusters, nan where there is no cell or no model."""
+    angles = (affine or _affine)(models[cell], np.asarray(xy, float))
+    angles[cell < 0] = np.nan
+    return angles
+
+
+def _affine(models, xy):
+    return np.einsum("mkji,mi->mkj", models[..., :2], xy) + models[..., 2]
+
+
+def _some_models(rng, count, without=()):
+    """Models of `count` cells; without: the (c, k) that have none."""
+    found = rng.normal(size=(count, 2, 2, 3))
+    found += np.where(found < 0, -0.2, 0.2)  # a factor of zero would hide a mistake
+    for position in without:
+        found[position] = np.nan
+    return found
+
+
+def _positions(rng, m):
+    return np.round(rng.uniform((-1.5, 0.2), (1.5, 1.9), (m, 2)), 2)
+
+
+def _cases(rng):
+    several, more = (
+        _some_models(rng, 4, [(1, 1), (2, 0)]),
+        _some_models(rng, 5, [(0, 0), (3, 0), (3, 1)]),
+    )
+    many = np.concatenate([rng.permutation([-1, 0, 1, 2, 3, 4]), rng.integers(-1, 5, 6)])
+    return [
+        (np.round(_some_models(rng, 1), 2), np.array([0, 0]), np.array([[1.0, 0], [0.5, 2]])),
+        (_some_models(rng, 1), np.array([0]), _positions(rng, 1)),
+        (_some_models(rng, 1), np.array([-1]), _positions(rng, 1)),
+        (_some_models(rng, 1, [(0, 1)]), np.array([0]), _positions(rng, 1)),
+        (_some_models(rng, 1, [(0, 0)]), np.array([0, -1]), _positions(rng, 2)),
+        (several, np.array([3, 0, 1]), _positions(rng, 3)),
+        (several, np.array([2, -1, 3]), _positions(rng, 3)),
+        (several, np.array([1, 2]), np.array([[1, 1], [-1, 2]])),
+        (more, many, _positions(rng, 12)),
+        (more, np.array([-1, -1]), _positions(rng, 2)),
+    ]
+
+
+def _known_form(array, models, cell, xy):
+    m = len(cell)
+    return {(m, 2): _ONE, ((cell >= 0).sum(), 2, 2): _LEFT_OUT, (m, 2, 2, m): _ALL}.get(array.shape)
+
+
+def _tell(index, angles, models, cell, xy):
+    i, k, j = index
+    row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
+    said = (
+        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster "
+        f"{k}: {row}."
+    )
+    return f"{said} Yours is {angles[i, k, j]:.4g}."
+
+
+EXERCISE = Exercise(
+    name="predict",
+    points=2,
+    arguments=("models", "cell", "xy"),
+    cases=_cases,
+    returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), _known_form, gaps=True),
+    library=predict,
+    properties=(
+        no_number(
+            off,
+            "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster",
+            predict,
+            _tell,
+            Mistake(
+                "a prediction is not that of its own model",
+                "models[c, k, j] is of cell c, cluster k, angle j.",
+            ),
+        ),
+        no_number(
+            no_gap,
+            "if there is no cell or no model, there is no prediction: nan",
+            predict,
+            _tell,
+            Mistake(
+                "a missing model is answered",
+                "What does nan times a number give, and does your code keep it?",
+            ),
+        ),
+    ),
+    hints=(
+        "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] "
+        ">= 0.",
+        "A = models[cell[i], k] has two rows: angles[i, k] = A[:, :2] @ xy[i] + A[:, 2].",
+        "If a model holds nan, so does the product: that case needs no line of its own.",
+        'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj", models[cell[inside]][..., :2], xy[inside]).',
+    ),
+    forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
+)
+
+
+@EXERCISE.mistake(at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)))
+def another_cell(models, cell, xy, at):
+    """a query without a cell gets another cell's models. What does the index -1 mean in Python?"""
+    return _affine(models[at(cell)], xy)
+
+
+@EXERCISE.mistake
+def intercept_forgotten(*case):
+    """the intercept is forgotten.
+
+    How many numbers has a row of a model, and what does each multiply?
+    """
+    return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))

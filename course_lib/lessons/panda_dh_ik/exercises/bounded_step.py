@@ -1,0 +1,138 @@
+"""bounded_step: joint velocities within bounds that come closest to an end-effector velocity."""
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import away_from_zero, remembered
+from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, panda_jacobian
+
+_FLAT = np.array([[1.0, 1, 0], [0, 1, 1]])
+
+
+def _stacked(J, v, eps):
+    n = J.shape[1]
+    return np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n))
+
+
+def _free(J, v, bound, eps):
+    return np.linalg.lstsq(*_stacked(J, v, eps))[0]
+
+
+@remembered
+def right(J, v, bound, eps):
+    """Return the right answer, by scipy's solver for linear least squares with bounds."""
+    return lsq_linear(*_stacked(J, v, eps), bounds=(-bound, bound), method="bvls", tol=1e-14).x
+
+
+def _cost(q_dot, J, v, bound, eps):
+    return ((J @ q_dot - v) ** 2).sum() + eps * (q_dot**2).sum()
+
+
+def _case(rng, J, bound, eps):
+    """Return a case in which some joints are at their bounds, some are not, and clipping afterwards
+    is worse."""
+    while True:
+        case = J, np.round(rng.uniform(-1, 1, len(J)), 2), bound, eps
+        best, clipped = right(*case), np.clip(_free(*case), -bound, bound)
+        at_bound = np.abs(best) > bound - 1e-9
+        if (
+            at_bound.any()
+            and not at_bound.all()
+            and _cost(clipped, *case) > 1.02 * _cost(best, *case) + 1e-4
+        ):
+            return case
+
+
+def _cases(rng):
+    drawn = [
+        _case(rng, away_from_zero(rng, (m, n)), bound, eps)
+        for m, n, bound, eps in ((2, 3, 0.3, 0.01), (2, 4, 0.2, 0.3))
+    ]
+    q = np.round(rng.uniform(LOW, HIGH, (2, 7)), 2)
+    drawn += [
+        _case(rng, panda_jacobian(each), bound, 0.01)
+        for each, bound in zip(q, (0.5, 0.8), strict=True)
+    ]
+    free = [
+        (_FLAT, np.array([0.3, 0.2]), 1.0, 0.1),
+        (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02),
+    ]
+    return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]
+
+
+def _alike(answer, predicted, *case):
+    return np.shape(answer) == np.shape(predicted) and np.allclose(answer, predicted, atol=1e-4)
+
+
+EXERCISE = Exercise(
+    name="bounded_step",
+    points=2,
+    arguments=("J", "v", "bound", "eps"),
+    cases=_cases,
+    returns=numbers(lambda J, *rest: (J.shape[1],)),
+    properties=(
+        Property(
+            "no joint is faster than `bound`",
+            lambda q_dot, J, v, bound, eps: np.abs(q_dot).max() <= bound + 1e-6,
+            says=lambda q_dot, J, v, bound, eps: (
+                f"Your fastest joint has {np.abs(q_dot).max():.4g}."
+            ),
+            mistake=Mistake(
+                "a joint is faster than the argument bound",
+                "Where is bound used, and for which joints?",
+            ),
+        ),
+        Property(
+            "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
+            lambda q_dot, *case: (
+                _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-5) + 1e-7
+            ),
+            says=lambda q_dot, *case: (
+                f"With yours it is {_cost(q_dot, *case):.6g}; {_cost(right(*case), *case):.6g} is "
+                f"possible."
+            ),
+            mistake=Mistake(
+                "other velocities within the bounds are better",
+                "Is each joint bounded by itself, in both directions? Which sum of squares is "
+                "least, and to the end?",
+            ),
+        ),
+    ),
+    hints=(
+        "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more "
+        "rows than J has.",
+        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x - "
+        "b|^2 within bounds.",
+        "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), "
+        "bounds=(-bound, bound)).x",
+    ),
+    library=right,
+    alike=_alike,
+)
+
+
+@EXERCISE.mistake
+def unbounded(J, v, bound, eps):
+    """the bounds are ignored. How fast is the fastest joint of your answer?"""
+    return _free(J, v, bound, eps)
+
+
+@EXERCISE.mistake(
+    cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max())
+)
+def cut_afterwards(J, v, bound, eps, cut):
+    """the best step without bounds is clipped, or scaled down, afterwards. If one joint is at its
+    bound, could the others do part of its work?"""
+    q_dot = _free(J, v, bound, eps)
+    return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
+
+
+@EXERCISE.mistake
+def eps_not_a_root(J, v, bound, eps):
+    """eps stands for its square root.
+
+    A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?
+    """
+    return right(J, v, bound, eps**2)

@@ -1,0 +1,145 @@
+"""follow_velocity: joint angles on a path through a singularity, with a damping that acts near it
+only."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import remembered
+from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, READY, damped, panda_jacobian
+
+_OUT = np.array([0.25, 0, 0, 0, 0, 0])  # m/s, away from the base
+_EARLY = np.array([0.0, 0.5, 0, -0.6, 0, 1.6, 0.8])  # nearly stretched
+
+
+def _smallest(q):
+    return np.linalg.svd(panda_jacobian(q), compute_uv=False)[-1]
+
+
+def _eps(s, near, most):
+    return most * (1 - (s / near) ** 2) if s < near else 0.0
+
+
+def _walked(q, v, dt, n, near, most, eps_of=_eps, step=-1, limits=None):
+    path = [q]
+    for _ in range(int(n)):
+        J = panda_jacobian(path[step])
+        q = damped(path[-1], J, dt * v, eps_of(np.linalg.svd(J, compute_uv=False)[-1], near, most))
+        path.append(q if limits is None else np.clip(q, *limits))
+    return np.array(path)
+
+
+@remembered
+def _right(q, v, numbers):
+    return _walked(q, v, *numbers)
+
+
+def right(q, v, *numbers):
+    """Return the right answer, computed once for equal arguments."""
+    return _right(q, v, np.array(numbers, float))
+
+
+def _drawn(rng):
+    """Return a configuration away from singularities."""
+    while True:
+        q = np.round(rng.uniform(0.6 * LOW, 0.6 * HIGH), 2)
+        if _smallest(q) > 0.1:
+            return q
+
+
+def _leaves_the_limits(rng, v):
+    """Return the arguments for a path away from singularities that leaves the joint limits."""
+    while True:
+        q = _drawn(rng)
+        q[5] = HIGH[5] - 0.005
+        path = right(q, v, 0.1, 4, 0.01, 0.05)
+        if path[1:, 5].min() > HIGH[5] + 0.005 and min(map(_smallest, path)) > 0.05:
+            return q, v, 0.1, 4, 0.01, 0.05
+
+
+def _cases(rng):
+    v = np.round(rng.uniform(0.1, 0.4, (2, 6)) * rng.choice([-1, 1], (2, 6)), 2)
+    q = [_drawn(rng) for _ in range(2)]
+    s = _smallest(q[1])
+    return [
+        (READY, _OUT, 0.1, 3, 0.02, 0.01),
+        (READY, _OUT, 0.1, 2, 0.0, 0.01),
+        (q[0], v[0], 0.05, 4, 0.01, 0.05),
+        (_EARLY + 0.05 * rng.uniform(-1, 1, 7), _OUT, 0.1, 8, 0.1, 0.02),
+        (q[1], v[1], 0.1, 4, round(2 * s, 3), 0.03),
+        (q[0], v[1], 0.1, 0, 0.1, 0.01),
+        _leaves_the_limits(rng, v[0]),
+    ]
+
+
+def _first_off(path, *case):
+    k = int(np.argmax(np.abs(path - right(*case)).max(1) > 1e-8))
+    return f"Configuration {k} is the first that differs."
+
+
+_OTHER_STEP = Mistake(
+    "a step is not dt q_dot of the configuration before it",
+    "Print the first step: at which configuration is J, how large is eps, and by which time is "
+    "q_dot multiplied?",
+)
+
+EXERCISE = Exercise(
+    name="follow_velocity",
+    points=2,
+    arguments=("q", "v", "dt", "n", "near", "most"),
+    cases=_cases,
+    returns=numbers(lambda q, v, dt, n, *rest: (n + 1, 7)),
+    properties=(
+        Property(
+            "the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < 1e-9
+        ),
+        Property(
+            "away from singularities, s > near, the flange moves with v: q_dot is J^+ v",
+            lambda path, *case: np.abs(path - right(*case)).max() < 1e-8,
+            _first_off,
+            mistake=_OTHER_STEP,
+            where=lambda q, v, dt, n, near, most: (
+                min(map(_smallest, right(q, v, dt, n, near, most))) > near
+            ),
+        ),
+        Property(
+            "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration "
+            "before it, "
+            "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
+            lambda path, *case: np.abs(path - right(*case)).max() < 1e-7,
+            _first_off,
+            mistake=_OTHER_STEP,
+        ),
+    ),
+    hints=(
+        "A loop of n steps, in each: J at the configuration, its smallest singular value, the "
+        "damping, the step.",
+        "np.linalg.svd(J, compute_uv=False) has the singular values, the smallest last. With eps = "
+        "0 the step is that "
+        "of the pseudoinverse, so one formula serves both cases.",
+        "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
+    ),
+    library=right,
+    errors=(
+        (
+            "LinAlgError",
+            "Singular",
+            Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?"),
+        ),
+    ),
+)
+
+
+@EXERCISE.mistake(
+    eps_of=(
+        lambda s, near, most: most,
+        lambda s, near, most: 0.0,
+        lambda s, near, most: most if s < near else 0.0,
+        lambda s, near, most: most * (1 - s / near) if s < near else 0.0,
+        lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0,
+    )
+)
+def other_damping(*case, eps_of):
+    """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is
+    it largest, where is it 0, and does it jump?"""
+    return _walked(*case, eps_of=eps_of)

@@ -1,0 +1,175 @@
+"""good_matches: which matches of points agree on one pose, whatever the others say (RANSAC over all
+triples)."""
+
+import itertools
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import attempt
+from course_lib.checks.vocabulary import any_pose, remembered, unit
+from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
+from course_lib.registration import register_points
+
+_POSE = Mistake("a pose is returned", "Which matches agree with it?")
+_INDICES = Mistake(
+    "the numbers of some matches are returned",
+    "The answer is True or False for each of the n matches.",
+)
+_TOL = 0.005  # m
+
+
+def _gaps(chosen, src, dst):
+    """Return the differences (n, 3) that the pose of the chosen matches leaves."""
+    return moved(register_points(src[chosen], dst[chosen]), src) - dst
+
+
+def _residuals(chosen, src, dst):
+    return np.linalg.norm(_gaps(chosen, src, dst), axis=1)
+
+
+def _masks(src, dst, tol, size=lambda gaps: np.linalg.norm(gaps, axis=-1)):
+    """Return the triples (t, 3), and which matches are within tol of each one's pose, (t, n)."""
+    triples = np.array(list(itertools.combinations(range(len(src)), 3)))
+    T = register_points(src[triples], dst[triples])
+    return triples, size(src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3] - dst) < tol
+
+
+@remembered
+def right(src, dst, tol):
+    """Return the right answer, computed once for equal arguments."""
+    masks = _masks(src, dst, float(tol))[1]
+    return masks[masks.sum(1).argmax()]
+
+
+def _case(rng, n, wrong, shift="common", deceives=()):
+    """Return points of a mug's size, their matches, and a tolerance; some of the matches are wrong.
+
+    wrong: how many of them, or which. shift: "common", by nearly the same 5 cm; "same", exactly;
+    "own", each by its own; "slight", each coordinate within the tolerance. deceives: wrong answers
+    to the case.
+    """
+    while True:
+        src = np.round(rng.uniform(-0.06, 0.06, (n, 3)), 3)
+        dst = moved(any_pose(rng), src) + 0.0002 * rng.normal(size=(n, 3))
+        bad = (
+            np.sort(rng.choice(n, wrong, replace=False))
+            if isinstance(wrong, int)
+            else np.array(wrong)
+        )
+        by = 0.05 * unit(rng) + (0.01 * rng.normal(size=(len(bad), 3)) if shift == "common" else 0)
+        by = 0.05 * np.array([unit(rng) for _ in bad]) if shift == "own" else by
+        dst[bad] += 0.9 * _TOL * rng.choice([-1, 1], (len(bad), 3)) if shift == "slight" else by
+        truth, case = ~np.isin(np.arange(n), bad), (src, np.round(dst, 5), _TOL)
+        if np.linalg.svd(src[truth] - src[truth].mean(0), compute_uv=False)[1] < 0.03:
+            continue
+        found = attempt(_masks, *case)
+        if found is None:  # a triple lies on a line
+            continue
+        masks = found[1]
+        best = masks[masks.sum(1) >= truth.sum()]
+        if (
+            len(best)
+            and (best == truth).all()
+            and not any(np.array_equal(f(*case), truth) for f in deceives)
+        ):
+            return case
+
+
+def _worst_dropped(*case):
+    return worst_dropped(*case, most=9)
+
+
+def _closest_fit(*case):
+    triples, masks = _masks(*case)
+    return masks[np.argmin([_residuals(triple, *case[:2])[triple].max() for triple in triples])]
+
+
+def _cases(rng):
+    drawn = [
+        _case(rng, 6, 1),
+        _case(rng, 7, 2),
+        _case(rng, 7, 2, deceives=[_worst_dropped]),
+        _case(rng, 8, 3),
+    ]
+    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", [_closest_fit])]
+    drawn += [_case(rng, 9, [2, 5, 8], "own")]
+    few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
+    return [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
+
+
+EXERCISE = Exercise(
+    name="good_matches",
+    points=2,
+    arguments=("src", "dst", "tol"),
+    cases=_cases,
+    returns=numbers(
+        lambda src, *rest: (len(src),),
+        lambda array, src, *rest: (
+            _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None
+        ),
+    ),
+    properties=(
+        Property(
+            "the answer is True or False for each match",
+            lambda good, *case: np.isin(good, [0, 1]).all(),
+            mistake=Mistake(
+                "something other than True or False is returned", "What is compared with tol?"
+            ),
+        ),
+        Property(
+            "if all matches are within tol of one pose, all are good",
+            lambda good, *case: good.all(),
+            where=lambda *case: right(*case).all(),
+            mistake=Mistake(
+                "good matches are left out",
+                "Do all n take part, and may a set have three matches only?",
+            ),
+        ),
+        Property(
+            "the good matches are the largest set within tol of one triple's pose",
+            lambda good, *case: (good == right(*case)).all(),
+            says=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
+            mistake=Mistake(
+                "another set is returned than the largest one",
+                "Is every triple tried, are all n distances compared with tol, and is the largest "
+                "set kept?",
+            ),
+        ),
+    ),
+    hints=(
+        "Three matches fix a pose. If all three are good, the other good ones agree; if one is "
+        "wrong, hardly any.",
+        "For each triple of itertools.combinations(range(n), 3): register it, and count the "
+        "matches within tol.",
+        "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the "
+        "triple. "
+        "Keep the mask with the largest sum.",
+    ),
+    library=right,
+    tries_arguments=False,
+)
+
+
+@EXERCISE.mistake(most=(1, 9))
+def worst_dropped(src, dst, tol, most):
+    """the worst match is dropped, once or again and again.
+
+    Can a good match look worst beside two wrong ones?
+    """
+    kept = np.arange(len(src))
+    for _ in range(most):
+        if len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
+            kept = np.delete(kept, _residuals(kept, src, dst)[kept].argmax())
+    return np.isin(np.arange(len(src)), kept)
+
+
+@EXERCISE.mistake
+def by_coordinates(src, dst, tol):
+    """each coordinate is compared with tol, not the distance.
+
+    How far is a point if each coordinate is off by tol?
+    """
+    masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]
+    return masks[masks.sum(1).argmax()]

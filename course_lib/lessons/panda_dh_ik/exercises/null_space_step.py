@@ -1,0 +1,119 @@
+"""null_space_step: a step towards the middle of the joint ranges that does not move the
+end-effector."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import away_from_zero, near
+from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, panda_jacobian
+
+_OTHER_SIZE = Mistake(
+    "J J^+ stands for J^+ J, or I has another size", "On which vectors does the projector act?"
+)
+_PROJECTOR = Mistake(
+    "the projector is returned, not the joint angles", "To what is it applied, and what is q + ...?"
+)
+
+
+def _projector(J):
+    return np.eye(J.shape[1]) - np.linalg.pinv(J) @ J
+
+
+def right(q, J, q_middle, gain):
+    """Return the right answer."""
+    return q + gain * _projector(J) @ (q_middle - q)
+
+
+def _cases(rng):
+    middle = (LOW + HIGH) / 2
+    drawn = [
+        (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, n), gain)
+        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (3, 5, -0.4))
+    ]
+    panda = [np.round(rng.uniform(LOW, HIGH), 2) for _ in range(3)]
+    drawn += [
+        (q, panda_jacobian(q), middle, gain)
+        for q, gain in zip(panda, (0.1, 1.0, 0.05), strict=True)
+    ]
+    stretched = np.array([0.2, 0, 0.4, 0, 0.3, 0, 0.5])  # a singularity: J J^T has no inverse
+    return [
+        (np.array([0.1, 0.2, 0.3]), FLAT, np.array([1.0, 1, 1]), 0.5),
+        *drawn,
+        (panda[0], panda_jacobian(panda[0]), panda[0], 0.3),
+        (stretched, panda_jacobian(stretched), middle, 0.2),
+        (
+            np.array([0.1, 0.2, 0.3]),
+            np.array([[1.0, 2, 0], [2, 4, 0]]),
+            np.array([1.0, 1, 1]),
+            0.5,
+        ),  # exactly singular
+        (np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25),
+    ]
+
+
+EXERCISE = Exercise(
+    name="null_space_step",
+    points=2,
+    arguments=("q", "J", "q_middle", "gain"),
+    cases=_cases,
+    returns=numbers(
+        lambda q, *rest: (len(q),),
+        lambda array, q, *rest: _PROJECTOR if array.shape == (len(q), len(q)) else None,
+    ),
+    properties=(
+        Property(
+            "to first order the end-effector stays: J times the change of q is 0",
+            lambda answer, q, J, *rest: near(J @ (answer - q), np.zeros(len(J))),
+            says=lambda answer, q, J, *rest: (
+                f"Yours moves it at {np.abs(J @ (answer - q)).max():.3g}."
+            ),
+            mistake=Mistake(
+                "the step still moves the end-effector",
+                "What is J times I - J^+ J, for any J, and does a factor, or damping, keep it so?",
+            ),
+        ),
+        Property(
+            "of all such changes this one is closest to gain (q_middle - q)",
+            lambda answer, *case: near(answer, right(*case)),
+            mistake=Mistake(
+                "the step is not all of gain (I - J^+ J)(q_middle - q)",
+                "Which part of it is missing?",
+            ),
+        ),
+    ),
+    hints=(
+        "The pseudoinverse J^+ gives the shortest joint motion for a motion of the end-effector. "
+        "J^+ J takes out of "
+        "any joint motion the part that moves the end-effector.",
+        "The step is gain (I - J^+ J)(q_middle - q). np.linalg.pinv has the pseudoinverse, at "
+        "singularities too.",
+        "q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)",
+    ),
+    library=right,
+    errors=(
+        (
+            "LinAlgError",
+            "Singular",
+            Mistake("J J^T is inverted, which fails at a singularity", "What works there too?"),
+        ),
+        ("ValueError", "core dimension", _OTHER_SIZE),
+        ("ValueError", "could not be broadcast", _OTHER_SIZE),
+    ),
+)
+
+
+@EXERCISE.seen
+def full_rank(answer, q, J, *rest):
+    """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there,
+    and the null space has more dimensions: does your formula still hold?"""
+    return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
+
+
+@EXERCISE.mistake(kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J))
+def no_projection(q, J, q_middle, gain, kept):
+    """the wish q_middle - q is not projected, or its other part is kept.
+
+    Which part of it does J^+ J hold?
+    """
+    return q + gain * kept(J) @ (q_middle - q)

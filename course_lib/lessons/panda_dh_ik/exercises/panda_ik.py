@@ -1,0 +1,295 @@
+"""panda_ik: joint angles inside the Panda's limits for which its flange has a given pose in the
+world."""
+
+import itertools
+
+import numpy as np
+
+from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import SOLVERS, remembered
+from course_lib.ik import solve
+from course_lib.lessons.panda_dh_ik.exercises.shared import (
+    HIGH,
+    LOW,
+    PANDA,
+    READY,
+    T_W0,
+    flange,
+    frames,
+)
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import exp_so3, length, log_so3
+
+# metres and radians; a little more than asked for, because the student's sums round otherwise
+_REACHED = 1.001e-6
+
+_LOW_DOWN = np.array(
+    [0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8]
+)  # its flange is within reach of the base, and of the world
+_OUTSIDE = READY + 2.3 * np.eye(7)[6]  # a start that reaches its target outside the limits
+_BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond pi
+
+# Configurations whose flange poses are not reached from the ready configuration without a restart:
+# damped steps of many kinds (damping constant, or by the error, large and small), clipped to the
+# limits after each step, end beside these poses; steps without limits end outside the limits. From
+# a random configuration about every third start succeeds.
+_HARD = np.array(
+    [
+        [-2.16, -0.75, -2.27, -2.42, -2.15, 0.72, -1.98],
+        [-1.34, 1.45, -0.59, -2.27, -1.75, 0.91, -0.73],
+        [1.17, -0.12, 0.61, -2.39, -1.6, 1.81, -0.98],
+        [1.16, 0.92, -0.39, -2.7, -2.07, 1.86, -0.45],
+        [-0.77, -0.09, 0.57, -2.62, -2.43, 2.8, 2.4],
+        [1.8, -0.2, 0.58, -2.04, -0.03, 2.31, -1.74],
+        [-1.53, 0.41, -2.09, -2.63, 0.7, 1.96, -2.14],
+        [2.46, 0.33, 0.54, -2.67, 1.02, 0.84, -1.96],
+    ]
+)
+
+
+# With joint 1 at its limit, and starts 0.2 rad below: solvers with few steps, with a damping that
+# is large or negative, or that leave the limits on their way, end beside one of these. No case is
+# there whose difficulty depends on the numbers drawn: who finds all targets in the notebook finds
+# all of them in grading.
+_AT_A_LIMIT = np.column_stack(
+    [
+        np.full(9, HIGH[0] - 0.01),
+        [
+            [0.52, 0.74, -1.62, 0.49, 2.73, 1.23],
+            [0.87, 0.49, -2.19, 1.44, 1.49, -0.82],
+            [-0.85, -0.34, -2.14, -1.22, 2.33, -1.39],
+            [0.79, 0.36, -1.36, 1.34, 1.25, -1.11],
+            [0.32, 0.81, -1.86, 1.38, 0.93, 1.0],
+            [0.71, 0.99, -1.27, -0.79, 1.12, 0.74],
+            [0.68, 0.94, -1.51, -1.43, 2.19, 1.27],
+            [0.42, -1.36, -1.58, 1.43, 2.62, -1.0],
+            [-0.64, -1.45, -1.58, -0.97, 1.1, 0.87],
+        ],
+    ]
+)
+_ABOUT_READY = READY + 0.1 * np.array(
+    [-1, 1, -1, 1, -1, -1, 1]
+)  # of all such signs, those that take the most steps
+_ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
+
+
+def _cases(rng):
+    here = flange(READY)
+    # Who stops too early answers q0: by the larger half of the error, or by its largest number.
+    errors = ([0, 1.3e-6, 0], [9e-7, 0, 9e-7]), (3 * [6e-7], 3 * [6e-7])
+    moved = transform(here[:3, :3], here[:3, 3] - [0.03, 0.02, 0.04])
+    rotated = transform(exp_so3([0.1, 0.2, -0.3]) @ here[:3, :3], here[:3, 3])
+    return [
+        (flange(READY + 0.03 * rng.choice([-1, 1], 7)), READY),
+        (here, READY),
+        *((flange(q), q) for q in (_BEYOND, _OUTSIDE)),
+        *((here @ transform(exp_so3(w), p), READY) for w, p in errors),
+        *((T, READY) for T in (flange(_ABOUT_READY), moved, rotated)),
+        (flange(_ABOUT_LOW_DOWN), _LOW_DOWN),
+        *((flange(q), np.clip(q - 0.2, LOW, HIGH)) for q in _AT_A_LIMIT),
+        *((flange(q), READY) for q in _HARD),
+        (transform(here[:3, :3], [3.0, 0.13, 0.6]), READY),
+    ]
+
+
+@remembered
+def solved(T, q0):
+    """Return the library's answer."""
+    found = solve(PANDA, inverse(T_W0) @ T, np.random.default_rng(0), q0=q0, starts=100)
+    return found.q if found.success else np.full(7, np.nan)
+
+
+def _reachable(T, q0):
+    return T[0, 3] < 2
+
+
+def _gaps(A, B):
+    """Return the metres and radians between two poses."""
+    return np.array([length(B[:3, 3] - A[:3, 3]), length(log_so3(B[:3, :3] @ A[:3, :3].T))])
+
+
+def _found(q, *case):
+    return bool(np.isfinite(q).all())
+
+
+def _inside(q, T, q0):
+    return not _found(q) or bool(((q >= LOW - 1e-9) & (q <= HIGH + 1e-9)).all())
+
+
+def _near(T, q0):
+    return np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15
+
+
+def _solved(q, T, q0):
+    return _found(q) and _inside(q, T, q0) and _gaps(flange(q), T).max() <= _REACHED
+
+
+def _second_missed(values, cases):
+    missed = (
+        k for k, case in enumerate(cases) if _reachable(*case) and not _solved(values[k], *case)
+    )
+    return next(itertools.islice(missed, 1, None), None)
+
+
+def _outside(q, T, q0):
+    j = int(np.argmax(np.maximum(LOW - q, q - HIGH)))
+    return f"Joint {j + 1} may be between {LOW[j]:.4f} and {HIGH[j]:.4f}; yours is {q[j]:.6g}."
+
+
+def _off(q, T, q0):
+    p, (metres, angle) = flange(q)[:3, 3], _gaps(flange(q), T)
+    yours = f"yours is at {format_tuple(p)}, {metres:.3g} m and {angle:.3g} rad off"
+    return f"It should be at {format_tuple(T[:3, 3])}; {yours}."
+
+
+def _elsewhere(q, T, q0):
+    j = int(np.argmax(np.abs(q - q0)))
+    return (
+        f"Joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}: do you look at the error before the "
+        f"first step?"
+    )
+
+
+_NOT_CONVERGING = Mistake(
+    "the steps do not converge to a target close by",
+    "Print the length of the error after each step: before the first it is small, if T_target and "
+    "your flange are seen "
+    "from the same frame. Do e and the rows of J have the same order and axes? Are both computed "
+    "again for each q?",
+)
+_STUCK = Mistake(
+    "no start leads to this target: there are no restarts, or too few of them converge",
+    "A descent gets stuck in a local minimum or at a limit. If you restart already, how many of "
+    "your starts converge?",
+)
+_START = Mistake(
+    "q0 is returned as it came",
+    "It may lie outside the limits: what does the task do with it first?",
+)
+_IGNORED = Mistake("the limits are ignored", "Where can a step lead?")
+_LAST = Mistake(
+    "the last angles are returned, although they do not reach T_target",
+    "What do you test before return?",
+)
+
+EXERCISE = Exercise(
+    name="panda_ik",
+    points=4,
+    arguments=("T_target", "q0"),
+    cases=_cases,
+    returns=numbers(
+        lambda *case: (7,),
+        {
+            (4, 4): Mistake(
+                "a pose is returned", "Inverse kinematics goes from a pose to joint angles."
+            )
+        },
+        gaps=True,
+    ),
+    properties=(
+        Property(
+            "the answer is seven numbers, or seven NaN",
+            lambda q, *case: _found(q) or np.isnan(q).all(),
+            mistake=NOT_A_NUMBER,
+        ),
+        Property(
+            "every joint is inside its limits",
+            _inside,
+            _outside,
+            where=_reachable,
+            mistake=lambda q, T, q0: _START if np.abs(q - q0).max() < 1e-6 else _IGNORED,
+        ),
+        Property(
+            "the flange is within 1e-6 m and 1e-6 rad of T_target, in the world",
+            lambda q, T, q0: not _found(q) or _gaps(flange(q), T).max() <= _REACHED,
+            _off,
+            where=_reachable,
+            mistake=_LAST,
+        ),
+        Property(
+            "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
+            lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < 1e-6,
+            _elsewhere,
+            mistake=Mistake(
+                "the iteration does not begin at q0", "What is q before the first step?"
+            ),
+            where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
+        ),
+        Property(
+            "a target close by is reached: seven numbers are returned, not NaN",
+            _found,
+            where=_near,
+            mistake=_NOT_CONVERGING,
+        ),
+        Property(
+            "a target that some joint angles inside the limits reach is found: seven numbers are "
+            "returned, not NaN",
+            _found,
+            where=_reachable,
+            mistake=_STUCK,
+        ),
+        Property(
+            "for a target out of reach (3 m away) seven NaN are returned",
+            lambda q, *case: not _found(q),
+            where=lambda *case: not _reachable(*case),
+            mistake=Mistake(
+                "angles are returned for a target out of reach",
+                "What is returned if no start converges?",
+            ),
+        ),
+        Property("each target close by is reached", _solved, where=_near, points=2),
+        Property(
+            "at most one target within reach is missed", _second_missed, across=True, points=1
+        ),
+    ),
+    hints=(
+        "One start is a loop: the frames at q, the error to T_target, return q if it is small "
+        "enough, else a damped "
+        "step and np.clip to the limits.",
+        "How should the damping depend on the error, so that the last steps converge fast and the "
+        "first ones are safe?",
+        "Around it a second loop over the starts: if a start fails, where should the next one "
+        "begin, and what is "
+        "returned after the last? Print how many steps a start takes that converges: more than "
+        "twice that is wasted.",
+    ),
+    library=solved,
+    tries_arguments=False,
+    forbidden=SOLVERS,
+)
+
+
+@EXERCISE.seen
+def stopped_too_early(q, T, q0):
+    """the iteration stops too early, or the angles are rounded. How close does the task ask you to
+    come, and does your damping still slow you down there?"""
+    return _REACHED < _gaps(flange(q), T).max() < 0.02 and _inside(q, T, q0)
+
+
+@EXERCISE.seen
+def base_forgotten(q, T, q0):
+    """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and
+    from where is your flange?"""
+    back = inverse(T_W0)
+    return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
+
+
+@EXERCISE.seen
+def flange_forgotten(q, T, q0):
+    """the flange is forgotten: the frame of joint 7 is at T_target.
+
+    Which of the eight poses is the flange's?
+    """
+    return bool((_gaps(frames(q)[6], T) < 1e-3).all())
+
+
+@EXERCISE.seen
+def one_half_only(q, T, q0):
+    """only the position, or only the orientation, is brought to T_target.
+
+    How many numbers has the error?
+    """
+    metres, angle = _gaps(flange(q), T)
+    return _reachable(T, q0) and min(metres, angle) <= _REACHED < max(metres, angle)

@@ -1,0 +1,271 @@
+"""plan_pick: a motion to the grasp of a mug that touches nothing and asks no more of the motors
+than they can give."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
+from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY, T_W0
+from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE, IN_MUG, between, clearances, shares
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import length, log_so3, rot_z
+
+_MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
+_BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
+_EVEN = np.linspace(0, 1, 41)[:, None]
+_EASED = 3 * _EVEN**2 - 2 * _EVEN**3
+_ANGLES_ONLY = Mistake(
+    "the times are missing", "In each row the time stands before the seven angles."
+)
+_TWICE = Mistake(
+    "a row stands twice, or the time goes back",
+    "Is the last row of one leg also the first of the next? At which time does the second leg "
+    "start?",
+)
+_JERKS = Mistake(
+    "a leg is not at rest at its ends, or its rows are not evenly spaced in time",
+    "Which of u and s is the time, and which the share of the path?",
+)
+_SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
+
+
+def legs(q0, T_grasp, s=_EASED):
+    """Return the configurations (n, 7) of the two legs, over to a point above the grasp and
+    straight down."""
+    down, q = [], q0
+    for rest in 1 - s[:, 0]:
+        T = transform(T_grasp[:3, :3], T_grasp[:3, 3] + [0, 0, 0.15 * rest]) @ inverse(IN_FLANGE)
+        q = solved(T, q) if np.isfinite(q).all() else q
+        down.append(q)
+    return q0 + s * (down[0] - q0), np.array(down)
+
+
+def timed(joints, bound=lambda speed, acceleration: max(speed, np.sqrt(acceleration))):
+    """Return the trajectory (n, 8) that takes evenly spaced times, as fast as the bounds allow."""
+    leg = np.column_stack([np.linspace(0, 1, len(joints)), joints])
+    leg[:, 0] *= bound(*(share.max() for share in shares(leg)))
+    return leg
+
+
+def joined(first, second):
+    """Return one trajectory after the other."""
+    later = second[1:].copy()
+    later[:, 0] += first[-1, 0]
+    return np.concatenate([first, later])
+
+
+def right(q0, T_grasp):
+    """Return a right answer; NaN where the mug is out of reach."""
+    over, down = legs(q0, T_grasp)
+    return joined(timed(over), timed(down)) if np.isfinite(down).all() else np.full((2, 8), np.nan)
+
+
+def _cases(rng):
+    """Return three tasks, each turned as a whole about the axis of joint 1, which makes none of
+    them easier.
+
+    In the second, speed decides; in the last two a straight line in joint space is no way down.
+    """
+    cases = []
+    for radius, aside, yaw in ((0.5, 0.75, -0.1), (0.42, -0.7, 1.2), (0.42, 0.7, -0.5)):
+        start, bearing = _at(radius, aside) @ IN_MUG, rng.uniform(-0.4, 0.4)
+        start[2, 3] += 0.04
+        q0 = solved(start @ inverse(IN_FLANGE), READY) + bearing * np.eye(7)[0]
+        cases.append((q0, _at(radius, bearing) @ IN_MUG @ transform(rot_z(yaw), np.zeros(3))))
+    return cases
+
+
+def _at(radius, bearing):
+    """Return the pose of a mug on the table, so far from the axis of joint 1."""
+    return T_W0 @ transform(rot_z(bearing), [radius * np.cos(bearing), radius * np.sin(bearing), 0])
+
+
+def _other_form(array, *case):
+    if array.ndim == 2 and array.shape[1] == 7:
+        return _ANGLES_ONLY
+    return _SWAPPED if array.ndim == 2 and array.shape[0] == 8 else None
+
+
+def _steps(row):
+    """Return what says the times of two rows; row(steps): the first of them."""
+
+    def says(x, *case):
+        k = row(np.diff(x[:, 0]))
+        return (
+            f"Rows {k} and {k + 1}, counted from 0, have the times {x[k, 0]:.4g} s and "
+            f"{x[k + 1, 0]:.4g} s."
+        )
+
+    return says
+
+
+def _inside(x):
+    return bool(((x[:, 1:] >= LOW - 1e-9) & (x[:, 1:] <= HIGH + 1e-9)).all())
+
+
+def _gripper(x):
+    return T_W0 @ PANDA.fk(x[-1, 1:]) @ IN_FLANGE
+
+
+def _begins(x, q0, T):
+    return np.abs(x[0, 1:] - q0).max() < 1e-6
+
+
+def _ends(x, q0, T):
+    end = _gripper(x)
+    return (
+        length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
+    )
+
+
+def _gaps(x, T):
+    times, joints = between(x)
+    return times, clearances(joints, T @ inverse(IN_MUG))
+
+
+def _touches(x, q0, T):
+    times, gaps = _gaps(x, T)
+    what = min(gaps, key=lambda what: gaps[what].min())
+    k = gaps[what].argmin()
+    with_what = "itself" if what == "itself" else f"the {what}"
+    row = np.searchsorted(x[:, 0], times[k], "right") - 1
+    return (
+        f"At row {row}, after {times[k]:.2f} s, its distance from {with_what} is "
+        f"{1000 * gaps[what][k]:.1f} mm."
+    )
+
+
+def _arrives(x, q0, T, clear):
+    """Return whether a path leads from q0 to the grasp, inside the limits, and stays so far from
+    everything."""
+    leads = _begins(x, q0, T) and _ends(x, q0, T) and _inside(x)
+    return leads and min(gap.min() for gap in _gaps(x, T)[1].values()) >= clear
+
+
+def _too_much(which, unit):
+    def says(x, *case):
+        share = shares(x)[which]
+        k = share.argmax()
+        return (
+            f"At row {k}, after {x[k, 0]:.2f} s, a joint has {share[k]:.3g} times its largest "
+            f"{unit}."
+        )
+
+    return says
+
+
+EXERCISE = Exercise(
+    name="plan_pick",
+    points=4,
+    arguments=("q0", "T_grasp"),
+    cases=_cases,
+    returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS, _other_form),
+    properties=(
+        Property(
+            "the times increase from row to row",
+            lambda x, *case: np.diff(x[:, 0]).min() > 0,
+            _steps(lambda steps: int((steps <= 0).argmax())),
+            mistake=_TWICE,
+        ),
+        Property(
+            "the first row is the time 0 and q0",
+            lambda x, *case: abs(x[0, 0]) < 1e-9 and _begins(x, *case),
+            mistake=Mistake(
+                "the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"
+            ),
+        ),
+        Property(
+            "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
+            _ends,
+            lambda x, q0, T: (
+                f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}."
+            ),
+            mistake=Mistake(
+                "the plan ends elsewhere than at T_grasp",
+                "Which flange pose brings the gripper there?",
+            ),
+        ),
+        Property("all angles are within the limits", lambda x, *case: _inside(x)),
+        Property(
+            "the arm reaches the grasp and stays 2 mm clear of table, mug and itself, between the "
+            "rows included",
+            lambda x, *case: _arrives(x, *case, _CLEAR),
+            _touches,
+            points=1,
+        ),
+        Property(
+            "no joint is too fast",
+            lambda x, *case: shares(x)[0].max() < _BOUND,
+            _too_much(0, "speed"),
+            mistake=Mistake(
+                "a leg is too short in time for its speeds", "What does `timed` make of a leg?"
+            ),
+        ),
+        Property(
+            "no joint accelerates harder than it may, at the start and at the end included: it "
+            "rests before and after",
+            lambda x, *case: shares(x)[1].max() < _BOUND,
+            _too_much(1, "acceleration"),
+            mistake=_JERKS,
+        ),
+        Property(
+            f"it takes at most {_LONGEST:.0f} s",
+            lambda x, *case: x[-1, 0] <= _LONGEST,
+            lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
+            mistake=Mistake(
+                "it is slower than it need be", "By which factor may all times shrink?"
+            ),
+        ),
+        Property(
+            "each row is at most 0.2 s after the one before",
+            lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
+            _steps(np.argmax),
+            mistake=Mistake(
+                "the rows are too far apart in time", "How many rows does each leg have?"
+            ),
+        ),
+        Property(
+            "it enters nothing deeper than 1 cm",
+            lambda x, *case: _arrives(x, *case, -0.01),
+            points=1,
+        ),
+    ),
+    hints=(
+        "The second leg begins at `above`. One panda_ik for each further pose, which starts from "
+        "the angles of the one "
+        "before, makes its configurations, an array of shape (41, 7).",
+        "`timed` gives the second leg its times, as it gave them to `over`, but not from time 0: "
+        "what is `start`?",
+        "The first row of the second leg stands at the end of `over` already. Leave it out: "
+        "np.vstack([over, second[1:]]), with second = timed(u, down, start=over[-1, 0]).",
+    ),
+    library=right,
+    tries_arguments=False,
+)
+
+
+@EXERCISE.mistake(
+    seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR)
+)
+def straight_to_the_grasp(q0, T_grasp):
+    """the path to the grasp leads through something. From where must the fingers come, if they are
+    to end on both sides of the mug? And how far apart are your rows?"""
+    return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
+
+
+@EXERCISE.mistake(seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3)
+def flange_at_the_grasp(q0, T_grasp):
+    """the flange, not the gripper, ends at T_grasp. Which pose does panda_ik take?"""
+    return right(q0, T_grasp @ IN_FLANGE)
+
+
+@EXERCISE.mistake(
+    seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND
+)
+def from_full_speed(q0, T_grasp):
+    """the speeds are within their bounds, but the motion starts or ends at full speed. What does
+    that ask of the motors in the first row?"""
+    first, second = legs(q0, T_grasp, _EVEN)
+    return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))

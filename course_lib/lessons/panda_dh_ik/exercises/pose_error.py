@@ -1,0 +1,230 @@
+"""pose_error: the error from one pose to another that belongs to the geometric Jacobian."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import FINE, any_pose, away_from_zero, near, unit
+from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
+from course_lib.rigid import inverse, log_se3, transform
+from course_lib.rotations import exp_so3, length, log_so3, matrix_to_quaternion
+
+_NEARLY_PI = np.pi - 1e-6  # rad; beyond it phi and -phi are both right
+# As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below
+# pi.
+_ROUNDED_PI = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
+_HALVES = Mistake("the halves are not joined", "e has six numbers. np.concatenate joins arrays.")
+_NO_ROTATION = Mistake(
+    "the logarithm is asked of something that is no rotation", "By what are rotations compared?"
+)
+_WHOLE_POSE = Mistake("the logarithm is given the whole pose", "Which block of T is the rotation?")
+
+
+def _between(T, T_target):
+    return T_target[:3, 3] - T[:3, 3], T_target[:3, :3] @ T[:3, :3].T
+
+
+def _angle(T, T_target):
+    return length(pose_error(T, T_target)[3:])
+
+
+def _rotated(T, phi):
+    """Return the pose, and the same rotated by phi about its own origin."""
+    return T, transform(exp_so3(phi) @ T[:3, :3], T[:3, 3])
+
+
+def _moved(T, rng):
+    """Return the pose, and another in another position, rotated by an angle well below pi."""
+    return T, transform(
+        exp_so3(rng.uniform(0.8, 2.6) * unit(rng)) @ T[:3, :3], away_from_zero(rng, 3)
+    )
+
+
+def _cases(rng):
+    x, z = np.eye(3)[[0, 2]]
+    at, degree = transform(np.eye(3), [1.0, 0, 0]), np.pi / 180
+    named = [
+        (at, transform(exp_so3(0.1 * z), [1.0, 0, 0])),
+        (transform(exp_so3(np.pi / 2 * x), [1.0, 0, 0]), transform(exp_so3(0.5 * z), [0, 2.0, 0])),
+        (np.eye(4), at),
+        (at, transform(np.eye(3), [1.0, 2, 3])),
+        (np.eye(4), np.eye(4)),
+    ]
+    any_two = [_moved(any_pose(rng), rng) for _ in range(4)]
+    far = [(transform(np.eye(3), [20.0, -30, 5]) @ T, T_target) for T, T_target in any_two[:2]]
+    there = [any_pose(rng) for _ in range(6)]
+    shifted = [(T, transform(T[:3, :3], away_from_zero(rng, 3))) for T in there[:2]]
+    angles = [
+        10 * degree,
+        90 * degree,
+        170 * degree,
+        179.9 * degree,
+        1e-9,
+        1e-9,
+        1e-9,
+        1e-5,
+        3e-4,
+        3e-3,
+    ]
+    angles += [np.pi - 3e-4, np.pi - 1e-5, np.pi - 1e-9, np.pi, np.pi]
+    rotated = [_rotated(any_pose(rng), angle * unit(rng)) for angle in angles]
+    nearly_half = (np.pi - 2e-4) * unit(
+        rng
+    )  # and its opposite: of two opposite axes only one is right
+    rotated += [_rotated(there[0], phi) for phi in (nearly_half, -nearly_half)]
+    rotated += [_rotated(T, np.pi * axis) for T in (np.eye(4), at) for axis in np.eye(3)]
+    rotated += [_rotated(transform(exp_so3(179 * degree * x), [0.5, 0, 1]), 2 * degree * x)]
+    rotated += [(T, T @ _ROUNDED_PI) for T in (np.eye(4), at)]
+    return [*named, *any_two, *far, *((T, T.copy()) for T in there), *shifted, *rotated, named[1]]
+
+
+def _fine(T, T_target):
+    """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some
+    digits."""
+    angle = _angle(T, T_target)
+    return 1e-7 if angle > _NEARLY_PI else max(FINE, 1e-14 / (np.pi - angle) ** 2)
+
+
+def _gap(e, *case):
+    return length(e[3:] - pose_error(*case)[3:])
+
+
+def _off(e, *case):
+    wanted = pose_error(*case)
+    if not near(e[:3], wanted[:3]):
+        return f"That is {format_tuple(wanted[:3])}; yours are {format_tuple(e[:3])}."
+    found = f"{length(e[3:]):.4g} rad, phi = {format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
+    return (
+        f"{length(wanted[3:]):.4g} rad are between them, phi = {format_tuple(wanted[3:])}; yours "
+        f"are {found}."
+    )
+
+
+def _alike(e, predicted, *case, up_to_two_pi=False):
+    """Return whether two errors are the same, phi to the digits that a small angle has, and up to
+    its sign at pi."""
+    e, predicted = np.asarray(e, float), np.asarray(predicted, float)
+    if e.shape != (6,) or not same(e[:3], predicted[:3]):
+        return False
+    phi = predicted[3:]
+    gaps = [e[3:] - guess for guess in ((phi, -phi) if length(phi) > _NEARLY_PI else (phi,))]
+    gaps = [gap - up_to_two_pi * 2 * np.pi * np.round(gap / (2 * np.pi)) for gap in gaps]
+    return min(np.abs(gap).max() for gap in gaps) <= 1e-4 * min(_angle(*case), 0.01) + 1e-12
+
+
+def _alike_up_to_two_pi(*case):
+    return _alike(*case, up_to_two_pi=True)
+
+
+EXERCISE = Exercise(
+    name="pose_error",
+    points=2,
+    arguments=("T", "T_target"),
+    cases=_cases,
+    returns=numbers(lambda *case: (6,), dict.fromkeys([(2, 3), (3, 2)], _HALVES)),
+    properties=(
+        Property(
+            "the first three numbers are p_target - p, along the world's axes",
+            lambda e, *case: near(e[:3], _between(*case)[0]),
+            _off,
+        ),
+        Property(
+            "the rotation vector phi takes R to R_target: exp([phi]) R = R_target",
+            lambda e, *case: np.abs(exp_so3(e[3:]) - _between(*case)[1]).max() < 10 * _fine(*case),
+            _off,
+            mistake=Mistake(
+                "phi does not take R to R_target",
+                "Is it the logarithm of R_target R^T, however small?",
+            ),
+        ),
+        Property(
+            "phi is the shortest rotation: its angle is at most pi",
+            lambda e, *case: length(e[3:]) < np.pi + max(1e-6, _fine(*case)),
+            _off,
+            mistake=Mistake(
+                "the longer rotation is taken",
+                "By which smaller angle does the same rotation succeed?",
+            ),
+        ),
+        Property(
+            "a tiny rotation keeps its digits, as the last steps to a target need them",
+            lambda e, *case: _gap(e, *case) <= 1e-5 * _angle(*case),
+            _off,
+            where=lambda T, T_target: (
+                0 < _angle(T, T_target) < 1e-2 and not np.array_equal(T[:3, :3], T_target[:3, :3])
+            ),
+        ),
+        Property(
+            "phi is the logarithm of R_target R^T as a rotation vector",
+            lambda e, *case: _gap(e, *case) < _fine(*case),
+            _off,
+            where=lambda *case: _angle(*case) <= _NEARLY_PI,
+        ),
+    ),
+    hints=(
+        "Positions may be subtracted. Rotations are compared by a product: "
+        "the rotation between them is X with X R = R_target.",
+        "X = R_target R^T is along the world's axes, as the Jacobian's lower half is. log_so3 "
+        "gives its vector.",
+        "np.concatenate([T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] @ T[:3, "
+        ":3].T)])",
+    ),
+    library=pose_error,
+    alike=_alike,
+    errors=(
+        ("ValueError", "is not a rotation", _NO_ROTATION),
+        ("ValueError", "of shape (..., 3, 3)", _WHOLE_POSE),
+    ),
+    forbidden=("course_lib.ik.pose_error",),
+)
+
+
+@EXERCISE.mistake(signs=((-1, -1), (-1, 1), (1, -1)))
+def away_from_the_target(T, T_target, signs):
+    """the error, or one half of it, leads away from the target.
+
+    From which pose to which should it lead?
+    """
+    return np.repeat(signs, 3) * pose_error(T, T_target)
+
+
+@EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
+def from_the_end_effector(T, T_target, halves):
+    """the error, or one half of it, is seen from the end-effector.
+
+    Along which axes are the rows of the Jacobian?
+    """
+    R, e = T[:3, :3], pose_error(T, T_target)
+    seen = R.T @ e[:3], log_so3(R.T @ T_target[:3, :3])
+    return np.where(np.repeat(halves, 3), np.concatenate(seen), e)
+
+
+@EXERCISE.mistake(
+    error=(
+        lambda T, G: np.append((G @ inverse(T))[:3, 3], pose_error(T, G)[3:]),
+        lambda T, G: np.roll(log_se3(G @ inverse(T)), 3),
+        lambda T, G: np.roll(log_se3(inverse(T) @ G), 3),
+        lambda T, G: log_se3(G @ inverse(T)),
+        lambda T, G: log_se3(inverse(T) @ G),
+    )
+)
+def rotation_in_the_translation(T, T_target, error):
+    """the translation holds a part of the rotation: it is that of a product of poses, or of its
+    logarithm. Which point's velocity do the upper rows of the Jacobian give?"""
+    return error(T, T_target)
+
+
+def _quaternion(R):
+    return 2 * matrix_to_quaternion(R)[1:]
+
+
+@EXERCISE.mistake(
+    measure=(roll_pitch_yaw, log_so3, _quaternion), order=(1, -1), alike=_alike_up_to_two_pi
+)
+def coordinates_subtracted(T, T_target, measure, order):
+    """angles, rotation vectors or quaternions of the two rotations are subtracted. Do rotations
+    about different axes add up, and is it -358 degrees from 179 to -179?"""
+    return np.append(
+        _between(T, T_target)[0], (measure(T_target[:3, :3]) - measure(T[:3, :3]))[::order]
+    )

@@ -1,0 +1,155 @@
+"""reached_targets: which of many targets damped least squares reaches, in the limits and in so many
+steps."""
+
+import numpy as np
+
+from course_lib import ik
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import remembered
+from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY
+from course_lib.rotations import exp_so3
+
+_REACHED = 1e-3  # metres and radians
+# From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the
+# third to 0.04 mm.
+_PASSING = np.array([-0.107, 0.83, 0.509, -0.359, 1.817, 0.075, -1.281])
+_PASSED = np.array([-0.0783, 0.7986, 0.3386, -0.3516, 2.0003, 0.0513, -1.2196])
+
+
+def _descended(targets, q0, eps, steps, clip="each"):
+    """Return the errors (steps + 1, n, 6), those after the last step included; clip: "each" step,
+    at the "end"."""
+    q, errors = np.zeros((len(targets), 7)) + q0, []
+    for _ in range(int(steps)):
+        J, e = PANDA.geometric_jacobian(q), ik.pose_error(PANDA.fk(q), targets)
+        errors.append(e)
+        A = J @ np.swapaxes(J, -1, -2) + eps * np.eye(6)
+        q = q + np.einsum("nij,ni->nj", J, np.linalg.solve(A, e[..., None])[..., 0])
+        q = np.clip(q, LOW, HIGH) if clip == "each" else q
+    q = np.clip(q, LOW, HIGH) if clip == "end" else q
+    return np.array([*errors, ik.pose_error(PANDA.fk(q), targets)])
+
+
+def _sizes(errors):
+    """Return the lengths of both halves, (..., 2): radians and metres."""
+    return np.linalg.norm(errors.reshape(*errors.shape[:-1], 2, 3), axis=-1)
+
+
+@remembered
+def right(targets, q0, eps, steps):
+    """Return the right answer, computed once for equal arguments."""
+    return (_sizes(_descended(targets, q0, eps, steps)[-1]) < _REACHED).all(-1)
+
+
+def _case(rng, n, q0, eps, steps, spread, limited=False):
+    """Return n targets, some of which are reached and some are not, none of them a close call.
+
+    limited: one of those not reached is reached by whoever ignores the limits, and clipping at the
+    end only shows too.
+    """
+    while True:
+        targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
+        near_end = _sizes(_descended(targets, q0, eps, steps + 2)[-4:]).max(-1)
+        targets = targets[(near_end < _REACHED / 3).all(0) | (near_end > 20 * _REACHED).all(0)][:n]
+        found = right(targets, q0, eps, steps)
+        if len(targets) < n or found.all() or not found.any():
+            continue
+        case = targets, q0, eps, steps
+        ignored, late = limits_ignored(*case, clip=""), limits_ignored(*case, clip="end")
+        if not limited or ((ignored & ~found).any() and (late != found).any()):
+            return case
+
+
+def _cases(rng):
+    near = PANDA.fk(READY + 0.1 * rng.uniform(-1, 1, (3, 7)))
+    far = near[0].copy()
+    far[0, 3] = 3.0
+    halves = np.tile(
+        PANDA.fk(READY), (6, 1, 1)
+    )  # some with the right position, or the right orientation, only
+    angles, metres = np.array([[0, 0.04, 0, 0.8e-3, 1.3e-3, 0], [0, 0, 0.03, 0.8e-3, 0, 1.3e-3]])
+    halves[:, :3, :3] = exp_so3(angles[:, None] / np.sqrt([3, 3, 3])) @ halves[:, :3, :3]
+    halves[:, :3, 3] += metres[:, None] / np.sqrt([3, 3, 3])
+    others = np.clip(READY + 0.4 * rng.uniform(-1, 1, 7), LOW, HIGH)
+    passed, starts = PANDA.fk(np.array([_PASSED, READY])), np.array([_PASSING, others])
+    return [
+        (np.array([near[0], far]), READY, 0.01, 20),
+        _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
+        _case(rng, 6, others, 0.05, 35, 1.5),
+        (near, READY, 0.01, 15),
+        (PANDA.fk(HIGH[None] + 0.1), HIGH + 0.1, 0.01, 0),
+        (halves, READY, 1000.0, 2),
+        *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
+    ]
+
+
+_ONE_MATRIX = Mistake(
+    "a batch is transposed, multiplied or solved as if it were one matrix",
+    "J has the shape (n, 6, 7): what does J.T do to it, and which shape does e need?",
+)
+
+EXERCISE = Exercise(
+    name="reached_targets",
+    points=3,
+    arguments=("targets", "q0", "eps", "steps"),
+    cases=_cases,
+    returns=numbers(
+        lambda targets, *rest: (len(targets),),
+        {
+            (): Mistake(
+                "one number is returned",
+                "The answer is True or False for each target: its mean is the share.",
+            )
+        },
+    ),
+    properties=(
+        Property(
+            "the answer is True or False for each target",
+            lambda found, *case: np.isin(found, [0, 1]).all(),
+            mistake=Mistake(
+                "something other than True or False is returned",
+                "With what are both errors compared?",
+            ),
+        ),
+        Property(
+            "a target is reached if after the last of the damped steps, each clipped to the "
+            "limits, both halves of its "
+            "error are below 1e-3",
+            lambda found, *case: (found == right(*case)).all(),
+            says=lambda found, *case: (
+                f"In yours {int(found.sum())} of {len(found)} are reached; "
+                f"{int(right(*case).sum())} are."
+            ),
+            mistake=Mistake(
+                "the steps, or the test after them, are others than the task's",
+                "Is eps constant, are targets seen from the base, do error and Jacobian fit, and "
+                "do both halves count? "
+                "With no steps the start is judged as it is.",
+            ),
+        ),
+    ),
+    hints=(
+        "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape "
+        "(n, 4, 4). Begin with "
+        "q = np.zeros((len(targets), 7)) + q0, and take `steps` steps with all targets at once.",
+        "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of "
+        "shape (n, 6, 6), then "
+        "J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
+        "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], "
+        "are to be below 1e-3.",
+    ),
+    library=right,
+    tries_arguments=False,
+    errors=(("ValueError", "core dimension", _ONE_MATRIX),),
+    forbidden=("course_lib.ik.solve",),
+)
+
+
+@EXERCISE.mistake(clip=("", "end"))
+def limits_ignored(*case, clip):
+    """the limits are ignored, or applied at the end only.
+
+    From which configuration does each step start?
+    """
+    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None

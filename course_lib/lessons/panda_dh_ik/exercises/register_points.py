@@ -1,0 +1,194 @@
+"""register_points: find the bug. A reflection is corrected in the finished product."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
+from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
+    IS_A_POSE,
+    TRIANGLE,
+    close,
+    difference,
+    exactly,
+    in_a_plane,
+    moved,
+    noisy,
+    product,
+    read_pose,
+    reflecting,
+    registered,
+    size,
+)
+from course_lib.rigid import transform
+from course_lib.rotations import rot_x, rot_z
+
+_WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
+_WHOLE_ROTATED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
+_WHOLE_APART = np.array([[1, 2, 3], [2, 5, 3], [-1, 2, 4], [1, 2, 5]])
+_WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
+
+
+def _without_weight(rng, n, noise):
+    """Return two cases that differ only in points of no weight, which lie far off."""
+    left_out, weights = rng.choice(n, n - 3, replace=False), _uneven(rng, n)
+    weights[left_out] = 0
+    src, dst, _ = noisy(rng, weights, noise) if noise else exactly(rng, weights)
+    cases = []
+    for _ in range(2):
+        src, dst = src.copy(), dst.copy()
+        src[left_out] = away_from_zero(rng, (n - 3, 3), 0.5, 2.5)
+        dst[left_out] = away_from_zero(rng, (n - 3, 3), 3.0, 6.0)
+        cases.append((src, dst, weights))
+    return cases
+
+
+def _uneven(rng, n):
+    """Return n weights that are not all the same, in random order."""
+    return np.resize([0.5, 2.0, 1.0, 4.0, 3.0], n)[rng.permutation(n)]
+
+
+def _cases(rng):
+    about_z, about_x = (transform(rot(np.pi / 2), [1.0, 2, 3]) for rot in (rot_z, rot_x))
+    three, four, five, many = (_uneven(rng, n) for n in (3, 4, 5, 16))
+    named = [
+        (TRIANGLE, TRIANGLE, np.ones(3)),
+        (TRIANGLE, TRIANGLE + np.array([1, 2, 3]), np.ones(3)),
+        (TRIANGLE, moved(about_z, TRIANGLE), np.ones(3)),
+        (TRIANGLE, moved(about_x, TRIANGLE), np.array([1.0, 2, 3])),
+        (_WHOLE, _WHOLE_ROTATED, _WHOLE_WEIGHTS),
+    ]
+    drawn = [exactly(rng, weights) for weights in (np.ones(4), four, many)]
+    planes = [*in_a_plane(rng), *(exactly(rng, three) for _ in range(3))]
+    weightless = [*_without_weight(rng, 4, 0), *_without_weight(rng, 5, 0.3)]
+    noise = [noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
+    src, dst, _ = noise[2]
+    scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250)]
+    centred = moved(about_x @ any_pose(rng), src)
+    centred = centred - four @ centred / four.sum()
+    over = [reflecting(rng, weights) for weights in (np.ones(4), np.ones(5), four, five, many)]
+    shift = np.array([100, -80, 60])
+    away = [(src + shift, dst, four), (src, dst + shift, four), (src + 90, dst - 120, four)]
+    small = [(1e-3 * a, 1e-3 * b, 1e-3 * four) for a, b, _ in (noise[2], over[2])]
+    others = [(centred, dst, four), (_WHOLE, _WHOLE_APART, _WHOLE_WEIGHTS), noise[2]]
+    return [*named, *drawn, *planes, *weightless, *noise, *scaled, *over, *away, *small, *others]
+
+
+def _squares(T, src, dst, weights):
+    return weights @ ((moved(T, src) - dst) ** 2).sum(-1)
+
+
+def _off(T, *case):
+    yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
+    return (
+        f"{difference(T, registered(*case))} The sum is {yours:.6g} with yours; {least:.6g} is "
+        f"possible."
+    )
+
+
+def _exact(src, dst, weights):
+    off = np.abs(moved(registered(src, dst, weights), src) - dst)
+    return weights.all() and off.max() < 1e-10 * size(src, dst)
+
+
+def _broken(src, dst, weights):
+    c_src, c_dst = np.average(src, 0, weights), np.average(dst, 0, weights)
+    U, _, Vt = np.linalg.svd((weights[:, None] * (dst - c_dst)).T @ (src - c_src))
+    R = U @ Vt
+    if np.linalg.det(R) < 0:
+        R[:, 2] *= -1
+    return pose(R, c_dst - R @ c_src)
+
+
+_POSITION = Mistake("R is right, and p is not", "To which point does T take the centroid of src?")
+_WITHOUT_NOISE = Mistake(
+    "T is wrong even without noise",
+    "Is dst on the left in the sum of the w_i b_i a_i^T, and by what are the weighted sums divided?",
+)
+
+EXERCISE = Exercise(
+    name="register_points",
+    points=2,
+    arguments=("src", "dst", "weights"),
+    cases=_cases,
+    returns=read_pose,
+    properties=(
+        SAME_TWICE,
+        *IS_A_POSE,
+        Property(
+            "if dst is src moved by a pose, T takes each point to its partner",
+            lambda T, src, dst, weights: near(moved(T, src), dst),
+            _off,
+            where=_exact,
+            mistake=lambda T, *case: (
+                _POSITION if close(T[:3, :3], registered(*case)[:3, :3]) else _WITHOUT_NOISE
+            ),
+        ),
+        Property(
+            "T is the pose whose sum of w_i |T src_i - dst_i|^2 is least: a point of weight 0 "
+            "changes nothing",
+            lambda T, *case: close(T, registered(*case)),
+            _off,
+            mistake=Mistake(
+                "the weights count otherwise",
+                "Does each w_i, itself, stand once in each of the sums?",
+            ),
+        ),
+    ),
+    hints=(
+        "Run the broken code on four points with noise of their own size until its determinant "
+        "test applies. "
+        "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small "
+        "rotation?",
+        "To change a sign costs least at the smallest singular value. Does a column of the "
+        "finished product U V^T "
+        "belong to one of the singular values?",
+        "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
+    ),
+    library=registered,
+    broken=_broken,
+    forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),
+    errors=(
+        (
+            "ValueError",
+            "is not a rotation",
+            Mistake(
+                "rigid.transform is given a reflection",
+                "Which sign makes U V^T a rotation, and costs least?",
+            ),
+        ),
+    ),
+)
+
+
+def _reflection(*case):
+    """Return R with a sign at the smallest singular value that does not belong there."""
+    R, normal = registered(*case)[:3, :3], np.linalg.svd(product(*case))[2][2]
+    return R - 2 * np.outer(R @ normal, normal)
+
+
+def _has_block(T, block, src, dst, weights):
+    return same(T, pose(block, np.average(dst - src @ block.T, 0, weights)))
+
+
+@EXERCISE.seen
+def of_the_transpose(T, *case):
+    """R is the rotation nearest to the transpose of B. Are the points of dst on the left in B?"""
+    return _has_block(T, registered(*case)[:3, :3].T, *case)
+
+
+@EXERCISE.seen
+def sign_missing(T, *case):
+    """U V^T has the same sign for all points: it is returned as it is, or always changed. How do
+    you see whether it is a reflection, and at which singular value does a change of sign cost
+    least?"""
+    return _has_block(T, _reflection(*case), *case)
+
+
+@EXERCISE.seen
+def sign_elsewhere(T, *case):
+    """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what
+    does that cost at each of the singular values?"""
+    M, signs = _reflection(*case), 1 - 2 * np.eye(3)
+    blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
+    blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]
+    return any(_has_block(T, block, *case) for block in blocks)

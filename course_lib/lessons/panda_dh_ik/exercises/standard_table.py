@@ -1,0 +1,78 @@
+"""standard_table: the rows of the standard convention for an arm given in the modified one."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.vocabulary import away_from_zero, near
+from course_lib.lessons.panda_dh_ik.exercises.shared import TABLE
+
+
+def converted(table):
+    """Return the standard rows of a modified table whose first a and alpha are zero."""
+    return np.column_stack([np.vstack([table[1:, :2], [0, 0]]), table[:, 2]])
+
+
+def _cases(rng):
+    two = np.array([[0, 0, 0.3], [0.5, np.pi / 2, 0.1]])
+    drawn = [away_from_zero(rng, (n, 3)) for n in (3, 4, 7)]
+    for table in drawn:
+        table[0, :2] = 0
+    return [
+        (table,) for table in (two, TABLE, *drawn, np.array([[0, 0, 1], [2, 1, 3], [4, -1, 0]]))
+    ]
+
+
+def _first_off(answer, table):
+    i = int(np.argmax(np.abs(answer - converted(table)).max(1)))
+    return f"Row {i + 1} differs: the steps of the two tables do not multiply to the same pose."
+
+
+EXERCISE = Exercise(
+    name="standard_table",
+    points=1,
+    arguments=("table",),
+    cases=_cases,
+    returns=numbers(lambda table: table.shape),
+    properties=(
+        Property(
+            "the column d stays as it is: the steps along z are the same",
+            lambda answer, table: near(answer[:, 2], table[:, 2]),
+        ),
+        Property(
+            "for any joint angles, the standard steps multiply to the same pose as the modified "
+            "ones",
+            lambda answer, table: near(answer, converted(table)),
+            says=_first_off,
+        ),
+    ),
+    hints=(
+        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X "
+        "is beside Z_1 now?",
+        "The column d stays. Where do the columns a and alpha go, and what stands in the last row?",
+        "np.column_stack([np.roll(table[:, 0], -1), np.roll(table[:, 1], -1), table[:, 2]])",
+    ),
+    library=converted,
+)
+
+
+@EXERCISE.mistake(
+    shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)),
+    around=(True, False),
+)
+def other_columns_move(table, shifts, around):
+    """the wrong columns move, or in the wrong direction. A row holds a, alpha, d: which of them
+    belong to a step along x, which to one along z, and which of its neighbours does the step X_1
+    join, Z_1 or Z_2?"""
+    padded = (
+        np.vstack([table, np.zeros(3)]) if not around else table
+    )  # with zeros in place of what comes around
+    return np.column_stack(
+        [np.roll(padded[:, k], shift)[: len(table)] for k, shift in enumerate(shifts)]
+    )
+
+
+@EXERCISE.mistake
+def last_row_kept(table):
+    """the last row keeps its a and alpha. Is there a step along x after the last joint?"""
+    return np.concatenate([converted(table)[:-1], [[*table[-1, :2], *converted(table)[-1, 2:]]]])

@@ -1,0 +1,94 @@
+"""test_pose_error: write the test. Candidates are right and wrong versions of pose_error."""
+
+import numpy as np
+
+from course_lib.checks.write_test import Version, WriteTest
+from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import length, log_so3, matrix_to_quaternion
+
+
+def _with_phi(phi_of):
+    return lambda T, T_target: np.concatenate(
+        [pose_error(T, T_target)[:3], phi_of(T[:3, :3], T_target[:3, :3])]
+    )
+
+
+def _with_position(position_of):
+    return lambda T, T_target: np.concatenate(
+        [position_of(T, T_target), pose_error(T, T_target)[3:]]
+    )
+
+
+def _by_quaternion(R, R_target):
+    kappa = matrix_to_quaternion(R_target @ R.T)
+    size = length(kappa[1:])
+    return kappa[1:] * (2 * np.arctan2(size, kappa[0]) / size if size > 0 else 2.0)
+
+
+def _stretched(factor):
+    def phi(R, R_target):
+        right = log_so3(R_target @ R.T)
+        angle = length(right)
+        return right * factor(angle) / angle if angle > 0 else right
+
+    return _with_phi(phi)
+
+
+def _scaled(upper, lower):
+    return lambda *pair: pose_error(*pair) * np.repeat([upper, lower], 3)
+
+
+_MOVED = transform(np.eye(3), [0.1, 0.2, 0.3])
+_SIGN = "with a wrong sign"
+_FRAME = "that is seen from another frame"
+_SUBTRACTED = "that subtracts what cannot be subtracted"
+_ANGLE = "whose angle is wrong for large rotations"
+
+EXERCISE = WriteTest(
+    name="test_pose_error",
+    points=2,
+    arguments=("pose_error",),
+    hints=(
+        "You need no right version to compare with: an error is right if applying it to T gives "
+        "T_target.",
+        "Applying it means: add the first half to the position, and multiply the rotation by "
+        "exp([phi]) on the left. "
+        "Try several pairs: small angles, large ones, and positions far from the origin.",
+        "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] is to be close to "
+        "T_target[:3, :3], "
+        "and the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose "
+        "with atol=1e-8.",
+    ),
+    shapes=((4, 4), (4, 4)),
+    given=lambda pose_error: np.allclose(pose_error(np.eye(4), _MOVED), [0.1, 0.2, 0.3, 0, 0, 0]),
+    versions=(
+        Version("that is as in the text", pose_error, right=True),
+        Version("that goes by the quaternion", _with_phi(_by_quaternion), right=True),
+        Version(
+            "whose last digits differ", lambda *pair: pose_error(*pair) * (1 + 1e-13), right=True
+        ),
+        Version("that returns six zeros for every pair", lambda *pair: np.zeros(6), example=True),
+        Version(_SIGN, _scaled(-1, -1)),
+        Version(_SIGN, _scaled(1, -1)),
+        Version(_SIGN, _scaled(-1, 1)),
+        Version("in another order", lambda *pair: np.roll(pose_error(*pair), 3)),
+        Version(_FRAME, _with_phi(lambda R, R_target: log_so3(R.T @ R_target))),
+        Version(_FRAME, _with_position(lambda T, T_target: (T_target @ inverse(T))[:3, 3])),
+        Version(
+            _FRAME, _with_position(lambda T, T_target: T[:3, :3].T @ pose_error(T, T_target)[:3])
+        ),
+        Version(_SUBTRACTED, _with_phi(lambda R, R_target: log_so3(R_target) - log_so3(R))),
+        Version(
+            _SUBTRACTED, _with_phi(lambda R, R_target: roll_pitch_yaw(R_target) - roll_pitch_yaw(R))
+        ),
+        Version(_ANGLE, _stretched(np.sin)),
+        Version(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
+        Version(_ANGLE, _stretched(lambda angle: np.minimum(angle, np.pi - angle))),
+        Version("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
+        Version(
+            "that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))
+        ),
+        Version("in degrees", _scaled(1, 180 / np.pi)),
+    ),
+)

@@ -1,0 +1,1 @@
+"""What only notebook 4 needs: product of exponentials on a KUKA iiwa 14."""

@@ -1,0 +1,86 @@
+"""body_jacobian: the joints' screw axes as the end-effector sees them now."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import SAME_TWICE, part_is, products, remembered
+from course_lib.lessons.poe_kuka_iiwa.exercises import shared
+from course_lib.rigid import adjoint, inverse
+
+
+@remembered
+def _right(screws, M, q):
+    return adjoint(inverse(shared.tool_pose(screws, M, q))) @ shared.jacobian(screws, q)
+
+
+EXERCISE = Exercise(
+    name="body_jacobian",
+    points=3,
+    arguments=("screws", "M", "q"),
+    cases=shared.arms,
+    returns=shared.read_jacobian,
+    library=_right,
+    properties=(
+        SAME_TWICE,
+        part_is(
+            "the last column is Ad(M^-1) Sn at all angles: seen from the end-effector, the last "
+            "axis does not move",
+            _right,
+            np.s_[:, -1],
+            Mistake(
+                "the last column is not B_n",
+                "Which joints lie between the last axis and the end-effector?",
+            ),
+        ),
+        part_is(
+            "in rows 1 to 3, each column has the direction of its axis, along the end-effector's "
+            "own axes",
+            _right,
+            np.s_[:3],
+            Mistake(
+                "an axis is not moved by all joints between it and the end-effector, each by its "
+                "own angle",
+                "Which exponentials, in which order, stand in Ad(...) before B_1?",
+            ),
+        ),
+        part_is(
+            "in rows 4 to 6, each column has the velocity of the end-effector's origin, along the "
+            "end-effector's axes",
+            _right,
+            np.s_[3:],
+        ),
+    ),
+    hints=(
+        "Begin at the last joint: its column is the body screw B_n, at all angles.",
+        "Column n - 1 is B_{n-1} as joint n has moved it, seen from the end-effector: by "
+        "Ad(exp(-[B_n] q_n)).",
+        "Go from the last joint to the first and keep T: note the column Ad(T) B_i, then multiply "
+        "T on the right by "
+        "exp(-[B_i] q_i). At the end, put the columns in the joints' order.",
+    ),
+    forbidden=("course_lib.arms.SerialArm",),
+)
+
+
+@EXERCISE.mistake(
+    others=(
+        lambda each, i: each[i + 1 :],
+        lambda each, i: each[:i],
+        lambda each, i: each[i + 2 :][::-1],
+    )
+)
+def other_joints(screws, M, q, others):
+    """the exponentials of the body screws are in the wrong order, or of the wrong joints.
+
+    Which move column i?
+    """
+    B = screws @ adjoint(inverse(M)).T
+    each = shared.exponentials(B, -q)
+    return shared.columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)
+
+
+@EXERCISE.mistake(seen=lambda J, *arm: np.abs(J - _right(*arm)).max() < 1e-5)
+def few_digits(screws, M, q):
+    """the answer is right to its first digits only. Differences are not exact to nine digits, nor
+    is np.round: exp_se3 and adjoint are."""
+    return np.round(_right(screws, M, q), 8)

@@ -1,0 +1,174 @@
+"""exp_se3: the pose reached by following a constant twist for unit time."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import FINE, LAST_ROW, X, Y, Z, first_off, unit
+from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
+from course_lib.rigid import exp_se3
+from course_lib.rotations import exp_so3, hat, length
+
+_NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the series
+
+
+def _cases(rng):
+    still, quarter = np.zeros(3), np.pi / 2
+    named = [
+        (quarter * Z, X),
+        (quarter * Z, Y),
+        (quarter * Z, Z),
+        (-quarter * X, Z),
+        (Z, np.array([1.0, 2, 3])),
+    ]
+    named += [(quarter * axis, still) for axis in (X, Y, Z)]
+    for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, 9e-4, 1e-5, 1.2e-8, 1e-9, 1e-12):
+        n, along = unit(rng), rng.uniform(0.5, 1)
+        across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
+        named.append((angle * n, across / np.linalg.norm(across) + along * n))
+    named += [(2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
+    named += [(still, X), (still, np.array([1.0, 2, 3])), (1e-170 * n, n + 1), (still, still)]
+    return [(np.concatenate(twist),) for twist in named]
+
+
+def _angle(twist):
+    return float(length(twist[:3]))
+
+
+def _is_small(twist):
+    return _NO_ANGLE < _angle(twist) < _SMALL
+
+
+def _p_is_right(T, twist):
+    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * FINE * max(
+        1.0, np.abs(twist[3:]).max()
+    )
+
+
+def _p_off(T, twist):
+    right = exp_se3(twist)[COLUMN]
+    return (
+        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is "
+        f"{format_tuple(T[COLUMN])}, off "
+        f"by {np.abs(T[COLUMN] - right).max():.2g}."
+    )
+
+
+def _keeps_digits(T, twist):
+    """Return whether the part of p along omega x v, which the rotation alone brings about, is right
+    to two digits."""
+    aside, right = np.cross(twist[:3] / _angle(twist), twist[3:]), exp_se3(twist)[COLUMN]
+    allowed = 0.02 * abs(right @ aside) + 2e-15 * np.abs(twist[3:]).max() * np.linalg.norm(aside)
+    return abs((T[COLUMN] - right) @ aside) <= allowed
+
+
+EXERCISE = Exercise(
+    name="exp_se3",
+    points=3,
+    arguments=("twist",),
+    cases=_cases,
+    returns=numbers(lambda twist: (4, 4)),
+    library=exp_se3,
+    properties=(
+        LAST_ROW,
+        Property(
+            "the upper left 3x3 block is the rotation by |omega| about omega",
+            lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
+            says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
+            points=1,
+        ),
+        Property(
+            "p is where the origin arrives after unit time with the constant twist, T' = [V] T",
+            _p_is_right,
+            says=_p_off,
+            mistake=Mistake(
+                "p is not where the origin arrives",
+                "The part of v along omega moves the origin all the way, the rest along an arc. "
+                "Which term is which?",
+            ),
+        ),
+        Property(
+            "a tiny rotation is none the less there: R - I is [omega], to two digits",
+            lambda T, twist: (
+                np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist)
+            ),
+            says=lambda T, twist: f"|omega| is {_angle(twist):.3g}.",
+            where=_is_small,
+        ),
+        Property(
+            "the part of p along omega x v, small as it is, is right to two digits",
+            _keeps_digits,
+            says=_p_off,
+            where=_is_small,
+        ),
+    ),
+    hints=(
+        "a is the length of omega, and n = omega / a. The part of v along n is a vector; the part "
+        "across is the rest.",
+        "Which of the two parts does the rotation bend into an arc? How far does that lead along "
+        "it, how far sideways?",
+        "along = (n @ v) * n, across = v - along, p = along + sin(a)/a * across + (1 - cos(a))/a * "
+        "np.cross(n, v).",
+    ),
+    forbidden=("course_lib.rigid.exp_se3",),
+)
+
+
+def _p(
+    twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), across=True, number=False
+):
+    """Return p with other factors; raises for twists that the given lines answer."""
+    a, v = _angle(twist), twist[3:]
+    if a < _GIVEN:
+        raise ValueError("so small an angle is not the student's")
+    n = twist[:3] / a
+    part = n @ v if number else (n @ v) * n
+    return along * part + (forward(a) * (v - across * part) + sideways(a) * np.cross(n, v)) / a
+
+
+@EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
+def p_is_v(twist, rotated):
+    """p is v, or R v.
+
+    That is the velocity at the beginning, or at the end, of the motion: what is it on the way?
+    """
+    return exp_so3(rotated * twist[:3]) @ twist[3:]
+
+
+@EXERCISE.mistake(part=COLUMN)
+def number_for_the_part_along_the_axis(twist):
+    """the number n @ v stands for the part of v along n. Which vector along n is as long?"""
+    return _p(twist, number=True)
+
+
+@EXERCISE.mistake(part=COLUMN)
+def all_of_v_on_the_arc(twist):
+    """the part of v along n is bent into the arc as well. What is left of v without it?"""
+    return _p(twist, across=False)
+
+
+@EXERCISE.mistake(part=COLUMN)
+def omega_for_n(twist):
+    """the part along n x v has another length, as with omega for n. How long is n?"""
+    return _p(twist, sideways=lambda a: a * (1 - np.cos(a)))
+
+
+@EXERCISE.mistake(
+    part=COLUMN,
+    factors=(
+        {"forward": lambda a: a * np.sin(a)},
+        {"forward": lambda a: a * np.sin(a), "sideways": lambda a: a * (1 - np.cos(a))},
+        {"along": 0},
+        {"forward": lambda a: 0},
+        {"sideways": lambda a: 0},
+        {"sideways": lambda a: np.cos(a) - 1},
+        {"forward": lambda a: 1 - np.cos(a), "sideways": np.sin},
+    ),
+)
+def factor_of_p(twist, factors):
+    """a factor in the formula of p is wrong, or a term is missing.
+
+    As a goes to 0, p goes to v: is that so in yours?
+    """
+    return _p(twist, **factors)

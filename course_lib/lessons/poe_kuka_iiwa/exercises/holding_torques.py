@@ -1,0 +1,108 @@
+"""holding_torques: the joint torques that hold a load still."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
+from course_lib.lessons.poe_kuka_iiwa.exercises import shared
+
+G = 9.81  # m/s^2
+_WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each joint.")
+
+
+def _cases(rng):
+    # Axes along -y, links along x.
+    upright = np.hstack(
+        [shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]]
+    )
+    arm = (shared.KUKA, shared.KUKA_HOME)
+    drawn = [
+        (
+            shared.axes(*shared.drawn_axes(rng, n)),
+            any_pose(rng),
+            away_from_zero(rng, n),
+            rng.uniform(1, 5),
+            away_from_zero(rng, 3),
+        )
+        for n in (2, 4, 5, 7)
+    ]
+    return [
+        (upright, shared.at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
+        (upright, shared.at(2, 0, 0), np.array([0.4, 0.5]), 2.0, np.array([0.1, 0, 0])),
+        (*arm, np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2]), 10.0, np.array([0.02, -0.05, 0.1])),
+        *drawn,
+        (*arm, np.zeros(7), 10.0, np.array([0.1, 0.2, 0.05])),
+    ]
+
+
+def _weight(screws, M, q, mass, center):
+    """Return the wrench of the load's weight, as the base sees it."""
+    T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return np.append(np.cross(T[:3, :3] @ center + T[:3, 3], f), f)
+
+
+def _right(screws, M, q, mass, center):
+    return -shared.jacobian(screws, q).T @ _weight(screws, M, q, mass, center)
+
+
+EXERCISE = Exercise(
+    name="holding_torques",
+    points=3,
+    arguments=("screws", "M", "q", "mass", "center"),
+    cases=_cases,
+    returns=numbers(
+        lambda screws, M, q, mass, center: (len(q),),
+        lambda array, screws, *rest: _WRENCH if array.shape == (6,) else None,
+    ),
+    library=_right,
+    properties=(
+        part_is(
+            "the torques hold the load: their work in a small motion is the energy that it gains",
+            _right,
+            ...,
+            Mistake(
+                "the torques are not -J_s^T (p x f, f) of the weight f at the center p",
+                "How large is f? Where is p at these angles? Which matrix takes a wrench to "
+                "torques?",
+            ),
+        ),
+    ),
+    hints=(
+        "Three steps: where is the center of mass, seen from the base? What wrench (m, f) is the "
+        "weight, seen from the "
+        "base? Which torques balance it?",
+        "A motion with joint velocities q' lets the weight do the power F_s . (J_s q'). The "
+        "joints' power is "
+        "tau . q'. Held still, the two add up to 0 for every q'.",
+        "So tau is minus the transpose of the space Jacobian, times F_s; and F_s is (p x f, f), f "
+        "= (0, 0, -9.81 "
+        "mass).",
+    ),
+)
+
+
+def _by(screws, M, q, mass, center, wrench):
+    """Return the torques of somebody who has another wrench: (m, f) = wrench(p of the load, T,
+    f)."""
+    T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
+    return -shared.jacobian(screws, q).T @ np.concatenate(
+        wrench(T[:3, :3] @ center + T[:3, 3], T, f)
+    )
+
+
+@EXERCISE.mistake(origin=(0, 1))
+def center_not_rotated(screws, M, q, mass, center, origin):
+    """the center of mass is not rotated into the base's axes. In which frame is it given?"""
+    return _by(
+        screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f)
+    )
+
+
+@EXERCISE.mistake(factor=(0, -1))
+def moment(*case, factor):
+    """the moment of the weight is missing, or is f x p.
+
+    A force at p has the moment p x f about the origin.
+    """
+    return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))

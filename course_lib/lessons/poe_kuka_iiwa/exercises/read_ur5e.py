@@ -1,0 +1,197 @@
+"""read_ur5e: the student reads the screw axes and the home pose of a UR5e off its drawing."""
+
+import numpy as np
+
+from course_lib.arms import ur5e
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.vocabulary import FINE, orthogonality_error, pose
+from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, axes
+
+_TOLERANCE = 1e-4  # metres: a tenth of the drawing's last digit
+_SCREWS, _M = ur5e().screw_axes, ur5e().home[-1]
+_OMEGA, _V = _SCREWS[:, :3], _SCREWS[:, 3:]
+_POINTS = np.cross(_OMEGA, _V)
+_R, _P = _M[BLOCK], _M[COLUMN]
+_read_screws = numbers(
+    lambda: (6, 6), {(6, 3): Mistake("v is missing", "A screw axis is omega and v: six numbers.")}
+)
+_read_pose = numbers(
+    lambda: (4, 4),
+    {
+        (3,): Mistake(
+            "only the flange's position is returned", "A pose is R and p, of shape (4, 4)."
+        )
+    },
+)
+
+
+def _read(value):
+    """Return omega (6, 3), v (6, 3) and M (4, 4)."""
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        pair = Mistake(
+            "something other than a pair is returned", "The last line is `return screws, M`."
+        )
+        raise Unreadable(
+            "the answer is a pair, screws of shape (6, 6) and M of shape (4, 4).", pair
+        )
+    screws = _read_screws(value[0])
+    return screws[:, :3], screws[:, 3:], _read_pose(value[1])
+
+
+def _direction_off(read):
+    i = int(np.argmax(np.abs(read[0] - _OMEGA).max(1) > 1e-6))
+    opposite = " It is the opposite one." if np.allclose(read[0][i], -_OMEGA[i]) else ""
+    return f"Joint {i + 1} has another: yours is {format_tuple(read[0][i])}.{opposite}"
+
+
+def _velocity_off(read):
+    off = np.abs(read[1] - _V).max(1)
+    i = int(np.argmax(off > _TOLERANCE))
+    if np.allclose(read[1][i], -_V[i], atol=_TOLERANCE):
+        return f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is the opposite one."
+    beside = _axes(np.cross(read[0][i], read[1][i] - _V[i]))
+    shown = (
+        f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is {1000 * off[i]:.3g} mm/s off at 1 "
+        f"rad/s"
+    )
+    return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
+
+
+def _axes(vector):
+    """Return the names of the coordinates in which a vector (3,) is off, such as "x and z"."""
+    return " and ".join(np.array(list("xyz"))[np.abs(vector) > _TOLERANCE])
+
+
+EXERCISE = Exercise(
+    name="read_ur5e",
+    points=4,
+    arguments=(),
+    cases=lambda rng: [()],
+    returns=_read,
+    library=lambda: (_SCREWS, _M),
+    forbidden=("course_lib.arms.ur5e",),
+    properties=(
+        Property(
+            "the axes have the directions of the arrows in the drawing, of length one",
+            lambda read: np.allclose(read[0], _OMEGA, atol=1e-6),
+            says=_direction_off,
+            mistake=Mistake(
+                "an axis has another direction than its arrow", "Are the rows joints, omega first?"
+            ),
+            points=1,
+        ),
+        Property(
+            "v is the velocity of the point at the base's origin when the joint rotates at 1 rad/s",
+            lambda read: (np.abs(read[1] - _V) <= _TOLERANCE).all(),
+            says=_velocity_off,
+            mistake=Mistake(
+                "an axis is read elsewhere than it is drawn",
+                "Through which point goes the arrow of the joint below? Add up from the base, with "
+                "signs, to 0.1 mm.",
+            ),
+            points=1,
+        ),
+        Property(
+            "M is a pose (R, p): R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
+            lambda read: (
+                np.allclose(read[2][3], [0, 0, 0, 1], atol=FINE)
+                and orthogonality_error(read[2][BLOCK]) < 1e-6
+                and np.linalg.det(read[2][BLOCK]) > 0
+            ),
+            says=lambda read: (
+                f"det R is {np.linalg.det(read[2][BLOCK]):.3g}, the last row {read[2][3]}."
+            ),
+            mistake=Mistake(
+                "M's rotation is not right-handed",
+                "Its columns are the flange's x, y and z = x x y.",
+            ),
+        ),
+        Property(
+            "the columns of the rotation in M are the flange's axes, seen from the base",
+            lambda read: np.allclose(read[2][BLOCK], _R, atol=1e-6),
+            says=lambda read: (
+                f"The flange's {'xyz'[np.argmax(abs(read[2][BLOCK] - _R).max(0) > 1e-6)]} axis "
+                f"points elsewhere."
+            ),
+        ),
+        Property(
+            "the position in M is that of the flange in the base frame, in metres",
+            lambda read: np.abs(read[2][COLUMN] - _P).max() <= _TOLERANCE,
+            says=lambda read: (
+                f"Yours is {format_tuple(read[2][COLUMN])}: look at {_axes(read[2][COLUMN] - _P)} "
+                f"again."
+            ),
+            mistake=Mistake(
+                "the flange is read elsewhere than it is drawn",
+                "Go from axis 6 to the flange in each view: which lengths lead there, along which "
+                "direction?",
+            ),
+            points=1,
+        ),
+    ),
+    hints=(
+        "Axes 5 and 6 are left. An axis along z needs x and y from the top view; an axis along y "
+        "needs x and z from "
+        "the side view. The third coordinate of the point is up to you. The cell on the iiwa makes "
+        "v of such points.",
+        "Dimensions are distances between neighbours: go on from axis 4, whose point is there. "
+        "Mind the signs: the arm "
+        "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower.",
+        "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the "
+        "base's. The columns "
+        "of its rotation are x, y and z; its position adds up the lengths along -x, -y and z.",
+    ),
+)
+
+
+def _answered(omega=_OMEGA, points=_POINTS, R=_R, p=_P):
+    """What somebody answers who reads these directions, points and home pose."""
+    return axes(np.asarray(omega), np.asarray(points)), pose(R, p)
+
+
+def _screws(read, predicted):
+    return np.allclose(np.hstack(read[:2]), predicted[0], atol=_TOLERANCE)
+
+
+def _orientation(read, predicted):
+    return _screws(read, predicted) and np.allclose(
+        read[2][BLOCK], predicted[1][BLOCK], atol=_TOLERANCE
+    )
+
+
+@EXERCISE.mistake(alike=_screws)
+def other_order_of_the_product():
+    """v has the wrong sign.
+
+    Does the joint move the origin with omega x p, or is p where the axis is?
+    """
+    return np.hstack([_OMEGA, np.cross(_OMEGA, _POINTS)]), _M
+
+
+@EXERCISE.mistake(alike=_screws, joint=(4, 5))
+def reversed_direction(joint):
+    """the direction of a joint is reversed.
+
+    Go through the arrows of the drawing, joint by joint.
+    """
+    return _answered(_OMEGA * np.where(np.arange(6) == joint, -1, 1)[:, None])
+
+
+@EXERCISE.mistake(alike=_orientation)
+def parallel_to_the_base():
+    """the flange is taken to be parallel to the base.
+
+    In which directions do the flange's axes point in the drawing?
+    """
+    return _answered(R=np.eye(3))
+
+
+@EXERCISE.mistake(alike=_orientation)
+def rows_for_columns():
+    """the rotation in M is transposed.
+
+    Each of its columns is one axis of the flange, seen from the base.
+    """
+    return _answered(R=_R.T)

@@ -1,0 +1,74 @@
+"""space_jacobian: the joints' screw axes where the arm has moved them."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import SAME_TWICE, part_is, products
+from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
+    arms,
+    columns,
+    exponentials,
+    jacobian,
+    read_jacobian,
+)
+from course_lib.rigid import adjoint
+
+_FIRST_MOVED = Mistake(
+    "the first axis is moved, or changed", "Which joints stand before the first? Column 1 is S1."
+)
+
+EXERCISE = Exercise(
+    name="space_jacobian",
+    points=2,
+    arguments=("screws", "q"),
+    cases=lambda rng: [(screws, q) for screws, M, q in arms(rng)],
+    returns=read_jacobian,
+    library=jacobian,
+    properties=(
+        SAME_TWICE,
+        part_is(
+            "the first column is the first screw axis: no joint stands before it",
+            jacobian,
+            np.s_[:, 0],
+            _FIRST_MOVED,
+        ),
+        part_is(
+            "in rows 1 to 3, each column has the direction of its axis, rotated by all joints "
+            "before it",
+            jacobian,
+            np.s_[:3],
+            Mistake(
+                "an axis is not rotated by all joints before it, each by its own angle",
+                "Which exponentials, in which order, move the axis of joint 3?",
+            ),
+        ),
+        part_is(
+            "in rows 4 to 6, each column has v = -omega x p, with p on its axis as the joints "
+            "before it have moved it",
+            jacobian,
+            np.s_[3:],
+            Mistake(
+                "an axis is rotated, but not moved",
+                "Which 6 x 6 matrix of a pose takes along both?",
+            ),
+        ),
+    ),
+    hints=(
+        "Column 1 is S1. Column 2 is S2 as joint 1 has moved it.",
+        "Column i is Ad(T) S_i; T is the product of the exponentials of the joints before joint i.",
+        "Keep T in the loop: first note the column, then multiply T by this joint's exponential. "
+        "At the end, put the "
+        "columns side by side.",
+    ),
+    forbidden=("course_lib.arms.SerialArm",),
+)
+
+
+@EXERCISE.mistake(own=(0, 1))
+def reverse_order(screws, q, own):
+    """the exponentials are multiplied in the reverse order.
+
+    Joint 1 moves all the others: on which side is its?
+    """
+    each = exponentials(screws, q)
+    return columns(adjoint([products(each[: i + own][::-1])[-1] for i in range(len(each))]), screws)

@@ -1,0 +1,1 @@
+"""What only notebook 2 needs: rigid motion."""

@@ -1,0 +1,133 @@
+"""interpolate_body: from pose to pose, each coordinate by itself."""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.lessons.rigid_motion.exercises import shared
+from course_lib.lessons.rigid_motion.exercises.shared import change as right_change
+from course_lib.planar import interpolate_body, wrap_angle
+
+
+def between(rng, first, last, n):
+    """Return a case with these directions, and positions drawn."""
+    positions = np.round(rng.choice([-1, 1], (2, 2)) * rng.uniform(1, 9, (2, 2)), 2)
+    return np.array([*positions[0], first]), np.array([*positions[1], last]), n
+
+
+def plain_cases(rng):
+    """Return simple cases, and some in which the angle does not pass pi."""
+    named = [
+        ([0, 0, 0], [4, 2, 1], 3),
+        (np.zeros(3), np.array([4.0, 2.0, 1.0]), 5),
+        (np.array([1.0, 2.0, 0.5]), np.array([1.0, 2.0, 0.5]), 4),
+        (np.array([1.0, 2.0, -0.4]), np.array([-3.0, 1.0, -0.4]), 5),
+        (np.array([1.0, 2.0, -0.4]), np.array([1.0, 2.0, 1.1]), 6),
+        (np.array([1.0, -1.0, 0.3]), np.array([2.0, 3.0, 2.0]), 2),
+    ]
+    angles = np.round(rng.uniform(0.4, 2.8, 2) * [1, -1], 2)
+    return named + [
+        between(rng, 0.1, 0.1 + angle, n) for angle, n in zip(angles, (7, 5), strict=True)
+    ]
+
+
+def rotating_cases(rng):
+    """Return cases past pi, over several revolutions, by nearly and by exactly half of one; and
+    whole numbers."""
+    named = [
+        (np.array([0.0, 0.0, 3.0]), np.array([4.0, 2.0, -3.0]), 5),
+        (np.array([-7.0, -5.0, -2.6]), np.array([6.0, 5.0, 2.2]), 6),
+    ]
+    beyond = np.round(rng.uniform(1.7, 3.0, 4) * [1, -1, -1, 1], 2)
+    directions = [
+        *beyond.reshape(2, 2),
+        (0.3, 1.2 + 2 * shared.REVOLUTION),
+        (-0.5, -1.8 - 3 * shared.REVOLUTION),
+    ]
+    directions += [
+        (4.0, 5.2 - shared.REVOLUTION),
+        (4.0, 5.0),
+        (9.4, 8.5),
+        (0.2, 3.341),
+        (0.2, 3.342),
+    ]
+    directions += [(0.0, np.pi), (np.pi / 2, -np.pi / 2), (0.7, 0.7 + np.pi)]
+    drawn = [between(rng, *pair, 5) for pair in directions]
+    return [*named, *drawn, ([2, -1, 3], [-2, 1, -3], 5), between(rng, 2.0, -2.0, 21)]
+
+
+EXERCISE = Exercise(
+    name="interpolate_body",
+    points=2,
+    arguments=("start", "goal", "n"),
+    cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
+    returns=shared.read_path,
+    properties=(
+        *shared.ENDS,
+        Property(
+            "x and y stay on the straight line from start to goal",
+            shared.on_a_line,
+            where=shared.one_arc_is_shorter,
+        ),
+        shared.SHORTER_ARC,
+        *shared.timed(
+            lambda start, goal, s, angle: shared.straight(
+                start, [*right_change(start, goal)[:2], angle], s
+            )
+        ),
+    ),
+    library=interpolate_body,
+    hints=(
+        "u = np.linspace(0, 1, n) has n evenly spaced times; s = 3 u^2 - 2 u^3 is the part of the "
+        "change that is made.",
+        "The change is goal - start, of arrays (np.array(start, float)); its third entry, that of "
+        "theta, is wrapped.",
+        "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
+    ),
+    alike=shared.same_path,
+    forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
+)
+
+
+def _path(start, goal, n, s=None, change=None):
+    change = right_change(start, goal) if change is None else change
+    return (
+        shared.straight(start, change, shared.scaling(n) if s is None else s)
+        if shared.one_arc_is_shorter(start, goal, n)
+        else None
+    )
+
+
+shared.add_path_mistakes(EXERCISE, _path)
+
+
+@EXERCISE.mistake(
+    difference=(
+        lambda a, b: b - a,
+        lambda a, b: (b - a) % shared.REVOLUTION,
+        lambda a, b: wrap_angle(b) - wrap_angle(a),
+        lambda a, b: (
+            b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi)
+        ),
+    )
+)
+def not_wrapped(start, goal, n, difference):
+    """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap
+    the difference of the two angles, and only that, before it is scaled."""
+    return _path(
+        start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])]
+    )
+
+
+@EXERCISE.mistake
+def lengths_wrapped(start, goal, n):
+    """x and y are wrapped as if they were angles. Which of the three numbers repeats after 2 pi?"""
+    return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))
+
+
+@EXERCISE.mistake
+def whole_numbers(start, goal, n):
+    """the wrapped difference is cut off to a whole number. np.array([2, -1, 3]) holds whole numbers
+    only, and so does a difference of two such arrays: what does np.array(start, float) hold?"""
+    if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
+        return None
+    return _path(start, goal, n, change=np.trunc(right_change(start, goal)))

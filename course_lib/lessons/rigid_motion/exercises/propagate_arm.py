@@ -1,0 +1,103 @@
+"""propagate_arm: a plan of joint velocities; a bug is to be found."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise
+from course_lib.lessons.rigid_motion.exercises import shared
+from course_lib.lessons.rigid_motion.exercises.propagate_body import drawn_case
+from course_lib.planar import propagate_arm
+
+ARM = (True, True)  # both columns are angles
+
+
+def _cases(rng):
+    origin, quarter = np.zeros(2), np.pi / 4
+    first, second = (1.0, 0.0), (0.0, 1.0)
+    simple = [
+        ([0, 0], [((1, 0), 0.25)], 0.1),
+        (origin, [(second, 0.5)], 0.25),
+        (np.array([1.0, 2.0]), [(first, 0.5)], 0.25),
+        (np.array([0.5, -1.0]), [((2.0, -1.0), 0.35)], 0.1),
+        (origin, [(first, 0.3)], 1.0),
+        (origin, [(first, 0.2005)], 0.1),
+        (origin, [(first, 0.2995)], 0.1),
+        (np.array([1, 2]), [((1, 1), 1)], 0.5),
+    ]
+    rounding = (
+        (0.3, 0.1),
+        (0.9, 0.3),
+        (1.0, 0.1),
+        (1.1, 0.1),
+        (2.1, 0.3),
+    )  # a hair above or below a multiple
+    sums = [(origin, [(first, duration)], dt) for duration, dt in rounding]
+    several = [
+        (origin, [(first, 0.25), (second, 0.1)], 0.1),
+        ([0.0, 0.0], [((quarter, 0), 1.0), ((0, quarter), 1.0), ((quarter, quarter), 1.0)], 0.3),
+        (np.array([3.0, -3.0]), [((2.0, -2.0), 0.5)], 0.25),
+    ]
+    return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
+
+
+def _step(angles, velocity, h):
+    return angles + velocity * h
+
+
+def _assigned(start, plan, dt, time_of="elapsed"):
+    """The angle is the velocity times a time, and is not added to what was: as the broken code has
+    it."""
+    angles = [np.array(start, float)]
+    for velocity, duration in plan:
+        for elapsed, h in zip(np.cumsum(found := shared.lengths(duration, dt)), found, strict=True):
+            time = {"elapsed": elapsed, "step": h, "duration": duration}[time_of]
+            angles.append(np.array(velocity, float) * time)
+    return np.array(angles)
+
+
+EXERCISE = Exercise(
+    name="propagate_arm",
+    points=1,
+    arguments=("start", "plan", "dt"),
+    cases=_cases,
+    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(
+        value, *case
+    ),
+    properties=(
+        *shared.form(ARM),
+        shared.each_step(
+            "in each step each joint angle grows by its velocity times the length of the step",
+            _step,
+            ARM,
+        ),
+    ),
+    library=propagate_arm,
+    broken=_assigned,
+    alike=shared.same_rows(ARM),
+    hints=(
+        "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle "
+        "jump?",
+        "An angle after a step is the angle before it, plus velocity times the length of the step.",
+        "theta = theta + np.array(velocity) * h for each h of step_lengths(duration, dt), and a "
+        "row after each step.",
+    ),
+    forbidden=(
+        "course_lib.planar.propagate_arm",
+        "course_lib.planar.propagate_body",
+        "course_lib.planar.propagate_body_exact",
+    ),
+)
+
+
+shared.add_step_mistakes(EXERCISE, _step)
+
+
+@EXERCISE.mistake
+def elapsed_twice(start, plan, dt):
+    """the time since the pair began is counted from the row before.
+
+    Which time belongs to the row before?
+    """
+    return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(
+        start, plan, dt
+    )

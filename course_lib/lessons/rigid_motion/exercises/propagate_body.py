@@ -1,0 +1,180 @@
+"""propagate_body: a plan of body velocities, followed by Euler's method."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise
+from course_lib.lessons.rigid_motion.exercises import shared
+from course_lib.planar import propagate_body
+
+ORIGIN = (0.0, 0.0, 0.0)
+AHEAD, LEFT, SPIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+
+
+def _matrices(array, *case):
+    return shared.MATRICES if array.ndim == 3 and array.shape[1:] == (3, 3) else None
+
+
+def read_poses(value, *case):
+    """Return an answer as rows (x, y, theta), of any number."""
+    return rows(3, "poses, an array of shape (n, 3)", most=2000, known=_matrices)(value, *case)
+
+
+def _signed(rng, low, high, size):
+    return rng.choice([-1, 1], size) * rng.uniform(low, high, size)
+
+
+def drawn_durations(dt, rng):
+    """Return durations of three pairs: not a multiple of dt, a multiple, and shorter than dt."""
+    ratios = rng.integers(1, 4) + rng.uniform(0.2, 0.8), rng.integers(2, 4), rng.uniform(0.3, 0.7)
+    return [float(np.round(dt * ratio, 4)) for ratio in ratios]
+
+
+def drawn_case(rng, angles=1, lengths=2):
+    """Return a case in general position; the columns of start are lengths, and then angles."""
+    dt = float(np.round(rng.uniform(0.1, 0.4), 2))
+    start = np.round([*_signed(rng, 1, 5, lengths), *_signed(rng, 1, 5, angles)], 2)
+    velocities = [
+        tuple(np.round(_signed(rng, 0.5, 2, lengths + angles), 2).tolist()) for _ in range(3)
+    ]
+    return start, list(zip(velocities, drawn_durations(dt, rng), strict=True)), dt
+
+
+def body_cases(rng):
+    """Return cases (start, plan, dt), also of the exact method."""
+    origin = np.array(ORIGIN)
+    simple = [
+        ([0, 0, 0], [((1, 0, 0), 0.25)], 0.1),
+        (origin, [(SPIN, 0.5)], 0.25),
+        (np.array([1.0, 2.0, np.pi / 2]), [(AHEAD, 0.5)], 0.25),
+        (origin, [(LEFT, 0.5)], 0.25),
+        (np.array([0.0, 3.0, 1.0]), [((2.0, 1.0, 0.0), 0.35)], 0.1),
+        (origin, [((1.0, 0.0, 1.0), 0.75)], 0.25),
+        (np.array([2.0, 0.0, -0.5]), [((1.0, 0.5, -2.0), 0.7)], 0.2),
+        (origin, [(AHEAD, 0.3)], 1.0),
+        (origin, [(AHEAD, 0.2005)], 0.1),
+        (origin, [(AHEAD, 0.2995)], 0.1),
+        (np.array([0, 1, 1]), [((1, 0, 0), 1)], 0.5),
+    ]
+    rounding = (
+        (0.3, 0.1),
+        (0.9, 0.3),
+        (1.0, 0.1),
+        (1.1, 0.1),
+        (2.1, 0.3),
+    )  # a hair above or below a multiple
+    sums = [(origin, [(AHEAD, duration)], dt) for duration, dt in rounding]
+    several = [
+        (origin, [(AHEAD, 0.25), (LEFT, 0.1)], 0.1),
+        (origin, [(SPIN, 0.25), (AHEAD, 0.25)], 0.1),
+        ([-1.0, 2.0, 3.0], [(AHEAD, 0.5), ((1.0, 0.0, 2.0), 0.6), ((1.0, 0.0, -1.0), 0.45)], 0.25),
+    ]
+    return [*simple, *sums, *several, *(drawn_case(rng) for _ in range(4))]
+
+
+THETA = shared.each_step(
+    "theta grows by omega times the length of the step",
+    lambda pose, velocity, h: pose + velocity * h,
+    shared.BODY,
+    part=[2],
+)
+
+
+def move_by(direction):
+    """Return a move(pose, velocity, h) along R(direction(theta, omega, h)) (vx, vy)."""
+
+    def move(pose, velocity, h):
+        theta, omega = pose[2], velocity[2]
+        translation = shared.rotated(direction(theta, omega, h), velocity[:2]) * h
+        return np.array([*(pose[:2] + translation), theta + omega * h])
+
+    return move
+
+
+euler = move_by(lambda theta, omega, h: theta)
+
+
+EXERCISE = Exercise(
+    name="propagate_body",
+    points=3,
+    arguments=("start", "plan", "dt"),
+    cases=body_cases,
+    returns=read_poses,
+    properties=(
+        *shared.form(shared.BODY),
+        shared.STEP_LENGTHS,
+        THETA,
+        shared.each_step(
+            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning",
+            euler,
+            shared.BODY,
+        ),
+    ),
+    library=propagate_body,
+    hints=(
+        "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = "
+        "[start] and append.",
+        "The steps of a pair are those of step_lengths(duration, dt): for h in "
+        "step_lengths(duration, dt).",
+        "x grows by (cos(theta) vx - sin(theta) vy) h, y by (sin(theta) vx + cos(theta) vy) h, and "
+        "only then theta by "
+        "omega h.",
+    ),
+    alike=shared.same_rows(shared.BODY),
+    forbidden=("course_lib.planar.propagate_body",),
+)
+
+
+def _moved(case, direction):
+    """Euler's method along another direction."""
+    return shared.follow(move_by(direction))(*case)
+
+
+@EXERCISE.mistake(share=(1, 0.5))
+def theta_later(start, plan, dt, share):
+    """theta at the end or in the middle of the step is used, not at its beginning. Euler's method
+    takes the velocity at the beginning of a step: which line comes last?"""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
+
+
+@EXERCISE.mistake(
+    factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1))
+)
+def axes_of_the_world(start, plan, dt, factors):
+    """vx changes only x, and vy only y, as along the axes of the world. (vx, vy) is ahead and to
+    the left of the body: what rotates it?"""
+    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(
+        start, plan, dt
+    )
+
+
+@EXERCISE.mistake(factor=(0, -1))
+def no_sideways(start, plan, dt, factor):
+    """vy is left out, or counted to the right. Where does a body go that moves only to its left?"""
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(
+        start, plan, dt
+    )
+
+
+@EXERCISE.mistake
+def transposed(start, plan, dt):
+    """R is transposed: the velocity is rotated in the opposite direction. A body that faces up
+    drives up, and y grows."""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
+
+
+@EXERCISE.mistake
+def theta_kept(start, plan, dt):
+    """R is computed only once. The body rotates: so does the direction in which it moves."""
+    return _moved((start, plan, dt), direction=lambda theta, omega, h: start[2])
+
+
+@EXERCISE.mistake
+def order_of_the_twist(start, plan, dt):
+    """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
+    return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(
+        start, plan, dt
+    )
+
+
+shared.add_step_mistakes(EXERCISE, euler)

@@ -1,0 +1,122 @@
+"""wrap_angle: the same direction, by the number between -pi and pi, for one angle or an array of
+them."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
+from course_lib.planar import wrap_angle
+
+
+def _cases(rng):
+    named = [0.0, 1.0, -2.5, 3.0, 6.0, -6.0, 4, -4, 3.2, -3.2, 8.0, -8.0, 10.0, -10.0]
+    exact = [REVOLUTION, -REVOLUTION, np.pi, -np.pi, 3 * np.pi, -3 * np.pi, np.pi / 2, 3.5 * np.pi]
+    sizes = rng.uniform([0, np.pi, REVOLUTION, 20, 200], [np.pi, REVOLUTION, 3 * np.pi, 60, 900])
+    near = [
+        sign * angle for angle in (3.1415, 3.1417, 9.4247, 9.4249) for sign in (1, -1)
+    ]  # beside pi and 3 pi
+    drawn = [float(sign * np.round(size, 2)) for size in sizes for sign in (1, -1)]
+    arrays = [np.array([1.0, 4.0, -4.0]), np.round(rng.uniform(-40, 40, 5), 2)]
+    return [
+        (angle,)
+        for angle in [*named, *exact, *near, *drawn, *arrays, np.array([[4.0, 1.0], [-7.0, 2.0]])]
+    ]
+
+
+def _rounding(angle):
+    return 1e-9 * np.maximum(1.0, np.abs(angle))
+
+
+def _same_direction(value, angle):
+    return np.all(np.abs(wrap_angle(value - angle)) <= _rounding(angle))
+
+
+_ONE_ANGLE_ONLY = Mistake(
+    "the function works for one angle, and not for an array of angles",
+    "`while`, `if` and the functions of math take one number. numpy's round, mod and arctan2 work "
+    "on whole arrays.",
+)
+
+
+EXERCISE = Exercise(
+    name="wrap_angle",
+    points=1,
+    arguments=("angle",),
+    cases=_cases,
+    returns=numbers(np.shape, exact=True),
+    properties=(
+        Property(
+            "an angle that lies between -pi and pi already comes back as it is",
+            lambda value, angle: np.all(np.abs(value - angle) <= _rounding(angle)),
+            where=lambda angle: np.all(np.abs(angle) < np.pi),
+            mistake=Mistake(
+                "an angle is changed that needs no wrapping",
+                "How much is one revolution: pi, or 2 pi?",
+            ),
+        ),
+        Property(
+            "the answer lies between -pi and pi",
+            lambda value, angle: np.all(np.abs(value) <= np.pi + _rounding(angle)),
+            says=lambda value, angle: f"Yours is {np.abs(value).max() / np.pi:.4g} pi.",
+            mistake=Mistake(
+                "revolutions are left in the angle",
+                "It may hold many of them, of either sign, and each entry of an array has a number "
+                "of its own.",
+            ),
+        ),
+        Property(
+            "the answer is the same direction: it differs from the angle by a multiple of 2 pi",
+            _same_direction,
+            says=lambda value, angle: (
+                f"Yours differs from it by {format_tuple((value - angle) / REVOLUTION)} "
+                f"revolutions."
+            ),
+        ),
+    ),
+    library=wrap_angle,
+    hints=(
+        "How many revolutions are in the angle? angle / (2 pi), rounded to the nearest whole "
+        "number.",
+        "Subtract that many times 2 pi.",
+        "angle - 2 * np.pi * np.round(angle / (2 * np.pi)), or np.mod(angle + np.pi, 2 * np.pi) - "
+        "np.pi.",
+    ),
+    forbidden=("course_lib.planar.wrap_angle",),
+    errors=(
+        ("ValueError", "truth value of an array", _ONE_ANGLE_ONLY),
+        ("TypeError", "only 0-dimensional arrays can be converted", _ONE_ANGLE_ONLY),
+    ),
+)
+
+
+def _each(formula, angle):
+    """The formula of one angle, in each entry of an array; nothing is predicted of half a
+    revolution."""
+    right = wrap_angle(angle)
+    if np.any(np.abs(np.abs(right) - np.pi) < 1e-9):
+        return None
+    return np.vectorize(formula, otypes=[float])(angle) if np.ndim(angle) else formula(angle)
+
+
+@EXERCISE.mistake
+def one_revolution(angle):
+    """only one revolution is subtracted. An angle may hold several revolutions: 8 pi holds four.
+    How many does this one hold?"""
+    return _each(lambda a: a - REVOLUTION * (a > np.pi) + REVOLUTION * (a < -np.pi), angle)
+
+
+@EXERCISE.mistake(shift=((0, 0), (0, -np.pi), (np.pi, 0)))
+def from_zero(angle, shift):
+    """a remainder between 0 and 2 pi is not shifted both before and after it is taken. np.mod gives
+    numbers from 0 on: what has to happen before it, and after it?"""
+    return _each(lambda a: np.mod(a + shift[0], REVOLUTION) + shift[1], angle)
+
+
+@EXERCISE.mistake(shift=(0, np.pi, -np.pi))
+def remainder_with_sign(angle, shift):
+    """the revolutions are cut off towards 0, or the remainder has the sign of the angle. How many
+    revolutions are nearest to 4 rad? And math.fmod(-1, 5) is -1, np.mod(-1, 5) is 4: which is
+    needed?"""
+    return _each(lambda a: np.fmod(a + shift, REVOLUTION) - shift, angle)

@@ -1,0 +1,1 @@
+"""What only notebook 1 needs: rotations."""

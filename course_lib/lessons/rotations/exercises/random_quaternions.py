@@ -1,0 +1,70 @@
+"""random_quaternions: whether they are uniform, and if not, why."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.lessons.rotations.exercises import sampling
+from course_lib.rotations import quaternion_to_matrix, random_quaternions
+
+
+def _extremes(q):
+    return np.quantile(np.linalg.norm(q, axis=1), [0, 1])
+
+
+EXERCISE = Exercise(
+    name="random_quaternions",
+    points=2,
+    arguments=("n", "rng"),
+    cases=sampling.cases,
+    returns=numbers(lambda n, rng: (n, 4)),
+    library=random_quaternions,
+    properties=(
+        Property(
+            "every quaternion has length one",
+            lambda q, n, rng: np.abs(np.linalg.norm(q, axis=1) - 1).max() < 1e-9,
+            says=lambda q, n, rng: "Their lengths lie between {0[0]:.9g} and {0[1]:.9g}.".format(
+                _extremes(q)
+            ),
+            mistake=Mistake(
+                "the quaternions are not divided by their lengths", "Each has a length of its own."
+            ),
+        ),
+        *sampling.DRAWS,
+        Property(
+            "the quaternions lie all over the sphere: each of w, x, y, z is as often negative as "
+            "positive",
+            lambda q, n, rng: (
+                np.abs((q < 0).mean(axis=0) - 0.5).max() < 2.5 / np.sqrt(n)
+            ),  # five standard deviations
+            says=lambda q, n, rng: (
+                f"Negative are these parts of w, x, y, z: {format_tuple((q < 0).mean(axis=0))}."
+            ),
+            where=sampling.many,
+            mistake=Mistake(
+                "a part of the sphere is never reached",
+                "An angle from half a circle, or a sign that is removed, leaves half of the sphere "
+                "out.",
+            ),
+        ),
+        *sampling.uniform_rotations(quaternion_to_matrix),
+    ),
+    hints=(
+        "Three uniform numbers: s and two angles.",
+        "The pair (w, z) lies on a circle of radius sqrt(s), the pair (x, y) on one of radius "
+        "sqrt(1 - s).",
+        "np.stack([...], axis=-1) of the four arrays of the task has shape (n, 4).",
+    ),
+    forbidden=sampling.LIBRARY_SAMPLERS,
+)
+
+
+@EXERCISE.mistake(
+    low=(-1, 0), seen=sampling.of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003)
+)  # uniform: 1/8
+def from_a_cube(n, rng, low):
+    """four uniform numbers are normalised. They fill a cube, which has corners: more draws point
+    there. Which distribution looks the same in all directions?"""
+    q = rng.uniform(low, 1, (n, 4))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)

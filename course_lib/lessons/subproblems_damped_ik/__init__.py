@@ -1,0 +1,1 @@
+"""What only notebook 3 needs: subproblems and damped least squares."""

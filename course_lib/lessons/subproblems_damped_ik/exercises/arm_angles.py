@@ -1,0 +1,79 @@
+"""arm_angles: the first three joints of a six-axis arm, by subproblems 3, which is given, and 2."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.format_numbers import format_array
+from course_lib.checks.vocabulary import same_list
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import unless_empty
+from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
+    SHOULDER,
+    WRIST,
+    arm_solutions,
+    center_of,
+    every_solution,
+)
+from course_lib.rotations import rot_y
+
+
+def _cases(rng):
+    named = [[0.3, 0.4, -0.5], [-1.2, -0.6, 0.7]]
+    drawn = [rng.uniform(0.3, 1.2, 3) * rng.choice([-1, 1], 3) for _ in range(3)]
+    reached = [(center_of(q),) for q in named + drawn]
+    return [*reached, (np.array([0.5, 0.6, 0.4]),), (SHOULDER + np.array([0.0, 0.01, 0.02]),)]
+
+
+def _misses(q, center):
+    return np.linalg.norm(center_of(q) - center)
+
+
+_WRONG = Mistake(
+    "q1 or q2 is wrong",
+    "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for "
+    "subproblem 2, and "
+    "what becomes of its angle? Which point does each axis rotate, and are both measured from the "
+    "shoulder?",
+)
+
+
+def _tell(q, center):
+    return (
+        f"({', '.join(f'{a:.4g}' for a in q)}) brings the wrist center to "
+        f"{format_array(center_of(q), 4)}."
+    )
+
+
+EXERCISE = Exercise(
+    name="arm_angles",
+    points=3,
+    arguments=("center",),
+    cases=_cases,
+    returns=unless_empty(
+        rows(3, "a list of triples (q1, q2, q3), empty if there is none"), arm_solutions
+    ),
+    library=arm_solutions,
+    alike=same_list,
+    properties=every_solution(
+        "each triple brings the wrist center to `center`", _misses, _tell, arm_solutions, _WRONG
+    ),
+    hints=(
+        "Each given q3 makes the distance right, and joints 1 and 2 do not change it. For each, "
+        "compute p, "
+        "the wrist center after joint 3 has moved, measured from the shoulder. Then R(z, q1) R(y, "
+        "q2) p = "
+        "center - SHOULDER.",
+        "Bring R(z, q1) to the other side: R(y, q2) p = R(z, -q1) (center - SHOULDER). That is "
+        "subproblem 2.",
+        "In a loop over every_q3: for q2, back in subproblem2(ey, ez, p, center - SHOULDER), with "
+        "q1 = -back.",
+    ),
+)
+
+
+@EXERCISE.seen
+def wrist_not_moved(found, center):
+    """p is WRIST - SHOULDER, as if joint 3 did not move. Where has it brought the wrist center when
+    joints 1 and 2 come?"""
+    heights = [(rot_y(q[1]) @ (WRIST - SHOULDER))[2] for q in found]
+    return len(found) > 0 and np.allclose(heights, (center - SHOULDER)[2], rtol=0, atol=1e-8)

@@ -1,0 +1,180 @@
+"""euler_yxy: the two triples of angles about y, x and y again."""
+
+import itertools
+
+import numpy as np
+
+from course_lib.checks.answer_types import NOT_A_NUMBER, rows
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_array
+from course_lib.checks.vocabulary import remembered, same_list
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import different
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
+from course_lib.rotations import rot_x, rot_y
+from course_lib.subproblems import euler_yxy
+
+_HALF = np.diag([1.0, -1.0, -1.0])  # rot_x(pi), exactly
+_ULP = 2.0**-53
+_ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
+
+_AT_THE_END = Mistake(
+    "R[1, 1] is slightly beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
+    "Which function finds an angle from its sine and cosine, whatever they are? And which of b1 "
+    "and b3 is determined "
+    "if sin(b2) = 0?",
+)
+
+
+_FIRST = Mistake(
+    "the first triple does not rebuild R",
+    "R e_y is a column of R, and e_y^T R a row. Which sign has the b1 of subproblem 2? np.arctan2 "
+    "sees both signs.",
+)
+_SECOND = Mistake(
+    "the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?"
+)
+
+
+def _yxy(b1, b2, b3):
+    return rot_y(b1) @ rot_x(b2) @ rot_y(b3)
+
+
+def _cases(rng):
+    quarter = np.pi / 2
+    named = [rot_x(0.5), rot_x(quarter), _yxy(0.5, quarter, 0.0), _yxy(0.0, quarter, 0.5)]
+    quadrants = []
+    for far1, far2, far3 in itertools.product((0, 1), repeat=3):
+        turns = [some_angle(rng, sign) for sign in rng.choice([-1, 1], size=3)]
+        far = np.pi * np.array([far1, far2, far3])
+        quadrants.append(_yxy(*np.where(far > 0, np.sign(turns) * (far - np.abs(turns)), turns)))
+    a, b = some_angle(rng, 1), some_angle(rng, -1)
+    ends = [np.eye(3), rot_y(a), rot_y(b - 2), _HALF, rot_y(a) @ _HALF, rot_y(b) @ _HALF]
+    ends += [
+        rot_y(a) + np.diag([0, 2 * _ULP, 0]),
+        rot_y(b) + _ROUNDED,
+        rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0]),
+    ]
+    close = [_yxy(a, 1e-3, b), _yxy(b, np.pi - 1e-3, a)]
+    return [(R,) for R in named + quadrants + ends + close]
+
+
+def _sine(R):
+    """sin(b2), b2 in [0, pi]."""
+    return np.hypot(R[0, 1], R[2, 1])
+
+
+def _end(R):
+    return _sine(R) < 1e-9
+
+
+def _misses(triple, R):
+    return np.abs(_yxy(*triple) - R).max()
+
+
+def _triples(value, R):
+    try:
+        return rows(3, "the two triples (b1, b2, b3), an array of shape (2, 3)")(value)
+    except Unreadable as wrong:
+        if wrong.mistake is NOT_A_NUMBER and _end(R):
+            raise Unreadable(str(wrong), _AT_THE_END) from None
+        raise
+
+
+def _rebuilt(within):
+    return lambda found, R: bool(
+        max((_misses(triple, R) for triple in found), default=0.0) < within
+    )
+
+
+def _off(found, R):
+    worst = max(found, key=lambda triple: _misses(triple, R))
+    return f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}."
+
+
+@remembered
+def _both(R):
+    return euler_yxy(R).theta
+
+
+EXERCISE = Exercise(
+    name="euler_yxy",
+    points=3,
+    arguments=("R",),
+    cases=_cases,
+    returns=_triples,
+    library=_both,
+    alike=same_list,
+    properties=(
+        Property(
+            "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)",
+            _rebuilt(1e-9),
+            _off,
+            where=lambda R: _sine(R) > 1e-2,
+            mistake=lambda found, R: _FIRST if _misses(found[0], R) > 1e-9 else _SECOND,
+        ),
+        Property(
+            "each triple rebuilds R also where b2 is near 0 or near pi",
+            _rebuilt(1e-7),
+            _off,
+            where=lambda R: 1e-9 < _sine(R) < 1e-2,
+            mistake=Mistake(
+                "b2 near 0 or pi is treated as if it were 0 or pi",
+                "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of "
+                "0?",
+            ),
+        ),
+        Property(
+            "the two triples differ: one has b2, the other -b2",
+            lambda found, R: different(found) == 2,
+            lambda found, R: f"Yours has {different(found) or 'none'}.",
+            where=lambda R: not _end(R),
+        ),
+        Property(
+            "each triple rebuilds R also where sin(b2) is 0, to rounding",
+            _rebuilt(1e-6),
+            lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
+            where=_end,
+            mistake=Mistake(
+                "b1 and b3 do not fit together where sin(b2) = 0",
+                "At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If you choose b1, what "
+                "remains of R for b3? "
+                "And rounding may leave a tiny sine: how do you compare it with 0?",
+            ),
+        ),
+        Property(
+            "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
+            lambda found, R: len(found) == 2,
+            lambda found, R: f"Yours has {len(found)}.",
+            mistake=Mistake(
+                "a triple is missing where sin(b2) = 0", "There both are the same: return it twice."
+            ),
+        ),
+    ),
+    hints=(
+        "R e_y = Ry(b1) Rx(b2) e_y, whatever b3 is: so Rx(b2) e_y = Ry(-b1) R e_y. That is "
+        "subproblem 2.",
+        "Each of its two pairs gives a b2 and, with the other sign, a b1. Then Ry(b3) = Rx(-b2) "
+        "Ry(-b1) R: "
+        "subproblem 1 for e_x.",
+        "Or by entries: R[1, 1] = cos(b2), R[0, 1] = sin(b1) sin(b2), R[2, 1] = cos(b1) sin(b2), "
+        "R[1, 0] = sin(b2) sin(b3), R[1, 2] = -sin(b2) cos(b3).",
+        "Where sin(b2) = 0, b1 is free: take 0, return the triple twice, and get b3 from Rx(-b2) "
+        "Ry(-b1) R.",
+    ),
+    forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
+)
+
+
+def _alone(found, R):
+    return (
+        different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
+    )
+
+
+@EXERCISE.mistake(seen=_alone)
+def one_only(R):
+    """only one triple is returned.
+
+    Subproblem 2 finds two pairs: what does the other triple look like?
+    """
+    return _both(R)[:1]

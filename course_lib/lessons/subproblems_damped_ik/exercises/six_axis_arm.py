@@ -1,0 +1,111 @@
+"""A six-axis arm with a spherical wrist (dimensions of an ABB IRB 120), and what is asked of lists
+of its angles."""
+
+import numpy as np
+
+from course_lib.arms import SerialArm
+from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.vocabulary import X, Y, Z, remembered
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, different
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import rot_y, rot_z
+from course_lib.subproblems import euler_yxy, subproblem2, subproblem3
+
+SHOULDER, ELBOW, WRIST = np.array([0, 0, 0.29]), np.array([0, 0, 0.56]), np.array([0.302, 0, 0.63])
+HOME = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
+ARM = SerialArm.from_screws([Z, Y, Y, X, Y, X], [0 * Z, SHOULDER, ELBOW, WRIST, WRIST, WRIST], HOME)
+SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
+
+
+def bent(q3):
+    """Return where the wrist center is, seen from the shoulder, if only joint 3 has moved."""
+    return ELBOW - SHOULDER + rot_y(q3) @ (WRIST - ELBOW)
+
+
+def center_of(q):
+    """Return where the first three joints bring the wrist center."""
+    return rot_z(q[0]) @ (SHOULDER + rot_y(q[1]) @ bent(q[2]))
+
+
+@remembered
+def arm_solutions(center):
+    """Return all (q1, q2, q3) that bring the wrist center there: four, or none."""
+    elbow = subproblem3(Y, WRIST - ELBOW, SHOULDER - ELBOW, np.linalg.norm(center - SHOULDER))
+    found = []
+    for q3 in elbow.theta if elbow.exact else []:
+        reached = subproblem2(Y, Z, bent(q3), center - SHOULDER)
+        found += [(-back, q2, q3) for q2, back in reached.theta] if reached.exact else []
+    return found
+
+
+def wrist_angles(W):
+    """Return both (q4, q5, q6) with W = Rx(q4) Ry(q5) Rx(q6)."""
+    return euler_yxy(SWAP @ W @ SWAP.T).theta
+
+
+@remembered
+def all_solutions(T):
+    """Return all joint angles that bring the flange to T: eight, or none."""
+    moved = T @ inverse(HOME)
+    found = []
+    for q in arm_solutions(moved[:3, :3] @ WRIST + moved[:3, 3]):
+        rest = (rot_z(q[0]) @ rot_y(q[1] + q[2])).T @ moved[:3, :3]
+        found += [(*q, *b) for b in wrist_angles(rest)]
+    return found
+
+
+def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
+    """Return the properties of a list of all joint angles, several or none.
+
+    equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in
+    words. solutions(*arguments): the right list. wrong: the Mistake if one is no solution.
+    """
+    return (
+        Property(
+            equation,
+            lambda found, *case: all(misses(q, *case) < 1e-8 for q in found),
+            lambda found, *case: tell(max(found, key=lambda q: misses(q, *case)), *case),
+            where=lambda *case: len(solutions(*case)) > 0,
+            mistake=wrong,
+        ),
+        Property(
+            "the list is not empty, for the target is within reach",
+            lambda found, *case: len(found) > 0,
+            where=lambda *case: len(solutions(*case)) > 0,
+            mistake=Mistake(
+                "a subproblem finds nothing",
+                "Print what each returns. Are both points of subproblem 2 equally far from the "
+                "shoulder, for each q3?",
+            ),
+        ),
+        Property(
+            "the list holds every solution",
+            lambda found, *case: different(found) == len(solutions(*case)),
+            lambda found, *case: (
+                f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}."
+            ),
+            where=lambda *case: len(solutions(*case)) > 0,
+            mistake=Mistake(
+                "solutions are missing",
+                "Does your function go on with each answer of a subproblem?",
+            ),
+        ),
+        Property(
+            "each solution is in the list once",
+            lambda found, *case: len(found) == len(solutions(*case)),
+            where=lambda *case: len(solutions(*case)) > 0,
+            mistake=Mistake(
+                "a solution is listed twice",
+                "A multiple of 2 pi more or less makes no other solution.",
+            ),
+        ),
+        Property(
+            "the list is empty if the target is out of reach",
+            lambda found, *case: len(found) == 0,
+            where=lambda *case: len(solutions(*case)) == 0,
+            mistake=Mistake(
+                "joint angles are returned for a target out of reach",
+                "Which subproblem has no solution?",
+            ),
+        ),
+    )

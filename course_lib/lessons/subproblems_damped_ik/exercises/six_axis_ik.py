@@ -1,0 +1,135 @@
+"""six_axis_ik: every solution of the inverse kinematics of a six-axis arm with a spherical
+wrist."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.vocabulary import same_list
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, unless_empty
+from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
+    ARM,
+    HOME,
+    WRIST,
+    all_solutions,
+    arm_solutions,
+    every_solution,
+    wrist_angles,
+)
+from course_lib.rigid import inverse, transform
+from course_lib.rotations import rot_y, rot_z
+
+
+def _cases(rng):
+    named = [
+        [0.3, 0.4, -0.5, 0.6, 0.7, -0.8],
+        [0.5, -0.4, 0.9, 0.8, -2.2, 0.6],
+    ]  # a slightly and a well bent arm
+    drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
+    reached = [(ARM.fk(q),) for q in named + drawn]
+    return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
+
+
+def _misses(q, T):
+    return np.abs(ARM.fk(q) - T).max()
+
+
+def _tell(q, T):
+    reached = ARM.fk(q)
+    position = np.linalg.norm(reached[:3, 3] - T[:3, 3])
+    R = reached[:3, :3].T @ T[:3, :3]
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if position < 1e-8:
+        return f"One of yours ends at the right point, but its orientation is {angle:.3g} rad off."
+    return f"One of yours ends {position:.3g} m and {angle:.3g} rad away from T."
+
+
+_CENTER = Mistake(
+    "each orientation is right, but the wrist center is at another point",
+    "Which point does T HOME^-1 move to the center, and by which of its parts?",
+)
+
+
+def _wrong(found, T):
+    return (
+        _CENTER if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < 1e-8 for q in found) else NO_SOLUTION
+    )
+
+
+EXERCISE = Exercise(
+    name="six_axis_ik",
+    points=3,
+    arguments=("T",),
+    cases=_cases,
+    returns=unless_empty(
+        rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"), all_solutions
+    ),
+    library=all_solutions,
+    alike=same_list,
+    properties=every_solution(
+        "each row brings the flange to T", _misses, _tell, all_solutions, _wrong
+    ),
+    hints=(
+        "Where is the wrist center? The motion T HOME^-1 has taken it from WRIST to where it is.",
+        "For each triple of arm_angles: which rotation do joints 4, 5 and 6 have to add? T HOME^-1 "
+        "has the rotation "
+        "R(z, q1) R(y, q2 + q3) W.",
+        "wrist_angles(W) gives both (q4, q5, q6): four triples, two each, make eight.",
+    ),
+)
+
+
+def _center(T):
+    return T[:3, 3] - 0.072 * T[:3, 2]
+
+
+def _first(q):
+    return rot_z(q[0]) @ rot_y(q[1] + q[2])
+
+
+def _undone(q, R):
+    return _first(q).T @ R
+
+
+def _with(T, center, rest=_undone):
+    """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the
+    wrist."""
+    R, found = (T @ inverse(HOME))[:3, :3], []
+    for q in arm_solutions(center):
+        found += [(*q, *b) for b in wrist_angles(rest(q, R))]
+    return found if all_solutions(T) else None
+
+
+@EXERCISE.mistake
+def flange_for_wrist(T):
+    """the flange's position is taken for the wrist center. How far is the flange beyond the wrist
+    center, and in which direction?"""
+    return _with(T, T[:3, 3])
+
+
+@EXERCISE.mistake
+def home_orientation_left_out(T):
+    """the home orientation is left out. How is the flange rotated if all joint angles are zero?"""
+    return _with(T, _center(T), lambda q, R: _undone(q, T[:3, :3]))
+
+
+@EXERCISE.mistake(
+    rest=(
+        lambda q, R: R,
+        lambda q, R: R @ _first(q).T,
+        lambda q, R: _first(q) @ R,
+        lambda q, R: (rot_z(q[0]) @ rot_y(q[1])).T @ R,
+    )
+)
+def first_joints_not_undone(T, rest):
+    """the rotation of the first three joints is not undone, not all of it, or in the wrong order.
+    Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other
+    side?"""
+    return _with(T, _center(T), rest)
+
+
+@EXERCISE.mistake
+def home_on_the_wrong_side(T):
+    """HOME stands on the wrong side of T. Which motion takes HOME to T?"""
+    M = inverse(HOME) @ T
+    return _with(T, M[:3, :3] @ WRIST + M[:3, 3], lambda q, R: _undone(q, M[:3, :3]))

@@ -1,0 +1,100 @@
+"""step_limit: find the bug.
+
+The largest step size with which damped steps converge near the target.
+"""
+
+import numpy as np
+
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import near
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
+
+
+def _by(limit):
+    return lambda J, eps: limit(np.linalg.svd(J, compute_uv=False), eps)
+
+
+_right = _by(lambda s, eps: 2 * (1 + eps / s[0] ** 2))
+
+
+def _cases(rng):
+    plain = [(np.diag([2.0, 1.0]), 1.0), (np.array([[0.0, -1, -1, -1], [4, 3, 2, 1]]), 3.0)]
+    return plain + [
+        (rng.normal(size=shape), eps)
+        for shape, eps in (((2, 4), 2.0), ((2, 4), 50.0), ((3, 6), 0.01))
+    ]
+
+
+def _factor(limit, J, eps):
+    s = np.linalg.svd(J, compute_uv=False)
+    factors = 1 - limit * s**2 / (s**2 + eps)
+    return (
+        f"With alpha = {limit:.4g} a step multiplies the errors along the singular directions by "
+        f"{factors.round(3)}."
+    )
+
+
+EXERCISE = Exercise(
+    name="step_limit",
+    points=1,
+    arguments=("J", "eps"),
+    cases=_cases,
+    returns=lambda value, *case: single(value, "one number"),
+    library=_right,
+    broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),
+    properties=(
+        Property(
+            "at the limit the largest factor is -1, and no factor is below it",
+            lambda limit, *case: near(limit, _right(*case)),
+            _factor,
+            mistake=Mistake(
+                "the limit is not that of the largest singular value",
+                "In which direction does the factor reach -1 first, and at which alpha?",
+            ),
+        ),
+    ),
+    hints=(
+        "Take J = diag(2, 1) and eps = 1, and compute the factor of a step in both directions at "
+        "the returned limit.",
+        "The factor has to lie between -1 and 1 in every direction: the strictest direction "
+        "decides.",
+        "numpy sorts singular values from the largest to the smallest: the largest one is number 0.",
+    ),
+)
+
+
+@EXERCISE.mistake(
+    square=(
+        lambda s: s[-2] ** 2,
+        lambda s: s[1] ** 2,
+        lambda s: np.mean(s) ** 2,
+        np.prod,
+        lambda s: np.sum(s**2),
+    )
+)
+def another_singular_value(J, eps, square):
+    """one direction decides, and not the strictest one. The factor must stay above -1 in every
+    direction: in which direction does it reach -1 first?"""
+    return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
+
+
+@EXERCISE.mistake(
+    share=(
+        lambda s, eps: eps / s[0],
+        lambda s, eps: (eps / s[0]) ** 2,
+        lambda s, eps: eps / s[0] ** 4,
+    )
+)
+def power_wrong(J, eps, share):
+    """s or eps stands in a wrong power. Compare with the factor of a step, and ask whether you have
+    s or its square: what are the eigenvalues of J J^T?"""
+    return _by(lambda s, eps: 2 * (1 + share(s, eps)))(J, eps)
+
+
+@EXERCISE.mistake(limit=(lambda s, eps: 2.0, lambda s, eps: 2 / s[0] ** 2))
+def without_damping(J, eps, limit):
+    """the limit without damping is returned.
+
+    eps makes each step shorter: what does this mean for alpha?
+    """
+    return _by(limit)(J, eps)

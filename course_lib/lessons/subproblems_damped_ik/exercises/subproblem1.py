@@ -1,0 +1,167 @@
+"""subproblem1: the rotation about an axis that brings one point to another."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import NOT_A_NUMBER
+from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.format_numbers import format_array
+from course_lib.checks.vocabulary import X, Y, Z, angle_gap, unit
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
+    FINE,
+    across,
+    angle_about,
+    rotated,
+    single,
+)
+from course_lib.subproblems import subproblem1
+
+
+def some_angle(rng, sign):
+    """Return a random angle with this sign, neither small nor near pi/2."""
+    return sign * rng.uniform(0.3, 1.2)
+
+
+def off_axis(k, rng):
+    """A point that is neither near the axis nor at the height 0."""
+    sideways = np.cross(k, unit(rng))
+    return (
+        rng.uniform(1, 2) * sideways / np.linalg.norm(sideways)
+        + rng.choice([-1, 1]) * rng.uniform(0.5, 1) * k
+    )
+
+
+def _cases(rng):
+    plain = [(Z, X, Y), (Z, Y, X), (Z, X, X), (Z, X, 0 - X), (Y, Z, X), (0 - X, Y, Z)]
+    there = 2 * X + 3 * Y  # |there|^2 / (|there| |there|) comes out above 1
+    heights = [(Z, X + 2 * Z, Y + 2 * Z), (Z, there, there)]
+    reached = []
+    for angle in (
+        some_angle(rng, 1),
+        np.pi - some_angle(rng, 1),
+        some_angle(rng, -1),
+        some_angle(rng, 1) - np.pi,
+    ):
+        k = unit(rng)
+        p = off_axis(k, rng)
+        reached.append((k, p, rotated(k, angle, p)))
+    k, p, g = reached[3]
+    missed = [
+        (Z, 2 * X, np.array([0.0, 3, 1])),
+        (k, p, g + 0.8 * k),
+        (k, p, g + 1.5 * across(k, g)),
+    ]
+    missed += [(k, 100 * p, 30 * unit(rng) + 70 * across(k, g)), (k, g + 2 * k, p - 2 * k)]
+    return plain + heights + reached + missed + [(Z, 2 * Z, X), (Z, X, 0 - Z)]
+
+
+def _free(k, p, g):
+    return not across(k, p).any() or not across(k, g).any()
+
+
+def _off(theta, k, p, g):
+    """Return the vector from where p should end to where it ends."""
+    return rotated(k, theta, p) - rotated(k, angle_about(k, p, g), p)
+
+
+def _reached(k, p, g):
+    return not _free(k, p, g) and np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g) < FINE
+
+
+def _nearest(k, p, g):
+    return not _free(k, p, g) and not _reached(k, p, g)
+
+
+def _right(theta, k, p, g):
+    return np.linalg.norm(_off(theta, k, p, g)) < FINE * np.linalg.norm(across(k, p))
+
+
+def _angle(theta, k, p, g):
+    try:
+        return single(theta, "one angle, a number")
+    except Unreadable as wrong:
+        if wrong.mistake is NOT_A_NUMBER and not _reached(k, p, g):
+            return np.nan  # a wrong formula in the ordinary cases says more
+        raise
+
+
+def _same(theta, predicted, k, p, g):
+    """Return whether two answers are the same angle; where every angle is right, any number is."""
+    return bool(np.isfinite(theta)) if _free(k, p, g) else bool(angle_gap(theta, predicted) < 1e-6)
+
+
+EXERCISE = Exercise(
+    name="subproblem1",
+    points=2,
+    arguments=("k", "p", "g"),
+    cases=_cases,
+    returns=_angle,
+    library=lambda k, p, g: subproblem1(k, p, g).theta,
+    alike=_same,
+    properties=(
+        Property(
+            "R(k, theta) p = g",
+            _right,
+            lambda theta, k, p, g: (
+                f"With your theta R(k, theta) p is {format_array(rotated(k, theta, p))}, g is "
+                f"{format_array(g)}."
+            ),
+            where=_reached,
+            mistake=Mistake(
+                "theta is not the angle about k from p to g",
+                "Is it for any axis k, and opposite points?",
+            ),
+        ),
+        Property(
+            "the answer is a number, also if no angle brings p to g",
+            lambda theta, *case: np.isfinite(theta),
+            where=_nearest,
+            mistake=Mistake(
+                "nothing is returned where no angle brings p to g",
+                "Which angle brings p nearest to g?",
+            ),
+        ),
+        Property(
+            "if no angle brings p to g, R(k, theta) p is as near to g as possible",
+            _right,
+            lambda theta, k, p, g: (
+                f"Yours ends {np.linalg.norm(rotated(k, theta, p) - g):.6g} from g; "
+                f"{np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g):.6g} is possible."
+            ),
+            where=_nearest,
+        ),
+        Property(
+            "the answer is a number, also if a point lies on the axis",
+            lambda theta, *case: np.isfinite(theta),
+            where=_free,
+            mistake=Mistake(
+                "a length is divided by that is 0 for a point on the axis",
+                "Which function finds an angle from its sine and cosine without a division?",
+            ),
+        ),
+    ),
+    hints=(
+        "A rotation about k moves only the part perpendicular to k. Take p' = p - (k . p) k and g' "
+        "= g - (k . g) k.",
+        "p' . g' = |p'| |g'| cos(theta), and k . (p' x g') = |p'| |g'| sin(theta).",
+        "theta = np.arctan2(k @ np.cross(p', g'), p' @ g'): no division, all four quadrants. Where "
+        "g cannot be "
+        "reached it is the nearest, without a further line.",
+    ),
+    forbidden=("course_lib.subproblems.subproblem1",),
+)
+
+
+@EXERCISE.mistake
+def sign_lost(k, p, g):
+    """the sign of the angle is lost. Neither arccos nor the length of a cross product tells one
+    direction of rotation from the other: what does?"""
+    return abs(angle_about(k, p, g))
+
+
+@EXERCISE.mistake(
+    sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n))
+)
+def not_projected(k, p, g, sine):
+    """p and g are not projected onto the plane perpendicular to the axis. Which part of a point
+    does the rotation move?"""
+    return np.arctan2(sine(k, np.cross(p, g)), p @ g)

@@ -1,0 +1,139 @@
+"""subproblem2: the rotations about two axes that bring two points together."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.lessons.subproblems_damped_ik.exercises import shared
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
+from course_lib.subproblems import subproblem2
+
+_ANGLED = np.array([0.6, 0.0, 0.8])
+
+
+def _axes(rng, cosine):
+    """Two axes with this cosine between them, the unit vector square to both, and one square to
+    that and the first."""
+    k1 = unit(rng)
+    n = np.cross(k1, unit(rng))
+    n /= np.linalg.norm(n)
+    e = np.cross(n, k1)
+    return k1, cosine * k1 + np.sqrt(1 - cosine**2) * e, n, e
+
+
+def _meeting(rng, cosine, turns, size):
+    """Points on circles that meet twice, well apart."""
+    k1, k2, n, e = _axes(rng, cosine)
+    beside = rng.uniform(0.3, 0.6) * (rng.choice([-1, 1]) * k1 + rng.choice([-1, 1]) * e)
+    meet = size * (beside + rng.uniform(0.5, 1) * n)
+    return k1, k2, rotated(k1, -turns[0], meet), rotated(k2, -turns[1], meet)
+
+
+def _apart(rng, cosine, side):
+    """Points on small circles on one sphere, each about its own axis: they do not meet."""
+    k1, k2, n, e = _axes(rng, cosine)
+    return k1, k2, 2 * rotated(e, 0.3, k1), 2 * side * rotated(n, 0.3, k2)
+
+
+def _around(rng, reach, size):
+    """Points on circles that would touch in the plane of the axes if reach were 1, and do not meet
+    as it is above."""
+    k1, k2, n, e = _axes(rng, 0.5)
+    in_plane = reach * (np.cos(0.5) * k1 + np.sin(0.5) * e)
+    points = [(k @ in_plane) * k + np.sqrt(1 - (k @ in_plane) ** 2) * n for k in (k1, k2)]
+    return k1, k2, size * points[0], size * points[1]
+
+
+def _cases(rng):
+    def small(sign):
+        return sign * rng.uniform(0.3, 1.2)
+
+    def large(sign):
+        return sign * rng.uniform(1.9, 2.8)
+
+    meeting = [
+        (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -2, 1])),
+        (Z, _ANGLED, np.array([0.0, 5, 2]), rotated(_ANGLED, 1.0, np.array([3.0, 4, 2]))),
+        _meeting(rng, 0.0, (small(1), small(-1)), 1.0),
+        _meeting(rng, 0.5, (large(1), small(1)), 1.0),
+        _meeting(rng, 0.7, (small(-1), large(1)), 2.0),
+        _meeting(rng, -0.6, (large(-1), small(-1)), 0.3),
+        _meeting(rng, -0.3, (small(1), large(-1)), 40.0),
+    ]
+    apart = [
+        (Z, X, Y + 3 * Z, 3 * X - Y),
+        _apart(rng, 0.4, 1),
+        _apart(rng, -0.2, -1),
+        _around(rng, 1.01, 0.3),
+    ]
+    apart += [_around(rng, 1 + 1e-7, 2.0)]
+    return meeting + apart
+
+
+@remembered
+def solutions(k1, k2, p1, p2):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem2(k1, k2, p1, p2)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
+def _misses(pair, k1, k2, p1, p2):
+    return np.linalg.norm(rotated(k1, pair[0], p1) - rotated(k2, pair[1], p2)) / np.linalg.norm(p1)
+
+
+def _is_empty(pairs, *case):
+    return len(pairs) == 0
+
+
+def _gap(pair, k1, k2, p1, p2):
+    gap = _misses(pair, k1, k2, p1, p2) * np.linalg.norm(p1)
+    return f"With ({pair[0]:.6g}, {pair[1]:.6g}) the points are {gap:.3g} apart."
+
+
+def _gap_of_the_first(pairs, *case):
+    return _gap(pairs[0], *case)
+
+
+EXERCISE = Exercise(
+    name="subproblem2",
+    points=3,
+    arguments=("k1", "k2", "p1", "p2"),
+    cases=_cases,
+    returns=shared.unless_empty(
+        rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions
+    ),
+    library=solutions,
+    alike=same_list,
+    properties=shared.all_of_them(
+        "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",
+        "pair",
+        _misses,
+        _gap,
+        solutions,
+        none=(
+            Property(
+                "the list is empty if the circles do not meet",
+                _is_empty,
+                _gap_of_the_first,
+                where=lambda *case: not solutions(*case),
+                mistake=Mistake(
+                    "a pair is returned although the circles miss",
+                    "What does c^2 say of them?",
+                ),
+            ),
+        ),
+    ),
+    hints=(
+        "p1 moves on a circle about k1, p2 on one about k2. Where they meet there is a point z "
+        "with |z| = |p1| = |p2|, "
+        "k1 . z = k1 . p1 and k2 . z = k2 . p2.",
+        "z = a k1 + b k2 + c (k1 x k2), and the given lines find a and b. Pythagoras gives c^2, as "
+        "in the text. If it "
+        "is negative there is no solution: an empty list.",
+        "For each of the two z: theta1 = subproblem1(k1, p1, z), theta2 = subproblem1(k2, p2, z).",
+    ),
+    forbidden=("course_lib.subproblems.subproblem2",),
+)
+
+shared.add_too_few(EXERCISE, solutions, _misses)

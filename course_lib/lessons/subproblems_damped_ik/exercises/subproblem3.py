@@ -1,0 +1,151 @@
+"""subproblem3: the rotations about an axis that bring one point to a given distance from
+another."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.lessons.subproblems_damped_ik.exercises import shared
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import angle_about, rotated, two
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
+from course_lib.subproblems import subproblem3, subproblem4
+
+
+def _reachable(rng, aside, middle, size):
+    """p and g about an axis, and a distance at which p is rotated `aside` beyond the direction of
+    g."""
+    k = unit(rng)
+    p, g = size * off_axis(k, rng), size * off_axis(k, rng)
+    g = rotated(k, angle_about(k, g, p) + middle, g)
+    g = g if (k @ p) * (k @ g) < 0 else g - 2 * (k @ g) * k  # their heights on both sides of 0
+    angle = angle_about(k, p, g) + aside
+    return k, p, g, float(np.linalg.norm(rotated(k, angle, p) - g))
+
+
+def _cases(rng):
+    named = [
+        (Z, X, X, np.sqrt(2.0)),
+        (Z, X, 2 * Y, np.sqrt(3.0)),
+        (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0)),
+    ]
+    generic = [
+        _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
+        _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
+    ]
+    k, p, g, d = generic[1]
+    far, close = _reach(k, p, g)
+    none = [
+        (Z, X, 2 * Y, 4.0),
+        (Z, X, 3 * Y, 1.0),
+        (Z, X, Y + 2 * Z, 1.5),
+        (k, p, g, 1.1 * far),
+        (k, p, g, 0.9 * close),
+    ]
+    negative = [(Z, X, X, -1.0), (k, p, g, -d)]
+    return named + generic + none + negative + [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
+
+
+def _reach(k, p, g):
+    """The largest and the smallest distance from g that p comes to."""
+    middle = angle_about(k, p, g)
+    return [np.linalg.norm(rotated(k, middle + aside, p) - g) for aside in (np.pi, 0.0)]
+
+
+@remembered
+def _solutions(k, p, g, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem3(k, p, g, d)
+    return list(answers.theta[: answers.count]) if answers.exact and d >= 0 else []
+
+
+def _misses(theta, k, p, g, d):
+    return abs(np.linalg.norm(rotated(k, theta, p) - g) - d) / max(
+        np.linalg.norm(p), np.linalg.norm(g)
+    )
+
+
+def _tell(theta, k, p, g, d):
+    return (
+        f"With {theta:.6g} it is {round(np.linalg.norm(rotated(k, theta, p) - g), 9):.6g}; d is "
+        f"{d:.6g}."
+    )
+
+
+def _is_empty(found, *case):
+    return len(found) == 0
+
+
+def _nothing_there(found, k, p, g, d):
+    far, close = _reach(k, p, g)
+    return (
+        f"R(k, theta) p comes as near to g as {close:.4g} and goes as far as {far:.4g}; d is "
+        f"{d:.4g}."
+    )
+
+
+EXERCISE = Exercise(
+    name="subproblem3",
+    points=2,
+    arguments=("k", "p", "g", "d"),
+    cases=_cases,
+    returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    library=_solutions,
+    alike=same_list,
+    properties=shared.all_of_them(
+        "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
+        "angle",
+        _misses,
+        _tell,
+        _solutions,
+        none=(
+            Property(
+                "the list is empty if d is negative, because no distance is negative",
+                _is_empty,
+                where=lambda k, p, g, d: d < 0,
+                mistake=Mistake(
+                    "a negative d is squared, and its sign lost",
+                    "Which points are at a distance of -1?",
+                ),
+            ),
+            Property(
+                "the list is empty if d is too large or too small",
+                _is_empty,
+                _nothing_there,
+                where=lambda *case: not _solutions(*case),
+                mistake=Mistake(
+                    "an angle is returned although no angle is right",
+                    "How near and how far does p come? Clipping a number hides that it is out of "
+                    "range.",
+                ),
+            ),
+        ),
+    ),
+    hints=(
+        "Square both sides of |R p - g| = d. Which terms depend on theta?",
+        "Only g . R p does: it must be a certain height of R p along g. Squaring loses the sign of "
+        "d: look at d first.",
+        "That is subproblem 4 with h = g and the height (|p|^2 + |g|^2 - d^2) / 2.",
+    ),
+    forbidden=("course_lib.subproblems.subproblem3",),
+)
+
+shared.add_too_few(EXERCISE, _solutions, _misses)
+
+
+@EXERCISE.mistake(
+    height=(
+        lambda p, g, d: (d * d - p * p - g * g) / 2,
+        lambda p, g, d: p * p + g * g - d * d,
+        lambda p, g, d: d,
+        lambda p, g, d: (p * p + g * g - d) / 2,
+    )
+)
+def height_wrong(k, p, g, d, height):
+    """the height that p should have along g is wrong. Square |R p - g| = d, multiply it out, and
+    solve for g . R p: which lengths are squared, and what about the factor and the signs?"""
+    two(_solutions, k, p, g, d)
+    found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
+    return list(found.theta) if found.exact else None

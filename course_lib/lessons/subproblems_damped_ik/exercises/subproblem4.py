@@ -1,0 +1,143 @@
+"""subproblem4: the rotations about an axis that bring a point to a given height along a
+direction."""
+
+import numpy as np
+
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.lessons.subproblems_damped_ik.exercises import shared
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
+    across,
+    angle_about,
+    rotated,
+    two,
+)
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
+from course_lib.subproblems import subproblem4
+
+
+def _reachable(rng, aside, middle, size):
+    """A direction h, a point p, and the height at which p is rotated `aside` beyond h."""
+    k = unit(rng)
+    h, p = size * off_axis(k, rng), off_axis(k, rng)
+    h = rotated(k, angle_about(k, h, p) + middle, h)
+    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
+
+
+def _cases(rng):
+    tilted = (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2)
+    named = [
+        (Z, X, X, 0.5),
+        (Z, X, Y, 0.0),
+        (Z, Y, 2 * X, -1.0),
+        (Z, X, 2 * X + Z, 1.0),
+        tilted,
+        (Z, 2 * X, X, 1.0),
+    ]
+    generic = [
+        _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
+        _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
+        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
+    ]
+    k, h, p, _ = generic[0]
+    low, high = _range(k, h, p)
+    close = [(k, h, p, high - 1e-6 * (high - low))]  # where the two solutions are 0.004 apart
+    beyond = [(k, h, p, high + 0.1 * (high - low)), (k, h, p, low - 0.1 * (high - low))]
+    none = [(Z, X, X, 1.5), (Z, X, X, -1.5), (Z, X, X + 2 * Z, 1.5), *beyond]
+    return named + generic + close + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+
+
+def _range(k, h, p):
+    """The lowest and the highest that p comes."""
+    middle = angle_about(k, p, h)
+    return [h @ rotated(k, middle + aside, p) for aside in (np.pi, 0.0)]
+
+
+@remembered
+def _solutions(k, h, p, d):
+    """All solutions as the exercise asks for them; none where there is only a nearest one."""
+    answers = subproblem4(k, h, p, d)
+    return list(answers.theta[: answers.count]) if answers.exact else []
+
+
+def _misses(theta, k, h, p, d):
+    return abs(h @ rotated(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
+
+
+def _nothing_there(found, k, h, p, d):
+    low, high = _range(k, h, p)
+    return f"h . R(k, theta) p goes from {low:.4g} to {high:.4g}; d is {d:.4g}."
+
+
+EXERCISE = Exercise(
+    name="subproblem4",
+    points=2,
+    arguments=("k", "h", "p", "d"),
+    cases=_cases,
+    returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    library=_solutions,
+    alike=same_list,
+    properties=shared.all_of_them(
+        "each theta brings p to the height d along h: h . R(k, theta) p = d",
+        "angle",
+        _misses,
+        lambda theta, k, h, p, d: (
+            f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}."
+        ),
+        _solutions,
+        none=(
+            Property(
+                "the list is empty if p never comes to the height d",
+                lambda found, *case: len(found) == 0,
+                _nothing_there,
+                where=lambda *case: not _solutions(*case),
+                mistake=Mistake(
+                    "an angle is returned although no angle is right",
+                    "How far can the height swing? Clipping a number hides that it is out of range.",
+                ),
+            ),
+        ),
+    ),
+    hints=(
+        "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the "
+        "constant, A and B first.",
+        "Then r and phi from A and B. If |d - constant| > r there is no solution: an empty list.",
+        "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same "
+        "distance from it.",
+        "theta = phi plus or minus arccos((d - constant) / r), with r = np.hypot(A, B).",
+    ),
+    forbidden=("course_lib.subproblems.subproblem4",),
+)
+
+shared.add_too_few(EXERCISE, _solutions, _misses)
+
+
+def _either_side(case, e, A=None):
+    """The two angles of somebody with another e or A; a cosine out of range is replaced by the
+    nearest in range."""
+    two(_solutions, *case)
+    k, h, p, _ = case
+    A, B = across(k, h) @ p if A is None else A, h @ np.cross(k, p)
+    middle, aside = np.arctan2(B, A), np.arccos(np.clip(e / np.hypot(A, B), -1, 1))
+    return [middle - aside, middle + aside]
+
+
+@EXERCISE.mistake(
+    of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y), of_A=(True, False)
+)
+def constant_wrong(k, h, p, d, of_d, of_A):
+    """the constant part of the height is not subtracted where it should be, or is another one.
+    Which part of h . R p never changes? Is it in d, and is it in h . p?"""
+    e = d - of_d(k @ h, k @ p)
+    return _either_side((k, h, p, d), e) if of_A else _either_side((k, h, p, d), e, A=h @ p)
+
+
+@EXERCISE.mistake
+def constant_in_A(k, h, p, d):
+    """the constant is not taken out of A. Which part of h . p does not change with theta?"""
+    return _either_side((k, h, p, d), d - (k @ h) * (k @ p), A=h @ p)
+
+
+shared.add_swings(EXERCISE, _solutions, lambda k, h, p, d: (k, p, h))

@@ -1,0 +1,101 @@
+"""test_subproblem2: write the test. Candidates are right and wrong versions of subproblem2."""
+
+import numpy as np
+
+from course_lib.checks.vocabulary import X, Z
+from course_lib.checks.write_test import Version, WriteTest
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem2 import solutions
+
+
+def _pairs(change):
+    """The candidate whose pairs are change(pairs), the right ones being an array (n, 2)."""
+    return lambda *case: change(np.reshape(solutions(*case), (-1, 2)))
+
+
+def _unit(p):
+    return p / np.linalg.norm(p)
+
+
+def _nearest(k1, k2, p1, p2):
+    """Clips c^2 at 0."""
+    found = solutions(k1, k2, p1, p2)
+    return found or [(0.0, 0.0)]
+
+
+def _perpendicular(k1, k2, p1, p2):
+    return solutions(k1, _unit(k2 - (k1 @ k2) * k1), p1, p2)
+
+
+def _acute(k1, k2, p1, p2):
+    """Wrong if the axes make an obtuse angle."""
+    return solutions(k1, k2 if k1 @ k2 > 0 else -k2, p1, p2)
+
+
+def _unit_points(k1, k2, p1, p2):
+    """Wrong unless |p1| = 1."""
+    return solutions(k1, k2, p1, p2) if abs(p1 @ p1 - 1) < 1e-6 else solutions(k1, k2, p1, p1)
+
+
+def _crossed(pairs):
+    return np.column_stack([pairs[:, 0], pairs[::-1, 1]])
+
+
+def _quarter(pairs):
+    """Angles from arctan."""
+    return np.arctan(np.tan(pairs))
+
+
+_GIVEN = Z, X, rotated(Z, -0.5, np.array([1.0, 2, 2])), rotated(X, -0.8, np.array([1.0, 2, 2]))
+
+
+def _joins(pair):
+    return np.allclose(rotated(Z, pair[0], _GIVEN[2]), rotated(X, pair[1], _GIVEN[3]))
+
+
+_COUNT = "that does not return every solution, or returns one twice"
+_SIGN = "with a wrong sign"
+
+EXERCISE = WriteTest(
+    name="test_subproblem2",
+    points=3,
+    arguments=("subproblem2",),
+    hints=(
+        "You need no right version to compare with: choose the meeting point z first, and make p1 "
+        "and p2 from it, as "
+        "the given test does. Draw axes and points at random.",
+        "A right list contains two different pairs, each brings the points together, and it is "
+        "empty if nothing can. "
+        "Test with axes at acute and obtuse angles, and with points that are not of length one.",
+        "For the empty list: two small circles, each about its own axis.",
+    ),
+    shapes=((3,),) * 4,
+    versions=(
+        Version("that is as in the text", lambda *case: solutions(*case), right=True),
+        Version(
+            "that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1]), right=True
+        ),
+        Version(
+            "whose angles differ by 2 pi",
+            _pairs(lambda pairs: pairs + np.array([2, -2]) * np.pi),
+            right=True,
+        ),
+        Version("whose last digits differ", _pairs(lambda pairs: pairs * (1 + 1e-13)), right=True),
+        Version("that returns a list of lists", _pairs(lambda pairs: pairs.tolist()), right=True),
+        Version(_COUNT, _pairs(lambda pairs: pairs[:1])),
+        Version(_COUNT, _pairs(lambda pairs: pairs[:1].repeat(2, 0))),
+        Version(_COUNT, lambda *case: [], example=True),
+        Version(_SIGN, _pairs(lambda pairs: pairs * [1, -1])),
+        Version(_SIGN, _pairs(lambda pairs: pairs * [-1, 1])),
+        Version(_SIGN, _pairs(np.abs)),
+        Version("whose angles are exchanged", _pairs(lambda pairs: pairs[:, ::-1])),
+        Version("whose angles belong to different solutions", _pairs(_crossed)),
+        Version("that is right only for angles up to 90 degrees", _pairs(_quarter)),
+        Version("in degrees", _pairs(np.rad2deg)),
+        Version("that returns a pair if the circles miss", _nearest),
+        Version("that is right only for some angles between the axes", _perpendicular),
+        Version("that is right only for some angles between the axes", _acute),
+        Version("that is right only for points of length one", _unit_points),
+    ),
+    given=lambda subproblem2: all(_joins(pair) for pair in subproblem2(*_GIVEN)),
+)

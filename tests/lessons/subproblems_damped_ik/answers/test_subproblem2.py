@@ -1,0 +1,64 @@
+"""What students write for test_subproblem2(subproblem2)."""
+
+import numpy as np
+
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated as rotate
+
+ex, ey, ez = np.eye(3)
+
+
+def unit(v):
+    return np.array(v) / np.linalg.norm(v)
+
+
+def _problems():
+    rng = np.random.default_rng(5)
+    for _ in range(12):
+        k1, k2, z = unit(rng.normal(size=3)), unit(rng.normal(size=3)), 3 * rng.normal(size=3)
+        a, b = rng.uniform(-3, 3, 2)
+        yield k1, k2, rotate(k1, -a, z), rotate(k2, -b, z)
+
+
+def _solves(pair, k1, k2, p1, p2):
+    return np.allclose(rotate(k1, pair[0], p1), rotate(k2, pair[1], p2), atol=1e-8)
+
+
+def right_by_the_meeting_point(subproblem2):
+    for k1, k2, p1, p2 in _problems():
+        pairs = np.array(subproblem2(k1, k2, p1, p2))
+        if pairs.shape != (2, 2) or not all(_solves(pair, k1, k2, p1, p2) for pair in pairs):
+            return False
+        if np.allclose(rotate(k1, pairs[0, 0], p1), rotate(k1, pairs[1, 0], p1)):
+            return False
+        if len(subproblem2(k1, k2, p1, 2 * p2)) > 0:
+            return False
+    return len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
+
+
+def right_one_and_zero(subproblem2):
+    return int(right_by_the_meeting_point(subproblem2))
+
+
+def right_with_asserts(subproblem2):
+    for k1, k2, p1, p2 in _problems():
+        (a, b), (c, d) = subproblem2(k1, k2, p1, p2)
+        assert _solves((a, b), k1, k2, p1, p2)
+        assert _solves((c, d), k1, k2, p1, p2)
+        assert abs(np.exp(1j * a) - np.exp(1j * c)) > 1e-6
+        assert not len(subproblem2(k1, k2, 1.1 * p1, p2))
+    assert not len(subproblem2(ez, ex, np.array([0.1, 0, 1]), np.array([1, 0.1, 0])))
+    return True
+
+
+def wrong_exactly_equal(subproblem2):
+    """refuses everything"""
+    return all(
+        np.array_equal(rotate(case[0], pair[0], case[2]), rotate(case[1], pair[1], case[3]))
+        for case in _problems()
+        for pair in [*subproblem2(*case), (0, 0)]
+    )
+
+
+def wrong_only_what_is_returned_is_tested(subproblem2):
+    """unnamed"""
+    return all(_solves(pair, *case) for case in _problems() for pair in subproblem2(*case))
