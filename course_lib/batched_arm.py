@@ -80,9 +80,8 @@ class BatchedArm:
 
         What is the same for all configurations may come as (3, 1).
         """
-        tangent = np.tan(
-            self.signs * q / 2
-        )  # sine and cosine from one function, which numpy has in vector code
+        # sine and cosine from one function, which numpy has in vector code
+        tangent = np.tan(self.signs * q / 2)
         cosine_and_1 = 2 / (1 + tangent**2)
         sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
         columns, origin = np.eye(3)[:, :, None], self.start

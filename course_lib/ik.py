@@ -18,9 +18,8 @@ from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3, nearest_so
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
-_REACHED_SQUARED = (
-    REACHED / 10
-) ** 2  # for the search: a tenth, because `solve` measures the result once more
+# for the search: a tenth, because `solve` measures the result once more
+_REACHED_SQUARED = (REACHED / 10) ** 2
 _DAMPING = (
     0.1  # times the squared error: short steps far from the target, full Newton steps near it
 )
@@ -131,9 +130,8 @@ class _Search:
     def __init__(self, arm, poses, rng, starts, steps):
         m = len(poses)
         self.arm, self.poses, self.rng, self.starts, self.steps = arm, poses, rng, starts, steps
-        self.goals = np.ascontiguousarray(
-            poses[:, :3].T
-        )  # (4, 3, m): three columns, then the position
+        # (4, 3, m): three columns, then the position
+        self.goals = np.ascontiguousarray(poses[:, :3].T)
         # For each target: the best joint angles, their squared error, steps and starts so far,
         # whether it is reached.
         self.best, self.least = np.zeros((m, arm.n)), np.full(m, np.inf)

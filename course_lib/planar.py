@@ -34,9 +34,8 @@ def wrap_angle(angle):
     >>> print(wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 1e-20]) / np.pi)
     [ 1.00000000e+00  1.00000000e+00 -5.00000000e-01  3.18309886e-21]
     """
-    angle = np.fmod(
-        real_array(angle, "angle", ()), 2 * np.pi
-    )  # exact, which adding pi and taking it off is not
+    # exact, which adding pi and taking it off is not
+    angle = np.fmod(real_array(angle, "angle", ()), 2 * np.pi)
     return angle - 2 * np.pi * (angle > np.pi) + 2 * np.pi * (angle <= -np.pi)
 
 

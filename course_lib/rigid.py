@@ -146,9 +146,10 @@ def adjoint(T):
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
+    # p x R[:, j]
     Ad[..., 3:, :3] = by_entries(
         lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2]
-    )  # p x R[:, j]
+    )
     return Ad
 
 

@@ -427,14 +427,18 @@ def _rotation_about_axis(angle, matrix):
 
 
 def _matrix_of_vector(w, angle):
-    """Rodrigues' formula with sin a = 2 t / (1 + t^2) and 1 - cos a = 2 t^2 / (1 + t^2), t = tan(a/2).
+    """Return the matrices of rotation vectors w (3, n) of lengths angle (n,).
 
-    So R is the matrix of the quaternion (1, t n). No digit is lost at any angle, and no series is
-    needed.
+    With t = tan(a/2) Rodrigues' formula (MR eq. 3.51) has sin a = 2 t / (1 + t^2) and 1 - cos a = 2
+    t^2 / (1 + t^2). So R is the matrix of the quaternion (1, t n), which need not have length one.
+    The difference 1 - cos a, which loses digits near 0, does not occur, and tan(a/2) is exact to
+    rounding for small angles, so no series is needed.
     """
+    # Where the angle is 0, w is 0 as well, so any divisor but 0 gives the right product, 0.
+    divisor = np.where(angle > 0, angle, 1.0)
     q = np.empty((4, *angle.shape))
     q[0] = 1
-    np.multiply(w, np.tan(angle / 2) / np.where(angle > 0, angle, 1.0), out=q[1:])
+    np.multiply(w, np.tan(angle / 2) / divisor, out=q[1:])
     return _matrix_of_quaternion(q)
 
 
@@ -457,7 +461,12 @@ _SUMS = np.array(
 
 
 def _matrix_of_quaternion(q):
-    """R = I + 2 (w [v] + [v]^2) / |q|^2 for q = (w, v) of any length but 0."""
+    """Return R = I + 2 (w [v] + [v]^2) / |q|^2 for quaternions q = (w, v) of any length but 0.
+
+    Each entry of R is a sum of a few of ten numbers: 1 and the products 2 x x / |q|^2, 2 w x /
+    |q|^2, 2 x y / |q|^2 and so on. The matrix _SUMS says which, and one matrix product makes all
+    sums.
+    """
     w, v = q[0], q[1:]
     twice = v * (2 / (q * q).sum(0))
     products = np.empty((10, *w.shape))
@@ -465,21 +474,30 @@ def _matrix_of_quaternion(q):
     np.multiply(twice, v, out=products[1:4])
     np.multiply(twice, w, out=products[4:7])
     np.multiply(twice, v[[1, 2, 0]], out=products[7:])
-    return (
-        products.T @ _SUMS.T
-    ).T  # faster than nine sums, since it lays each matrix out in one piece as well
+    # This is faster than nine sums, since it also lays out the nine entries of each matrix in one
+    # piece.
+    return (products.T @ _SUMS.T).T
 
 
 def _rotation_vector(q):
+    """Return the rotation vectors of unit quaternions (4, n) with w >= 0."""
     w, x, y, z = q
-    sine = np.sqrt(
-        x * x + y * y + z * z
-    )  # of half the angle; its squares underflow where angle / sine is 2 anyway
-    stretch = np.where(sine > 0, 2 * np.arctan2(sine, w) / sine, 2.0)
-    return stretch * q[1:]
+    # The sine of half the angle. Where its squares underflow, angle / sine is 2 to rounding anyway.
+    sine = np.sqrt(x * x + y * y + z * z)
+    # arctan2 of sine and cosine keeps all digits at every angle; arccos(w) loses half of them near
+    # 0. At 0 the quotient is 0 / 0, and `where` takes its limit, 2, instead.
+    angle_over_sine = np.where(sine > 0, 2 * np.arctan2(sine, w) / sine, 2.0)
+    return angle_over_sine * q[1:]
 
 
 def _quaternion_of(R):
+    """Return the unit quaternions of rotations (3, 3, n) by Shepperd's method.
+
+    Their signs are those that matrix_to_quaternion promises. The matrix four_q_qT holds the ten
+    products of two entries of q, four times each; each of its rows is a multiple of q. The row with
+    the largest diagonal entry is taken, so that dividing by its length never divides by a small
+    number.
+    """
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
     wx, wy, wz = zy - yz, xz - zx, yx - xy
     x_y, x_z, y_z = yx + xy, xz + zx, zy + yz

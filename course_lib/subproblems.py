@@ -120,9 +120,8 @@ def subproblem2(k1, k2, p1, p2):
     across = np.cross(n, k1)
     answers = []
     for side in (y, -y):
-        meeting = (
-            x[..., None] * across + side[..., None] * n
-        )  # from k1's axis, in the direction of the meeting point
+        # from k1's axis, in the direction of the meeting point
+        meeting = x[..., None] * across + side[..., None] * n
         theta1 = np.where(fixed1 | parallel, 0.0, _angle_about(k1, u1, meeting))
         onto = _rotate(k1, theta1, u1)
         theta2 = np.where(fixed2, 0.0, _angle_about(k2, u2, onto))
@@ -216,9 +215,8 @@ def euler_yxy(R):
     [[ 0.1     0.2     0.3   ]
      [-3.0416 -0.2    -2.8416]]
     """
-    R = quaternion_to_matrix(
-        matrix_to_quaternion(R)
-    )  # refuses all but rotations, and rounds to the nearest
+    # refuses all but rotations, and rounds to the nearest
+    R = quaternion_to_matrix(matrix_to_quaternion(R))
     ex, ey = np.eye(3)[:2]
     image = R[..., :, 1]  # of e_y: Ry(-b1) R e_y = Rx(b2) e_y
     found = subproblem2(ex, ey, ey, image)

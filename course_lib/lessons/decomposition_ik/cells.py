@@ -5,10 +5,11 @@ import numpy as np
 from course_lib.arguments import count, generator, real_array
 from course_lib.lessons.decomposition_ik.grid_ik import planar_forward
 
+# radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
 SHOULDER = (
     0.08,
     0.04,
-)  # radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
+)
 _BELT = 0.01  # radians by which the elbow's belt is stretched, for sin(3 q2)
 _NOISE = 1e-3  # metres, the standard deviation of a measured coordinate
 KINDS = ("both elbows, separated", "one elbow, split in two", "elbows mixed")
@@ -187,9 +188,8 @@ class BranchTable:
                 if (c, k) in self.models:
                     (*of_q1, factor), of_square = self.models[c, k]
                     terms = self.terms(xy[own])
-                    q2 = sign * np.sqrt(
-                        np.maximum(terms @ of_square[:-1], 0)
-                    )  # 0: the arm is stretched
+                    # 0: the arm is stretched
+                    q2 = sign * np.sqrt(np.maximum(terms @ of_square[:-1], 0))
                     found[own, k] = np.column_stack([terms @ of_q1 + factor * q2, q2])
         return found
 

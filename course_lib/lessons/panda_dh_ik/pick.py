@@ -17,9 +17,8 @@ from course_lib.rotations import rot_x, rot_z
 FASTEST = np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])  # rad/s
 HARDEST = np.array([15, 7.5, 10, 12.5, 15, 20, 20.0])  # rad/s^2
 BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))  # of the arm, in the world
-IN_FLANGE = read_only(
-    transform(rot_z(-np.pi / 4), [0, 0, 0.1034])
-)  # the gripper's frame, between its fingertips
+# the gripper's frame, between its fingertips
+IN_FLANGE = read_only(transform(rot_z(-np.pi / 4), [0, 0, 0.1034]))
 IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))  # the gripper when it grasps, from above
 _TABLE, _MUG_RADIUS, _MUG_HEIGHT, _HANDLE = 0.6, 0.035, 0.09, (0.05, 0, 0.05, 0.02)
 _STEP, _MOST_STEPS = 0.02, 50  # radians
@@ -32,9 +31,8 @@ _ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre
     (5, (0, 0, -0.04), (0, 0, 0.04), 0.07, 3),
     (6, (0, 0, 0), (0, 0, 0.08), 0.055, 3),
 ]
-_GRIPPER = [
-    ((-0.065, -0.07), (0.065, -0.07), 0.035, 3)
-]  # y and z in the gripper's frame, open by 8 cm
+# y and z in the gripper's frame, open by 8 cm
+_GRIPPER = [((-0.065, -0.07), (0.065, -0.07), 0.035, 3)]
 _GRIPPER += [((0.048 * side, -0.035), (0.048 * side, -0.005), 0.008, 3) for side in (-1, 1)]
 
 

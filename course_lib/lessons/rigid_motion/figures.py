@@ -77,9 +77,8 @@ def parking(poses, dock, table, keep_away):
     ax.add_patch(Circle(middle, table[2], facecolor="#e4e0d8", edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
     ax.plot(*poses[:, :2].T, color=BLUE, linewidth=2, label="path")
-    for x, y, theta in poses[
-        np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))
-    ]:  # a line to its front
+    # a line to its front
+    for x, y, theta in poses[np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))]:
         look = {"facecolor": "#cfe0ec", "edgecolor": BLUE, "linewidth": 2, "zorder": 3}
         ax.add_patch(Circle((x, y), RADIUS, **look))
         ax.plot(

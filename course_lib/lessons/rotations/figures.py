@@ -131,9 +131,8 @@ def rotated_point(w, p, exp):
         "R p": 1.1 * path[-1],
         **dict(zip("xyz", 1.1 * np.eye(3), strict=True)),
     }
-    words = {
-        name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1
-    }  # not on the axis w
+    # not on the axis w
+    words = {name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1}
     where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
     return still(
         parts,
@@ -190,9 +189,8 @@ def projections(M, rotations):
     """
     fig, axes = in_columns(rotations, 4.2, 4.3, xlabel="x", ylabel="y")
     U, s, Vt = np.linalg.svd(M)
-    signs = np.sign(
-        Vt[[0, 1], np.abs(Vt).argmax(1)]
-    )  # so that v1 and v2 point along the axes, not against them
+    # so that v1 and v2 point along the axes, not against them
+    signs = np.sign(Vt[[0, 1], np.abs(Vt).argmax(1)])
     U, Vt = U * signs, signs[:, None] * Vt
     t = np.linspace(0, 2 * np.pi, 181)
     circle, said, reach = np.array([np.cos(t), np.sin(t)]), [], max(1, s[0]) + 0.3
