@@ -9,7 +9,7 @@ from axe_playwright_python.base import AXE_SCRIPT
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect, sync_playwright
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 
 
 def be_patient(browser):

@@ -10,10 +10,10 @@ from site_notebooks import TURNING, cell, output, write
 
 from course_lib.arms import planar_arm
 from course_lib.figures import solids
-from course_lib.figures.display import TOY
 from course_lib.figures.solids import Part
 from course_lib.figures.solids.meshes import ball
 from course_lib.figures.solids.model import MUG_RED
+from course_lib.figures.stills import TOY
 from course_lib.figures.toys.film import film
 from course_lib.lessons.rigid_motion import figures as rigid_motion
 from course_lib.pack import animations

@@ -15,7 +15,7 @@ from course_copy import ROOT, copied, made, run
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from site_notebooks import cell, output, write
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
+from course_lib.figures.stills import TOY
 from course_lib.pack import notebooks
 from course_lib.pack.files import write_atomically
 
@@ -26,7 +27,7 @@ display({{"{mime}": toy, "text/plain": "A point"}}, raw=True, metadata={{"image/
 
 
 def show(x):
-    return new_code_cell(SHOW.format(x=x, mime=notebooks.TOY))
+    return new_code_cell(SHOW.format(x=x, mime=TOY))
 
 
 @pytest.fixture
@@ -249,7 +250,7 @@ def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_control
     )
     assert notebooks.refresh(path) == ", written"
     toy, *_ = nbformat.read(path, as_version=4).cells[0].outputs
-    assert set(toy.data) == {notebooks.TOY, STILL, "text/plain"}
+    assert set(toy.data) == {TOY, STILL, "text/plain"}
     picture = matplotlib.image.imread(BytesIO(base64.b64decode(toy.data[STILL])))[..., :3]
     assert picture.shape[1] == 720
     assert 300 < picture.shape[0] < 700, "the sphere, not the sliders"

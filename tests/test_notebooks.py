@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 from test_exercise_cells import graded
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.pack.more import TAG, cells_of_more, heading_level
 from course_lib.pack.site.gather import sittings
 

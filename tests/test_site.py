@@ -28,7 +28,7 @@ from site_notebooks import (
 from site_visits import CONTRAST, OPEN, Visit, assert_readable
 from sphinx_builds import build
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
 

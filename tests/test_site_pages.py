@@ -11,7 +11,7 @@ from bs4 import BeautifulSoup
 from playwright.sync_api import expect
 from site_visits import SHIFT, Visit
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.pack.more import heading_level
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))

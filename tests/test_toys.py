@@ -13,8 +13,8 @@ from some_toys import Q7, ROUND, TOYS, VIEWS
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
-from course_lib.figures.display import TOY
-from course_lib.figures.toys.toy import ELSEWHERE, _stills, is_live
+from course_lib.figures.stills import TOY, stored_stills
+from course_lib.figures.toys.toy import ELSEWHERE, is_live
 from course_lib.pack.notebooks import run, tidy
 from course_lib.planar import propagate_body
 
@@ -66,9 +66,9 @@ def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_p
         "IPython.display.display", lambda data, raw, metadata: outputs.append((data, metadata))
     )
     monkeypatch.setenv("JPY_SESSION_NAME", "01.ipynb")
-    _stills.cache_clear()
+    stored_stills.cache_clear()
     toy._ipython_display_()
-    _stills.cache_clear()
+    stored_stills.cache_clear()
     data, metadata = outputs[0]
     assert data["image/png"] == "iVBORw0KGgo="
     assert metadata["image/png"]["alt"] == toy.alt

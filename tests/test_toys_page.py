@@ -15,7 +15,7 @@ from sphinx_builds import build
 
 from course_lib import rigid
 from course_lib.arms import iiwa14
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.lessons.poe_kuka_iiwa.figures import arm_movie
 from course_lib.trajectory import Trajectory
 

@@ -4,8 +4,7 @@ import io
 from itertools import accumulate
 from typing import NamedTuple
 
-# MIME type of figures that a script of the course draws (see toys/toy.py)
-TOY = "application/vnd.course.toy+json"
+from course_lib.figures import stills, stored_chart
 
 
 class Picture(NamedTuple):
@@ -13,7 +12,7 @@ class Picture(NamedTuple):
 
     Parameters
     ----------
-    fig : matplotlib.figure.Figure
+    fig : plotly.graph_objects.Figure or matplotlib.figure.Figure
     alt : str
         What it shows, in a sentence or two, for those who do not see it.
     caption : str, optional
@@ -30,8 +29,10 @@ def show(fig, *, alt="", caption=""):
 
     Parameters
     ----------
-    fig : Picture or matplotlib.figure.Figure
-        What to display. A Picture has words of its own, which may be replaced.
+    fig : Picture, plotly.graph_objects.Figure or matplotlib.figure.Figure
+        What to display. A Picture has words of its own, which may be replaced. Of a plotly figure
+        the notebook stores its data, which JupyterLab and the pages draw; `make notebooks` adds a
+        PNG for places that draw nothing.
     alt : str
         What the figure shows, in a sentence or two, for those who do not see it.
     caption : str, optional
@@ -41,7 +42,8 @@ def show(fig, *, alt="", caption=""):
     Raises
     ------
     ValueError
-        If `alt` says nothing, if `caption` is no text, or if `fig` is no figure.
+        If `alt` says nothing, if `caption` is no text, or if `fig` is no figure, or one that no
+        page can draw (see `course_lib.figures.stored_chart`).
 
     Examples
     --------
@@ -51,8 +53,6 @@ def show(fig, *, alt="", caption=""):
         ...
     ValueError: alt must say in words what the figure shows; it is 'A plot'
     """
-    from IPython.display import display
-
     if hasattr(fig, "stored"):  # a toy, which has words of its own
         return fig._ipython_display_()
     if isinstance(fig, Picture):
@@ -61,8 +61,34 @@ def show(fig, *, alt="", caption=""):
         raise ValueError(f"alt must say in words what the figure shows; it is {alt!r}")
     if not isinstance(caption, str):
         raise ValueError(f"caption must be a sentence that says what to notice; it is {caption!r}")
-    if not hasattr(fig, "savefig"):
-        raise ValueError(f"fig must be a matplotlib figure; it is of type {type(fig).__name__}")
+    if stored_chart.is_chart(fig):
+        _show_chart(fig, alt)
+    elif hasattr(fig, "savefig"):
+        _show_plot(fig, alt)
+    else:
+        raise ValueError(
+            f"fig must be a plotly or matplotlib figure; it is of type {type(fig).__name__}"
+        )
+    show_caption(caption)
+
+
+def _show_chart(fig, alt):
+    """Display a plotly figure: its data, and the stored PNG if it still shows these."""
+    from IPython.display import display
+
+    chart = stored_chart.stored(fig)
+    width, height = stored_chart.size(chart)
+    data = {stored_chart.PLOTLY: chart, "text/plain": alt}
+    if still := stills.stored_stills().get(stills.as_key(chart)):
+        data["image/png"] = still
+    metadata = {"alt": alt, "width": width, "height": height}
+    display(data, raw=True, metadata={"image/png": metadata})
+
+
+def _show_plot(fig, alt):
+    """Display a matplotlib figure as a PNG."""
+    from IPython.display import display
+
     width, height = (round(96 * inches) for inches in fig.get_size_inches())
     data = {
         "image/png": _png(fig),
@@ -70,7 +96,6 @@ def show(fig, *, alt="", caption=""):
     }  # before the cuts: drawing it puts its panels into place
     metadata = {"alt": alt, "width": width, "height": height} | _cuts(fig, width)
     display(data, raw=True, metadata={"image/png": metadata})
-    show_caption(caption)
 
 
 def show_caption(caption):

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image
 from tqdm import tqdm
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.pack.notebooks import figure_outputs
 from course_lib.pack.photograph import film_pictures
 
@@ -52,7 +52,8 @@ def main(notebooks):
 
 def stored_movies(notebook):
     """Return the animations among a notebook's stored toys, as JSON."""
-    toys = [output.data[TOY]["layout"]["meta"]["course"] for output in figure_outputs(notebook)]
+    datas = [output.data for output in figure_outputs(notebook)]
+    toys = [data[TOY]["layout"]["meta"]["course"] for data in datas if TOY in data]
     return [toy for toy in toys if "movie" in toy]
 
 

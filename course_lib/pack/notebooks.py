@@ -2,8 +2,8 @@
 
     python -m course_lib.pack.notebooks notebooks/*.ipynb
 
-A second run changes nothing unless a source or an output did. Beside every toy a still picture is
-stored, for places that run no script (a repository's web view, print).
+A second run changes nothing unless a source or an output did. Beside every chart and every toy a
+still picture is stored, for places that run no script (a repository's web view, print).
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-from course_lib.figures.display import TOY, smaller_png
-from course_lib.figures.toys.toy import as_key
+from course_lib.figures.display import smaller_png
+from course_lib.figures.stills import STILL, as_key, live_figure, stills_in
+from course_lib.pack.draw_charts import ChartNotDrawn, draw_charts
 from course_lib.pack.files import write_atomically
 from course_lib.pack.more import TAG
 
 CELL_TIMEOUT = 120  # seconds; the same as in `make test`
-STILL = "image/png"
 
 # The metadata that is kept; programs leave the rest behind (timings, an editor's state).
 NOTEBOOK_KEYS = ("course", "nbgrader")
@@ -79,10 +79,12 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
         ) from error
     except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
-    outputs = [output.data for output in figure_outputs(notebook)]
-    known = {as_key(data[TOY]): data[STILL] for data in outputs if STILL in data}
+    known = stills_in(notebook)
     run(notebook, path)
-    without = add_stills(notebook, known, make_stills or draw_stills)
+    try:
+        without = add_stills(notebook, known, make_stills or draw_stills)
+    except ChartNotDrawn as error:
+        raise NotebookFailed(str(error)) from error
     tidy(notebook)
     after = _short(nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True)) + "\n"
     if after == before:
@@ -93,11 +95,20 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
 
 _NUMBER = r"(?:-?[\d.eE+-]+|null)"
 _NUMBERS = re.compile(rf"\[\n\s*{_NUMBER}(?:,\n\s*{_NUMBER})*\n\s*\]")
+_SHORT_LIST = r"\[[^\[\]\n\"]*\]"
+_LISTS = re.compile(rf"\[\n\s*{_SHORT_LIST}(?:,\n\s*{_SHORT_LIST})*\n\s*\]")
 
 
 def _short(text):
-    """Return JSON text with each list of numbers on one line: one line a number would double a notebook's size."""
-    return _NUMBERS.sub(lambda found: re.sub(r"\s+", "", found[0]), text)
+    """Return JSON text with each list of numbers, and each list of these, on one line.
+
+    One line for each number would double a notebook's size.
+    """
+
+    def on_one_line(match):
+        return re.sub(r"\s+", "", match[0])
+
+    return _LISTS.sub(on_one_line, _NUMBERS.sub(on_one_line, text))
 
 
 # ---- run ----
@@ -170,10 +181,10 @@ def reason(error: Exception) -> str:
 
 
 def figure_outputs(notebook: nbformat.NotebookNode) -> Iterator[nbformat.NotebookNode]:
-    """Yield every output that holds a toy."""
+    """Yield every output that holds a live figure, a toy or a chart."""
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
-            if TOY in output.get("data", {}):
+            if live_figure(output.get("data", {})) is not None:
                 yield output
 
 
@@ -184,8 +195,8 @@ def add_stills(
 
     Stored ones are kept because two browsers, or two graphics drivers, never draw the same bytes.
     """
-    outputs = [(as_key(output.data[TOY]), output) for output in figure_outputs(notebook)]
-    missing = {key: output.data[TOY] for key, output in outputs if key not in known}
+    outputs = [(as_key(live_figure(output.data)), output) for output in figure_outputs(notebook)]
+    missing = {key: live_figure(output.data) for key, output in outputs if key not in known}
     remark = ""
     if missing:
         try:
@@ -202,10 +213,21 @@ def add_stills(
 
 
 def draw_stills(figures: list[Figure]) -> list[bytes]:
-    """Return what each toy shows at its start, from a headless browser."""
+    """Return PNG files: of each toy what it shows at its start, of each chart what plotly draws of it."""
     from course_lib.pack.photograph import photograph
 
-    return [smaller_png(photograph(figure["layout"]["meta"]["course"])) for figure in figures]
+    pngs = {}
+    charts = [figure for figure in figures if not is_toy(figure)]
+    if charts:
+        pngs = dict(zip(map(as_key, charts), draw_charts(charts), strict=True))
+    for figure in filter(is_toy, figures):
+        pngs[as_key(figure)] = photograph(figure["layout"]["meta"]["course"])
+    return [smaller_png(pngs[as_key(figure)]) for figure in figures]
+
+
+def is_toy(figure: Figure) -> bool:
+    """Return whether a script of the course draws a stored figure, and not plotly."""
+    return "course" in (figure["layout"].get("meta") or {})
 
 
 # ---- write ----

@@ -8,9 +8,7 @@ where widgets do not run.
 """
 
 import base64
-import contextlib
 import html
-import json
 import math
 import os
 from functools import cache
@@ -18,8 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
-from course_lib.figures.display import TOY, show_caption
+from course_lib.figures.display import show_caption
 from course_lib.figures.solids.model import PALETTE
+from course_lib.figures.stills import TOY, as_key, stored_stills
 
 _OFF_TIES = (
     3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
@@ -105,7 +104,7 @@ class Toy:
         from IPython.display import display
 
         data = {TOY: self.stored(), "text/plain": self.alt}
-        if still := _stills().get(as_key(data[TOY])):
+        if still := stored_stills().get(as_key(data[TOY])):
             data["image/png"] = still
         if is_live():
             bundle = self.widget()._repr_mimebundle_()
@@ -194,33 +193,6 @@ def _rounded(node):
         if isinstance(node, float)
         else node
     )
-
-
-def as_key(figure):
-    """Return a text that is the same for stored toys that look the same only."""
-    return json.dumps(figure, sort_keys=True)
-
-
-@cache
-def _stills():
-    """Return {a stored toy as JSON: its PNG in base64}, from the notebooks of the folder in which the kernel runs."""
-    texts = (
-        path.read_text(encoding="utf-8", errors="replace")
-        for path in sorted(Path.cwd().glob("*.ipynb"))
-    )
-    found = {}
-    for text in texts:
-        with contextlib.suppress(
-            ValueError, LookupError, AttributeError, TypeError
-        ):  # not a notebook
-            for cell in json.loads(text)["cells"] if TOY in text else ():
-                datas = [output.get("data", {}) for output in cell.get("outputs", [])]
-                found |= {
-                    as_key(data[TOY]): data["image/png"]
-                    for data in datas
-                    if {TOY, "image/png"} <= set(data)
-                }
-    return found
 
 
 def is_live():

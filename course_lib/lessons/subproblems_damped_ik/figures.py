@@ -6,8 +6,8 @@ first: (..., joints + 1, 2).
 """
 
 import numpy as np
-from matplotlib.colors import TwoSlopeNorm
 
+from course_lib.figures import charts
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
 from course_lib.figures.solids import Part
@@ -424,29 +424,28 @@ def step_map(alphas, epsilons, errors, largest, runs):
     alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest
     singular value at the target. runs: the pairs (alpha, eps) to mark.
     """
-    fig, (ax,) = plane_figure(5.4, 4.4)
-    levels = TwoSlopeNorm(-2, -8, 0.5)
-    decades = np.log10(np.maximum(errors.T, 1e-9))
-    image = ax.pcolormesh(alphas, epsilons, decades, cmap="RdBu_r", norm=levels, rasterized=True)
+    fig = charts.panels(xlabel="step size α", ylabel="damping ε (m²)", log="xy", height=470)
+    distance = charts.ColourScale(
+        "distance from the target (m)",
+        low=1e-8,
+        high=3,
+        log=True,
+        middle=0.01,
+        colours="RdBu_r",
+    )
+    charts.add_map(fig, alphas, epsilons, np.maximum(errors.T, 1e-9), distance)
     limit = 2 * (1 + np.array(epsilons) / largest**2)
-    ax.plot(limit, epsilons, color=BLACK, linewidth=2, label=r"$\alpha = 2(1 + \epsilon/s_1^2)$")
-    ax.plot(
+    charts.add_line(fig, limit, epsilons, "α = 2 (1 + ε/s<sub>1</sub>²)", colour=BLACK)
+    charts.add_points(
+        fig,
         *np.transpose(runs),
-        "o",
-        color=BLACK,
-        markerfacecolor="white",
-        markersize=8,
-        label="the report's runs",
+        "the report's runs",
+        colour="white",
+        size=9,
     )
-    ax.set(
-        xscale="log", yscale="log", xlim=(alphas[0], alphas[-1]), ylim=(epsilons[0], epsilons[-1])
-    )
-    ax.set(xlabel=r"step size $\alpha$", ylabel=r"damping $\epsilon$ (m$^2$)")
-    legend_above(fig, 2)
-    bar = fig.colorbar(
-        image, ax=ax, label="distance from the target (m)", ticks=[0, -2, -4, -6, -8]
-    )
-    bar.ax.set_yticklabels(["1", "$10^{-2}$", "$10^{-4}$", "$10^{-6}$", "$10^{-8}$"])
+    fig.update_traces(marker_line={"color": BLACK, "width": 1.5}, selector={"mode": "markers"})
+    ends = np.log10([alphas[0], alphas[-1]]), np.log10([epsilons[0], epsilons[-1]])
+    fig.update_layout(xaxis_range=ends[0], yaxis_range=ends[1])
     left = np.asarray(alphas)[:, None] < limit
     blue_left, blue_right = (100 * (errors[side] < 0.01).mean() for side in (left, ~left))
     return Picture(

@@ -10,7 +10,7 @@ from unittest import mock
 import numpy as np
 from nbformat import NotebookNode
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.lessons.rotations import check
 from course_lib.pack.site import COVER, HOME
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show

@@ -12,7 +12,7 @@ from pathlib import Path
 import nbformat
 from PIL import Image
 
-from course_lib.figures.display import TOY
+from course_lib.figures.stills import TOY
 from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
