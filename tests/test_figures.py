@@ -12,6 +12,7 @@ from course_lib import arms, rigid, rotations, trajectory
 from course_lib.figures import show
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import velocities_of_the_tip
+from course_lib.figures.stored_chart import PLOTLY, is_chart, stored
 from course_lib.figures.style import plane_figure
 from course_lib.figures.three_views import three_views
 from course_lib.figures.toys.toy import Toy
@@ -117,7 +118,7 @@ PICTURES = [
      "a 2 targets, median 4; b 1 targets, median 9."),
     (nb6.two_elbows, (ELBOWS, np.ones(2)), "Both elbows lead to the same position."),
     (nb6.two_elbows, (ELBOWS, np.array([1.0, 1.1])), "they miss it by 10.0 and 10.0 cm."),
-    (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "Left, 3 positions"),
+    (nb6.samples, (XY, np.array([[0, 0], [1, 0], [3, 1]]), *np.array([[0, 0], [2, 2]]), 5), "3 positions: a band"),
     (nb6.clusters, ({"one": (ELBOWS, np.array([0, 1]))},), "one: q2 from 90 to 90 and -90 to -90 degrees in the"),
     (nb6.two_cells, (ELBOWS, XY[:2], np.array([True, False]), np.ones(2, bool)), "q2 from 90 to 90 and -90 to -90 deg"),
     (nb6.errors, ({"a": (XY[:2], np.array([0.5, 2]))}, "Words."), "half below 1.2, the largest 2.0 at (1.0, 1.0) m."),
@@ -154,11 +155,10 @@ def test_pictures_are_shown_with_their_words_and_plots_have_the_same_bytes_again
     for i, output in outputs.items():
         assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == made[i].alt
         function, arguments, _ = PICTURES[i]
-        assert set(output.data) == {"image/png", "text/plain"}
-        assert shown(function(*arguments)).data["image/png"] == output.data["image/png"], (
-            function.__name__
-        )
-        assert b"Software" not in output.data["image/png"], "the version that drew it"
+        kind = PLOTLY if PLOTLY in output.data else "image/png"
+        assert set(output.data) == {kind, "text/plain"}
+        assert shown(function(*arguments)).data[kind] == output.data[kind], function.__name__
+        assert b"Software" not in output.data.get("image/png", b""), "the version that drew it"
 
 
 def test_plots_name_every_axis(made):
@@ -174,16 +174,30 @@ def test_plots_name_every_axis(made):
             assert any(each.get_ylabel() for each in beside) or len(fig.axes) > 1
 
 
+def test_charts_name_every_axis_and_its_unit(made):
+    for picture in made:
+        if isinstance(picture, Picture) and is_chart(picture.fig):
+            layout = picture.fig.to_plotly_json()["layout"]
+            for axes in layout["meta"]["panels"]:
+                for axis in axes:
+                    assert layout[f"{axis[0]}axis{axis[1:]}"]["title"]["text"]
+
+
+def as_stored(picture):
+    """The JSON of a toy or a chart, or None for a plot, whose PNG nobody compares."""
+    if isinstance(picture, Toy):
+        return json.dumps(picture.stored())
+    return json.dumps(stored(picture.fig)) if is_chart(picture.fig) else None
+
+
 def test_the_last_bits_of_a_machine_do_not_reach_the_file(made):
     for (function, arguments, _), picture in zip(PICTURES, made, strict=True):
         shaken = [
             a * (1 + 1e-15) if isinstance(a, np.ndarray) and a.dtype == float else a
             for a in arguments
         ]
-        if isinstance(picture, Toy):
-            assert json.dumps(picture.stored()) == json.dumps(function(*shaken).stored()), (
-                function.__name__
-            )
+        again = as_stored(picture) and as_stored(function(*shaken))
+        assert as_stored(picture) == again, function.__name__
 
 
 # ---- show ----
@@ -208,7 +222,9 @@ def test_pages_may_cut_panels_apart_that_are_side_by_side():
 def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
         show(Figure(), alt=alt)
-    with pytest.raises(ValueError, match="fig must be a matplotlib figure; it is of type list"):
+    with pytest.raises(
+        ValueError, match="fig must be a plotly or matplotlib figure; it is of type list"
+    ):
         show([1, 2], alt=ALT)
 
 

@@ -1,0 +1,283 @@
+"""The kit for charts, and what a notebook stores of a plotly figure."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+from helpers import ALT, shown
+
+from course_lib.figures import charts, show
+from course_lib.figures.charts import ColourScale
+from course_lib.figures.stored_chart import PLOTLY, stored
+from course_lib.figures.style import COLOURS
+from course_lib.lessons.decomposition_ik import figures as nb6
+from course_lib.lessons.subproblems_damped_ik import figures as nb3
+
+METRES = {"xlabel": "x (m)", "ylabel": "y (m)"}
+ERROR = ColourScale("error (cm)", low=0, high=10)
+T = np.linspace(0, 1, 5)
+
+
+def all_numbers(node):
+    """Yield every float of a JSON document."""
+    if isinstance(node, float):
+        yield node
+    elif isinstance(node, dict | list):
+        for inner in node.values() if isinstance(node, dict) else node:
+            yield from all_numbers(inner)
+
+
+# ---- panels and series ----
+
+
+def test_the_pointer_says_the_name_and_both_values_with_their_units():
+    fig = charts.panels(xlabel="time (s)", ylabel="speed (m/s)")
+    charts.add_line(fig, T, T, "hand", details={"row": np.arange(5), "error (cm)": T})
+    (curve,) = fig.data
+    assert curve.hovertemplate.split("<br>") == [
+        "hand",
+        "time: %{x:.4~g} s",
+        "speed: %{y:.4~g} m/s",
+        "row: %{customdata[0]}",
+        "error: %{customdata[1]:.4~g} cm<extra></extra>",
+    ]
+    assert curve.customdata[4] == [4, 1.0]
+
+
+def test_lines_shows_all_values_at_one_x():
+    fig = charts.lines(T, {"a": T, "b": 2 * T}, xlabel="time (s)", ylabel="height (m)")
+    assert fig.layout.hovermode == "x unified"
+    assert [curve.line.color for curve in fig.data] == list(COLOURS[:2])
+    assert fig.data[0].line.dash != fig.data[1].line.dash
+
+
+def test_a_name_has_one_colour_and_one_entry_in_the_legend_of_all_panels():
+    fig = charts.panels(["left", "right"], **METRES)
+    for panel in (0, 1):
+        charts.add_line(fig, T, T, "a", panel=panel)
+        charts.add_points(fig, T, T, "b", panel=panel)
+    assert [series.showlegend for series in fig.data] == [True, True, False, False]
+    assert fig.data[0].line.color == fig.data[2].line.color == COLOURS[0]
+    assert fig.data[1].marker.color == fig.data[3].marker.color == COLOURS[1]
+    assert fig.data[2].xaxis == "x2"
+
+
+def test_one_series_needs_no_legend_and_a_second_one_brings_it():
+    fig = charts.panels(**METRES)
+    charts.add_line(fig, T, T, "a")
+    assert not fig.layout.showlegend
+    charts.add_line(fig, T, -T, "b")
+    assert fig.layout.showlegend
+
+
+def test_panels_below_each_other_have_one_time_axis_and_its_name_once():
+    fig = charts.panels(["a", "b"], xlabel="time (s)", ylabel="y (m)", columns=1, share="x")
+    charts.add_line(fig, T, T, "first", panel=0)
+    charts.add_line(fig, T, T, "second", panel=1)
+    assert [series.xaxis for series in fig.data] == ["x", "x"]
+    assert [series.yaxis for series in fig.data] == ["y", "y2"]
+    assert "xaxis2" not in fig.to_plotly_json()["layout"]
+
+
+def test_side_by_side_panels_that_share_axes_zoom_together():
+    fig = charts.panels(["a", "b"], **METRES, share="xy")
+    assert (fig.layout.xaxis2.matches, fig.layout.yaxis2.matches) == ("x", "y")
+
+
+def test_equal_scales_hold_in_every_panel():
+    fig = charts.panels(["a", "b"], **METRES, equal=True)
+    assert (fig.layout.yaxis.scaleanchor, fig.layout.yaxis2.scaleanchor) == ("x", "x2")
+
+
+def test_angles_have_ticks_at_parts_of_pi():
+    axis = charts.panels(xlabel="angle (rad)", ylabel="y", parts_of_pi=4).layout.xaxis
+    texts = dict(zip(np.round(np.array(axis.tickvals) / np.pi, 9), axis.ticktext, strict=True))
+    assert (texts[0], texts[1], texts[-0.75], texts[0.5]) == ("0", "π", "−3π/4", "π/2")
+
+
+@pytest.mark.parametrize(
+    ("count", "kind"), [(charts.MANY_POINTS - 1, "scatter"), (3000, "scattergl")]
+)
+def test_from_some_thousand_points_on_webgl_draws(count, kind):
+    fig = charts.panels(**METRES)
+    charts.add_points(fig, np.arange(count), np.arange(count), "many")
+    assert fig.data[0].type == kind
+
+
+def test_bars_say_between_which_edges_they_stand():
+    fig = charts.panels(xlabel="angle (rad)", ylabel="share (%)")
+    charts.add_bars(fig, [0, 1, 3], [20, 80], "rotations")
+    assert list(fig.data[0].x) == [0.5, 2]
+    assert list(fig.data[0].width) == [1, 2]
+    assert fig.data[0].customdata[1] == [1, 3]
+
+
+# ---- colours ----
+
+
+def test_a_colour_bar_names_its_unit_and_says_that_it_is_clipped():
+    fig = charts.panels(**METRES)
+    charts.add_points(fig, T, T, "query", values=[-1, 2, 3, 4, 50], scale=ERROR)
+    bar = fig.layout.coloraxis.colorbar
+    assert bar.title.text == "error (cm)"
+    assert (bar.ticktext[0], bar.ticktext[-1]) == ("≤ 0", "≥ 10")
+    assert fig.data[0].customdata[4] == [50.0], "under the pointer stands the value itself"
+
+
+def test_a_colour_bar_that_holds_all_values_does_not_say_so():
+    fig = charts.panels(**METRES)
+    charts.add_points(fig, T, T, "query", values=10 * T, scale=ERROR)
+    assert fig.layout.coloraxis.colorbar.ticktext == ("0", "2", "4", "6", "8", "10")
+
+
+def test_the_middle_of_a_scale_has_the_middle_colour():
+    scale = ColourScale("distance (m)", low=1e-8, high=1, log=True, middle=1e-2, colours="RdBu_r")
+    fig = charts.panels(**METRES)
+    charts.add_map(fig, [1, 2], [1, 2, 3], np.geomspace(1e-8, 1, 6).reshape(3, 2), scale)
+    places = [place for place, _ in fig.layout.coloraxis.colorscale]
+    assert places[len(places) // 2] == pytest.approx(0.75)
+    np.testing.assert_allclose(fig.data[0].z[0], [-8, -6.4])
+    assert fig.data[0].customdata[2][1] == [1.0]
+
+
+# ---- what is refused ----
+
+FIG = charts.panels(**METRES)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: charts.lines(T, {}, **METRES), "series must hold"),
+        (lambda: charts.lines(T, {"$q_1$": T}, **METRES), "write q<sub>1</sub>"),
+        (lambda: charts.panels(xlabel="", ylabel="y"), "xlabel must be words"),
+        (lambda: charts.panels(["a", "b"], xlabel=["x"], ylabel="y"), "xlabel must be one or 2"),
+        (lambda: charts.panels([], **METRES), "titles must name at least one"),
+        (lambda: charts.add_line(FIG, T, T[:3], "a"), "x has 5, y has 3"),
+        (lambda: charts.add_line(FIG, T, T, "a", panel=1), "panel must be from 0 to 0; it is 1"),
+        (lambda: charts.add_line(FIG, T, T + 1j, "a"), "y must be"),
+        (lambda: charts.add_line(FIG, T, T, "a", details={"n": T[:2]}), r"details\['n'\] must have"),
+        (lambda: charts.add_line(go.Figure(), T, T, "a"), "fig must be a chart that"),
+        (lambda: charts.add_points(FIG, T, T, "a", values=T), "scale must say"),
+        (lambda: charts.add_points(FIG, T, T, "a", values=T * np.nan, scale=ERROR), "all are NaN"),
+        (lambda: charts.add_map(FIG, T, T, np.ones((2, 5)), ERROR), "values must"),
+        (lambda: charts.add_bars(FIG, [0, 1], [1, 2], "a"), "edges must be one more than the 2"),
+        (lambda: charts.add_rule(FIG), "give one of the two"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_drawn_is_refused_by_the_name_of_the_argument(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+# ---- what is stored ----
+
+
+def test_numbers_keep_six_digits_of_the_largest_of_their_list():
+    figure = stored(go.Figure(go.Scatter(x=[1 / 3, -0.0, 1e-17], y=np.array([2e6 / 3, 1 / 3, 0]))))
+    assert figure["data"][0]["x"] == [0.333333, 0, 0]
+    assert str(figure["data"][0]["x"][1]) == "0.0", "and no minus"
+    assert figure["data"][0]["y"] == [666667, 0, 0]
+
+
+def test_on_a_logarithmic_axis_each_number_keeps_six_digits_of_its_own():
+    fig = charts.lines(T + 1, {"a": 10.0 ** -np.arange(0, 20, 4) / 3}, **METRES, log="y")
+    assert stored(fig)["data"][0]["y"][-1] == 3.33333e-17
+
+
+def test_nan_and_infinities_become_null():
+    figure = stored(go.Figure(go.Scatter(x=np.array([0, 1, 2.0]), y=[np.nan, np.inf, -np.inf])))
+    assert figure["data"][0]["y"] == [None, None, None]
+    json.dumps(figure, allow_nan=False)
+
+
+def test_no_array_stays_packed():
+    fig = go.Figure(go.Heatmap(z=np.arange(6, dtype=np.uint8).reshape(2, 3), x=np.arange(3)))
+    assert stored(fig)["data"][0]["z"] == [[0, 1, 2], [3, 4, 5]]
+    assert "bdata" not in json.dumps(stored(fig))
+
+
+def test_the_last_bits_of_a_machine_do_not_reach_the_file():
+    halves = np.arange(0, 40) / 64  # exactly between two numbers of five decimals
+    for shaken in (halves * (1 + 2e-16), halves * (1 - 2e-16)):
+        first = stored(charts.lines(halves, {"a": np.cos(halves)}, **METRES))
+        again = stored(charts.lines(shaken, {"a": np.cos(shaken)}, **METRES))
+        assert json.dumps(again) == json.dumps(first)
+
+
+def test_a_figure_of_anybody_gets_the_style_of_the_course_and_keeps_its_own_template():
+    plain = go.Figure(go.Scatter(y=[1, 2]))
+    assert stored(plain)["layout"]["template"]["layout"]["colorway"] == list(COLOURS)
+    own = go.Figure(go.Scatter(y=[1, 2]), layout={"template": "plotly_dark"})
+    assert stored(own)["layout"]["template"]["layout"]["paper_bgcolor"] == "rgb(17,17,17)"
+
+
+def test_no_figure_offers_to_upload_itself():
+    config = stored(go.Figure(go.Scatter(y=[1, 2])))["config"]
+    assert config["showSendToCloud"] is False
+    assert config["displaylogo"] is False
+
+
+def test_show_stores_the_figure_its_words_and_the_size_of_its_picture():
+    output = shown(charts.lines(T, {"a": T}, **METRES, height=300))
+    assert set(output.data) == {PLOTLY, "text/plain"}
+    assert output.data["text/plain"] == ALT
+    assert output.metadata["image/png"] == {"alt": ALT, "width": 700, "height": 300}
+
+
+@pytest.mark.parametrize(
+    ("fig", "words"),
+    [
+        (go.Figure(), "must hold at least one series"),
+        ({"data": [{"type": "nonsense", "y": [1]}]}, "plotly can draw: .*nonsense"),
+        ({"data": [{"y": [1], "colour": "red"}]}, "plotly can draw: .*colour"),
+        ({"data": 3}, "plotly can draw"),
+        (go.Figure(go.Scattermap(lat=[1], lon=[2])), r"data\[0\] is of type 'scattermap'"),
+        (go.Figure(go.Scatter(y=[1]), {"images": [{"source": "http://a.b/c.png"}]}), "address"),
+        (go.Figure(go.Scatter(y=[1], customdata=[object()])), "plotly can draw: .*object"),
+        ([1, 2], "must be a plotly or matplotlib figure; it is of type list"),
+    ],
+)  # fmt: skip
+def test_show_refuses_what_no_page_can_draw(fig, words):
+    with pytest.raises(ValueError, match=words):
+        show(fig, alt=ALT)
+
+
+@pytest.mark.parametrize("alt", ["", "short", None])
+def test_a_chart_without_words_is_refused(alt):
+    with pytest.raises(ValueError, match="alt must say"):
+        show(charts.lines(T, {"a": T}, **METRES), alt=alt)
+
+
+def test_the_package_does_not_load_plotly_until_a_chart_is_made():
+    source = "import sys, course_lib, course_lib.figures; print('plotly' in sys.modules)"
+    output = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True)
+    assert output.stdout.strip() == "False"
+
+
+# ---- charts of the notebooks ----
+
+
+def test_all_samples_are_in_the_chart_with_their_cells():
+    rng = np.random.default_rng(1)
+    xy = rng.uniform(0, 1, (4000, 2))
+    cell = np.minimum((xy * 5).astype(int), 4)
+    fig = nb6.samples(xy, cell, np.zeros(2), np.ones(2), 5).fig
+    (dots,) = fig.data
+    assert dots.type == "scattergl"
+    np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), xy, atol=5.1e-5)
+    in_first = (cell == cell[0]).all(axis=1).sum()
+    assert dots.customdata[0] == [*cell[0], in_first]
+
+
+def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():
+    alphas, epsilons = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5)
+    errors = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
+    runs = [(0.2, 2.0), (2.8, 2.0)]
+    heat, limit, dots = nb3.step_map(alphas, epsilons, errors, 2.5, runs).fig.data
+    np.testing.assert_allclose(np.array(heat.customdata)[..., 0], errors.T)
+    np.testing.assert_allclose(limit.x, 2 * (1 + epsilons / 2.5**2))
+    np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), runs)
