@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from importlib.resources import files
 from pathlib import Path
 
 import nbformat
@@ -119,6 +120,7 @@ def _copy_own_files(static: Path) -> None:
     (static / "figures").mkdir()
     for script in SCRIPTS.glob("*.js"):
         shutil.copy(script, static / "figures")
+    shutil.copy(files("plotly") / "package_data" / "plotly.min.js", static)  # for charts.js
 
 
 def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:

@@ -100,13 +100,15 @@ def fold_more(app, document, docname):
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
-    """Add the scripts of the toys, after the text, to the pages that hold one."""
+    """Add the scripts of toys and charts, after the text, to the pages that hold one."""
     figures = re.findall(r'<div class="toy-figure"([^>]*)>', context.get("body", ""))
     scripts = [name for figure in figures for name in re.findall(r'data-scripts="([^"]*)"', figure)]
     for script in dict.fromkeys(" ".join(scripts).split()):
         app.add_js_file(f"figures/{script}.js", loading_method="defer")
     if figures:
         app.add_js_file("figures.js", loading_method="defer")
+    if '<div class="chart-figure"' in context.get("body", ""):
+        app.add_js_file("charts.js", loading_method="defer")
 
 
 def set_formula(translator, node):

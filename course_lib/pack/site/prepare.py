@@ -1,4 +1,4 @@
-"""Turn an executed notebook into a copy that MyST-NB can show: toys, and pictures with alternative text."""
+"""Turn an executed notebook into a copy that MyST-NB can show: toys, charts, and pictures with alternative text."""
 
 import base64
 import hashlib
@@ -13,6 +13,7 @@ import nbformat
 from PIL import Image
 
 from course_lib.figures.stills import TOY
+from course_lib.figures.stored_chart import PLOTLY, size
 from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
 from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
@@ -65,7 +66,11 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
 def show(output, place: str, folder: Path) -> None:
     """Give `output` the HTML that the page shows, if MyST-NB would not show it properly."""
     image = next((kind for kind in IMAGES if kind in output.data), None)
-    if figure := output.data.get(TOY):
+    if PLOTLY in output.data:
+        alt = alternative(output, place)
+        still = picture(output, image, "picture chart-still", alt, folder) if image else ""
+        output.data = {"text/html": _captioned(_chart(output.data[PLOTLY], alt, still), output)}
+    elif figure := output.data.get(TOY):
         alt = alternative(output, place)
         still = picture(output, image, "toy-still", alt, folder) if image else ""
         output.data = {"text/html": _captioned(_figure(figure, alt, still), output)}
@@ -140,14 +145,55 @@ def _figure(figure: dict, alt: str, still: str) -> str:
     Without a still picture the alternative text takes its place, except in print.
     """
     meta = figure["layout"]["meta"]["course"]
-    # "</" would end the script element; in JSON "<\/" is the same string.
-    data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
     fallback = still or f'<p class="toy-words">{html.escape(alt)}</p>'
     own = f'data-kind="{html.escape(meta["kind"])}" data-scripts="{html.escape(" ".join(meta["scripts"]))}"'
     return (
         f'<div class="toy-figure" {own} role="group" aria-label="{html.escape(alt)}">{fallback}'
-        f'<div class="toy-live"></div><script type="application/json">{data}</script></div>'
+        f'<div class="toy-live"></div>{_data(figure)}</div>'
     )
+
+
+def _chart(chart: dict, alt: str, still: str) -> str:
+    """Return a chart as data that charts.js draws, and a folded place for its numbers.
+
+    Until it is drawn, without scripts and in print its picture shows, else its words.
+    """
+    fallback = still or f'<p class="chart-words">{html.escape(alt)}</p>'
+    room, on_phone = size(chart)[1], _height_on_phone(chart)
+    return (
+        f'<div class="chart-figure" style="--room:{room}px;--room-on-phone:{on_phone}px" '
+        f'role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="chart-live"></div>{_data(chart)}</div>'
+        '<details class="chart-numbers" hidden><summary>The numbers</summary></details>'
+    )
+
+
+def _height_on_phone(chart: dict) -> int:
+    """Return how high a chart is on a phone, where panels stand below each other, in pixels.
+
+    A plane with equal scales is there about as high as it is wide.
+    """
+    layout, height = chart["layout"], size(chart)[1]
+    meta = layout.get("meta") or {}
+    panels, columns = len(meta.get("panels", [0])), meta.get("columns", 1)
+    axes = [axis for key, axis in layout.items() if key.startswith("yaxis")]
+    is_plane = any(axis.get("scaleanchor") for axis in axes)
+    if is_plane and panels == 1:
+        height = min(height, 340)
+    if columns > 1:
+        height = panels * (350 if is_plane else 270)
+    if "coloraxis" in layout:
+        height += 55
+    if layout.get("showlegend"):  # below, a line for each name
+        height += 24 * sum(series.get("showlegend", True) for series in chart["data"])
+    return height
+
+
+def _data(figure: dict) -> str:
+    """Return a figure as an element that holds data for a script."""
+    # "</" would end the script element; in JSON "<\/" is the same string.
+    data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
+    return f'<script type="application/json">{data}</script>'
 
 
 def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
