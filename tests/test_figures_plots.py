@@ -59,9 +59,20 @@ LINES = {
 }  # fmt: skip
 
 
+def curves_of_chart(fig, panel):
+    """Return the points (n, 2) of each series in a panel of a chart by plotly, in their order."""
+    x_axis, y_axis = fig.layout.meta["panels"][panel]
+    in_panel = [trace for trace in fig.data if (trace.xaxis, trace.yaxis) == (x_axis, y_axis)]
+    return [np.stack([trace.x, trace.y], -1) for trace in in_panel]
+
+
 @pytest.mark.parametrize("name", LINES)
 def test_lines_go_through_their_data_and_lie_in_the_panel(name):
     picture, panel, expected = LINES[name]
+    if hasattr(picture.fig, "to_plotly_json"):  # its panels always contain their data
+        for points, wanted in zip(curves_of_chart(picture.fig, panel), expected, strict=False):
+            assert_allclose(points, wanted, atol=1e-9)
+        return
     ax = picture.fig.axes[panel]
     low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
     for line, points in zip(ax.lines, expected, strict=False):
@@ -69,14 +80,39 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
         assert ((low <= points) & (points <= high)).all() or name == "gains"
 
 
-def test_larger_errors_are_larger_and_darker_and_a_missing_one_is_not_drawn():
-    xy, off = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]]), np.array([0.3, 12, np.nan])
-    ax = nb6.errors({"a": (xy, off)}, "").fig.axes[0]
-    (dots,) = ax.collections
-    assert_allclose(dots.get_offsets(), xy[:2])
-    assert_allclose(dots.get_array(), [0.3, 10])
-    assert dots.get_sizes()[1] > dots.get_sizes()[0]
-    assert [text.get_text() for text in ax.texts] == ["12.0 cm"]
+XY = np.array([[1.0, 1.0], [0.0, 1.0], [2.0, 0.0]])
+ERRORS = np.array([12.0, 0.3, np.nan])
+
+
+@pytest.fixture
+def dots():
+    """The dots of a chart of errors at two positions; a third one has no answer."""
+    picture = nb6.errors({"a": (XY, ERRORS)}, "", {"a": {"cell": np.array([7, 8, 9])}})
+    (trace,) = picture.fig.data
+    return picture.fig, trace
+
+
+def test_an_error_that_is_missing_is_not_drawn(dots):
+    _, trace = dots
+    assert_allclose(np.stack([trace.x, trace.y], -1), [XY[1], XY[0]])
+
+
+def test_a_larger_error_is_a_larger_dot_in_a_colour_further_on(dots):
+    _, trace = dots
+    small, large = trace.marker.size
+    assert small < large
+    assert_allclose(10 ** np.array(trace.marker.color), [0.3, 12])
+
+
+def test_a_dot_says_its_error_and_its_details(dots):
+    _, trace = dots
+    assert [list(row) for row in trace.customdata] == [[0.3, 8], [12.0, 7]]
+
+
+def test_the_largest_error_is_named_at_its_dot(dots):
+    fig, _ = dots
+    (note,) = [note for note in fig.layout.annotations if note.showarrow is not False]
+    assert (note.text, note.x, note.y) == ("largest: 12.0 cm", 1.0, 1.0)
 
 
 # ---- films: bodies and arms are where their data say, at each time ----

@@ -25,7 +25,8 @@ REPORT = [
     "Errors in it",
     "Remarks",
 ]  # the last one only where there are any
-MOST_LINES, MOST_BYTES = 26, 2_000_000
+MOST_LINES = 26
+MOST_BYTES = 3_000_000  # notebook 6 holds all of its 50,000 samples, in two thirds of this
 
 pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 

@@ -4,14 +4,14 @@ Each function returns a Picture, for `show`. Positions are in metres, errors in 
 """
 
 import numpy as np
-from matplotlib.colors import LogNorm
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_metres, legend_above, lines
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, RED, plane_figure
+from course_lib.figures.plots import in_metres
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, RED, plane_figure
 
-_EDGE = "#555555"
+LEAST_ERROR = 1e-3  # cm: a tenth of the thickness of paper; smaller errors have its colour
+PALE_GREY = "#c4c8cd"  # of what is behind
 
 
 def two_elbows(solutions, xy):
@@ -52,7 +52,9 @@ def two_elbows(solutions, xy):
 
 
 def samples(xy, cell, low, high, n):
-    """Return all samples in the workspace, coloured by their cells; neighbours differ. Zoom shows each cell.
+    """Return all samples in the workspace, coloured by their cells; neighbours differ.
+
+    Zoom shows each cell.
 
     xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n
     cells along each side.
@@ -60,14 +62,14 @@ def samples(xy, cell, low, high, n):
     number = cell[:, 0] + n * cell[:, 1]
     count = np.bincount(number)
     fig = charts.panels(xlabel="x (m)", ylabel="y (m)", equal=True, height=560)
-    # Tenths of a millimetre: fine enough for any zoom, and half as long in the notebook.
+    # Millimetres are fine enough for any zoom, and make the notebook shorter.
     charts.add_points(
         fig,
-        *np.round(xy, 4).T,
+        *np.round(xy, 3).T,
         "sample",
         colour=[COLOURS[k] for k in (cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)],
         size=3,
-        details={"column": cell[:, 0], "row": cell[:, 1], "samples in the cell": count[number]},
+        details={"cell": number, "samples in it": count[number]},
     )
     for lines_of, first, last in (("x", low[0], high[0]), ("y", low[1], high[1])):
         edges = first + np.arange(n + 1) * (last - first) / n
@@ -88,149 +90,363 @@ def samples(xy, cell, low, high, n):
 def clusters(contents):
     """Return the samples of a few cells in joint space, a panel for each cell.
 
-    contents: {title: (joint angles (m, 2) in radians, labels (m,) of 0 and 1)}.
+    Parameters
+    ----------
+    contents : dict
+        Title of a cell to its samples' joint angles, shape (m, 2), in radians, and their labels,
+        shape (m,), which are 0 or 1. `cells.kinds` returns such a dict.
+
+    Returns
+    -------
+    Picture
     """
-    labels = {"xlabel": "$q_1$ (degrees)", "ylabel": "$q_2$ (degrees)"}
-    fig, axes = plane_figure(3.4 * len(contents), 3.5, len(contents))
-    said = []
-    for ax, (title, (q, number)) in zip(axes, contents.items(), strict=True):
-        groups = [np.rad2deg(q[number == k]) for k in (0, 1)]
-        for k, (group, marker, colour) in enumerate(zip(groups, "o^", (BLUE, RED), strict=True)):
-            ax.scatter(*group.T, s=36, c=colour, marker=marker, label=f"cluster {k}")
-        ax.axhline(0, color=GREY, linewidth=1)
-        ax.set(title=title, **labels)
-        ax.margins(0.12)
-        ranges = " and ".join(
-            f"{group[:, 1].min():.0f} to {group[:, 1].max():.0f}" for group in groups
-        )
-        said.append(f"{title}: q2 from {ranges} degrees in the two clusters")
-    axes[0].legend(frameon=False, loc="center")
+    titles = [title.replace("q2", "q<sub>2</sub>") for title in contents]
+    fig = charts.panels(
+        titles,
+        xlabel="q<sub>1</sub> (degrees)",
+        ylabel="q<sub>2</sub> (degrees)",
+        height=400,
+    )
+    ranges = []
+    for panel, (title, (q, label)) in enumerate(contents.items()):
+        in_words = []
+        for k, symbol, colour in ((0, "circle", BLUE), (1, "triangle-up", RED)):
+            group = np.rad2deg(q[label == k])
+            name = f"cluster {k}"
+            charts.add_points(
+                fig, *group.T, name, panel=panel, colour=colour, symbol=symbol, opacity=0.8
+            )
+            in_words.append(f"{group[:, 1].min():.0f} to {group[:, 1].max():.0f}")
+        charts.add_rule(fig, y=0.0, panel=panel)
+        ranges.append(f"{title}: q2 from {' and '.join(in_words)} degrees in the two clusters")
     alt = (
-        f"Joint angles of {len(said)} cells, q2 over q1, with two clusters each. {'; '.join(said)}."
+        f"Joint angles of {len(contents)} cells, q2 over q1, with two clusters each. "
+        f"{'; '.join(ranges)}."
     )
-    return Picture(fig, alt, "Compare each cut with the line q2 = 0, which separates the elbows.")
-
-
-def two_cells(q, xy, in_joints, in_plane):
-    """Return samples in joint space, and where they lead: those of a cell of joint space, and of one of the workspace.
-
-    q, xy: (m, 2), joint angles and positions. in_joints, in_plane: (m,), whether a sample lies in
-    each of the cells.
-    """
-    fig, axes = plane_figure(9.6, 4.2, 2)
-    for ax, points in zip(axes, (np.rad2deg(q), xy), strict=True):
-        ax.plot(*points[::10].T, ".", color="#d5d8dc", markersize=2, rasterized=True)
-        for inside, colour in ((in_joints, BLUE), (in_plane, CRIMSON)):
-            ax.plot(*points[inside].T, ".", color=colour, markersize=4)
-    axes[0].set(title="joint angles", xlabel="$q_1$ (degrees)", ylabel="$q_2$ (degrees)")
-    in_metres(axes[1], title="positions")
-    up = np.rad2deg(q[in_plane, 1])
-    ranges = " and ".join(
-        f"{part.min():.0f} to {part.max():.0f}" for part in (up[up > 0], up[up <= 0])
-    )
-    alt = (
-        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one "
-        "patch of positions; "
-    )
-    alt += f"a red rectangle of positions is reached from two patches of joint angles, with q2 from {ranges} degrees."
-    return Picture(
-        fig,
-        alt,
-        "In how many patches does the blue cell appear on the other side, and in how many the red "
-        "one?",
-    )
-
-
-def errors(contents, caption):
-    """Return errors at positions in the plane, by size and colour.
-
-    contents: {title: (xy (m, 2), error (m,) in cm, NaN where there is no answer)}, a panel for
-    each.
-    """
-    fig, axes = plane_figure(4.8 * len(contents), 3.8, len(contents))
-    said = []
-    for ax, (title, (xy, error)) in zip(axes, contents.items(), strict=True):
-        xy, error = xy[~np.isnan(error)], error[~np.isnan(error)]
-        shown = np.clip(error, 1e-3, 10)
-        look = {
-            "s": (2 + 9 * np.sqrt(shown / 10)) ** 2,
-            "cmap": "viridis_r",
-            "norm": LogNorm(1e-3, 10),
-            "linewidths": 0,
-        }
-        dots = ax.scatter(*xy.T, c=shown, **look)
-        in_metres(ax, title=title)
-        k = int(np.argmax(error))
-        look = {"color": BLACK, "bbox": {"color": "white", "alpha": 0.7, "pad": 1}}
-        ax.annotate(f"{error[k]:.1f} cm", xy[k], (8, -14), textcoords="offset points", **look)
-        worst = f"{error[k]:.1f} at ({xy[k, 0]:.1f}, {xy[k, 1]:.1f}) m"
-        said.append(f"{title}: half below {np.median(error):.2g}, the largest {worst}")
-    fig.colorbar(dots, ax=axes, label="error (cm)", format="{x:g}")
-    alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(said)}."
+    caption = "Compare each cut with the dashed line $q_2 = 0$, which separates the elbows."
     return Picture(fig, alt, caption)
 
 
-def convergence(sizes, curves, slopes):
-    """Return the largest error of the position over the size of the cell.
+def two_cells(q, xy, in_joints, in_plane):
+    """Return samples in joint space and where they lead, with one cell of each space marked in both.
 
-    sizes: (n,), widths of the cell. curves: {name: largest errors (n,), in metres}. slopes: {name:
-    slope of the curve on logarithmic axes}.
+    Parameters
+    ----------
+    q, xy : array_like, shape (m, 2)
+        Joint angles, in radians, and positions, in metres.
+    in_joints, in_plane : array_like of bool, shape (m,)
+        Whether a sample lies in the cell of joint space, and in the cell of the workspace.
+
+    Returns
+    -------
+    Picture
     """
-    said = "; ".join(
-        f"{name} falls with slope {slopes[name]:.1f} to {100 * e[-1]:.1g}"
-        for name, e in curves.items()
+    degrees, xy = np.rad2deg(q).round(1), np.round(xy, 3)
+    fig = charts.panels(
+        ["joint angles", "positions"],
+        xlabel=["q<sub>1</sub> (degrees)", "x (m)"],
+        ylabel=["q<sub>2</sub> (degrees)", "y (m)"],
+        height=420,
     )
-    shown = {f"{name}: slope {slopes[name]:.1f}": 100 * e for name, e in curves.items()}
-    return Picture(
-        lines(
-            100 * sizes,
-            shown,
-            xlabel="width of the cell (cm)",
-            ylabel="largest error (cm)",
-            log="xy",
-        ),
-        f"The largest error of the position in a cell, in cm, over the width of the cell, both "
-        f"logarithmic: {said}.",
-        "At the workspace's edge the degree of the polynomial does not change the slope.",
+    fig.layout.yaxis2.update(scaleanchor="x2", constrain="domain")
+    fig.layout.xaxis2.constrain = "domain"
+    groups = (
+        ("other samples", np.arange(len(q)) % 25 == 0, PALE_GREY, 2),
+        ("a cell of joint space", in_joints, BLUE, 4),
+        ("a cell of the workspace", in_plane, CRIMSON, 4),
     )
+    for name, inside, colour, size in groups:
+        look = {"colour": colour, "size": size}
+        angles = {"q1 (degrees)": degrees[inside, 0], "q2 (degrees)": degrees[inside, 1]}
+        positions = {"x (m)": xy[inside, 0], "y (m)": xy[inside, 1]}
+        # Beside its own coordinates each dot says where it is in the other panel.
+        charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **look)
+        charts.add_points(fig, *xy[inside].T, name, panel=1, details=angles, **look)
+    q2 = degrees[in_plane, 1]
+    ranges = [f"{part.min():.0f} to {part.max():.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
+    alt = (
+        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one "
+        "patch of positions; a red rectangle of positions is reached from two patches of joint "
+        f"angles, with q2 from {' and '.join(ranges)} degrees."
+    )
+    caption = (
+        "In how many patches does the blue cell appear on the other side, and in how many the red "
+        "one? Each dot says where it is on the other side."
+    )
+    return Picture(fig, alt, caption)
+
+
+def errors(contents, caption, details=None):
+    """Return errors at positions in the plane, by size and colour, with the largest one named.
+
+    Parameters
+    ----------
+    contents : dict
+        Title of a panel to positions, shape (m, 2), in metres, and their errors, shape (m,), in
+        centimetres; NaN where there is no answer.
+    caption : str
+        What to notice.
+    details : dict, optional
+        Title of a panel to what its dots say besides: {"cell": values, shape (m,)}.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        list(contents),
+        xlabel="x (m)",
+        ylabel="y (m)",
+        columns=1,
+        equal=True,
+        height=90 + 330 * len(contents),
+    )
+    largest = max(np.nanmax(error) for _, error in contents.values())
+    scale = charts.ColourScale(
+        "error (cm)", low=LEAST_ERROR, high=largest, log=True, colours="Viridis_r"
+    )
+    in_words = []
+    for panel, (title, (xy, error)) in enumerate(contents.items()):
+        answered = ~np.isnan(error)
+        position, size = xy[answered], np.maximum(error[answered], LEAST_ERROR)
+        more = {name: values[answered] for name, values in (details or {}).get(title, {}).items()}
+        order = np.argsort(size)  # the large errors are drawn last, above the others
+        charts.add_points(
+            fig,
+            *position[order].T,
+            title,
+            panel=panel,
+            size=4 + 14 * np.sqrt(size[order] / largest),
+            values=size[order],
+            scale=scale,
+            opacity=0.85,
+            details={name: values[order] for name, values in more.items()},
+        )
+        worst = int(np.argmax(size))
+        x, y = position[worst]
+        _name_largest(fig, panel, (x, y), f"largest: {size[worst]:.1f} cm")
+        in_words.append(
+            f"{title}: half below {np.median(size):.2g}, the largest {size[worst]:.1f} at "
+            f"({x:.1f}, {y:.1f}) m"
+        )
+    fig.layout.showlegend = False  # the titles of the panels name the series
+    alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(in_words)}."
+    return Picture(fig, alt, caption)
+
+
+def _name_largest(fig, panel, position, text):
+    """Write a text beside a dot of a panel, with a line from the text to the dot."""
+    x_axis, y_axis = fig.layout.meta["panels"][panel]
+    fig.add_annotation(
+        x=position[0],
+        y=position[1],
+        xref=x_axis,
+        yref=y_axis,
+        text=text,
+        # Towards the middle of the panel, so that the words stay inside it.
+        ax=-75 if position[0] > 0 else 75,
+        ay=-30 if position[1] < 0 else 30,
+        arrowhead=0,
+        arrowcolor=BLACK,
+        bgcolor="rgba(255,255,255,0.8)",
+        font={"color": BLACK, "size": 12},
+    )
+
+
+def convergence(sizes, curves, slopes):
+    """Return the largest error of the position in a cell over the width of the cell.
+
+    Parameters
+    ----------
+    sizes : array_like, shape (n,)
+        Widths of the cell, in metres.
+    curves : dict
+        Name of a model and place to the largest errors, shape (n,), in metres.
+    slopes : dict
+        Name to the slope of its curve on logarithmic axes.
+
+    Returns
+    -------
+    Picture
+    """
+    in_words = []
+    by_name = {}
+    for name, largest in curves.items():
+        in_words.append(f"{name} falls with slope {slopes[name]:.1f} to {100 * largest[-1]:.1g}")
+        by_name[f"{name}: slope {slopes[name]:.1f}"] = 100 * largest
+    fig = charts.lines(
+        100 * sizes,
+        by_name,
+        xlabel="width of the cell (cm)",
+        ylabel="largest error (cm)",
+        log="xy",
+        markers=True,
+        height=430,
+    )
+    alt = (
+        "The largest error of the position in a cell, in cm, over the width of the cell, both "
+        f"logarithmic: {'; '.join(in_words)}."
+    )
+    caption = "At the workspace's edge the degree of the polynomial does not change the slope."
+    return Picture(fig, alt, caption)
 
 
 def by_bend(edges, mean):
-    """Return the mean error over the bend |q2| of the elbow.
+    """Return the mean error over the bend |q2| of the elbow, with the bend at which the edge is a cell away.
 
-    edges: (n + 1,), of the intervals of |q2|, in degrees. mean: (n,), the mean error in each.
+    Parameters
+    ----------
+    edges : array_like, shape (n + 1,)
+        Of the intervals of |q2|, in degrees.
+    mean : array_like, shape (n,)
+        The mean error in each interval, in centimetres.
+
+    Returns
+    -------
+    Picture
     """
-    top, middles = int(np.argmax(mean)), (edges[:-1] + edges[1:]) / 2
-    curve = {"affine, split by the sign": mean}
-    return Picture(
-        lines(middles, curve, xlabel="$|q_2|$ (degrees)", ylabel="mean error (cm)"),
+    fig = charts.panels(xlabel="|q<sub>2</sub>| (degrees)", ylabel="mean error (cm)")
+    charts.add_bars(fig, edges, mean, "affine, split by the sign")
+    charts.add_rule(fig, x=36.0, text="36°")
+    top = int(np.argmax(mean))
+    alt = (
         f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, "
-        f"between "
-        f"{edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near {edges[-1]} "
-        f"degrees.",
-        "Up to 36 degrees the tip is within a cell's diagonal, 10 cm, of the edge.",
+        f"between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near "
+        f"{edges[-1]} degrees."
     )
+    caption = (
+        "Left of the dashed line, up to 36 degrees, the tip is within a cell's diagonal, 10 cm, of "
+        "the workspace's edge."
+    )
+    return Picture(fig, alt, caption)
 
 
 def costs(memory, error):
-    """Return the mean error of methods over the memory that they need, both logarithmic, a mark for each method.
+    """Return the mean error of methods over the memory that they need, both logarithmic.
 
-    memory: {name: bytes}. error: {name: cm}.
+    Parameters
+    ----------
+    memory : dict
+        Name of a method to its bytes.
+    error : dict
+        Name to its mean error, in centimetres.
+
+    Returns
+    -------
+    Picture
     """
-    fig, (ax,) = plane_figure(5.4, 4.4)
-    for (name, size), marker, colour in zip(memory.items(), "osD^vP*", COLOURS, strict=False):
-        ax.plot(size, error[name], marker, color=colour, markersize=9, alpha=0.8, label=name)
-    ax.set(
-        xscale="log", yscale="log", xlabel="memory (bytes)", ylabel="mean error, both branches (cm)"
+    fig = charts.panels(
+        xlabel="memory (bytes)",
+        ylabel="mean error of both branches (cm)",
+        log="xy",
+        height=470,
     )
-    ax.margins(0.15, 0.12)
-    legend_above(fig, 2)
-    said = "; ".join(
-        f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items()
-    )
-    return Picture(
-        fig,
-        f"Mean error of both branches over memory, both logarithmic. {said}.",
+    symbols = ("circle", "square", "diamond", "triangle-up", "triangle-down", "cross", "star")
+    for number, (name, size) in enumerate(memory.items()):
+        # Open marks of different sizes: where two coincide, both are seen.
+        charts.add_points(
+            fig,
+            [float(size)],
+            [error[name]],
+            name,
+            symbol=f"{symbols[number % len(symbols)]}-open",
+            size=11 + 2 * (number % len(symbols)),
+        )
+    fig.update_traces(marker_line_width=3)
+    in_words = [f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items()]
+    alt = f"Mean error of both branches over memory, both logarithmic. {'; '.join(in_words)}."
+    caption = (
         "Two fitted numbers gain more than a factor of ten, and the best tables of the samples "
-        "another.",
+        "another."
     )
+    return Picture(fig, alt, caption)
+
+
+def workspace_as_reported(xy):
+    """Return the first of the report's charts: the positions of all samples, as plotly draws them.
+
+    Parameters
+    ----------
+    xy : array_like, shape (m, 2)
+        Positions, in metres; the chart shows centimetres, as the report does.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
+    charts.add_points(fig, *np.round(100 * xy, 1).T, "sample", size=6)
+    radius = 100 * np.hypot(*xy.T)
+    alt = (
+        f"{len(xy):,} positions as overlapping dots of 6 pixels in a half ring from radius "
+        f"{radius.min():.0f} to {radius.max():.0f} cm."
+    )
+    caption = (
+        "The report's first chart, `Scattergl` of the samples. Dots of this size hide how dense "
+        "they are."
+    )
+    return Picture(fig, alt, caption)
+
+
+def grid_as_reported(xy, cell):
+    """Return the second of the report's charts: the samples, each cell in a colour drawn at random.
+
+    Parameters
+    ----------
+    xy : array_like, shape (m, 2)
+        Positions, in metres.
+    cell : array_like of int, shape (m, 2)
+        Column and row of each.
+
+    Returns
+    -------
+    Picture
+    """
+    column, row = cell.T
+    number = column * (row.max() + 1) + row
+    colours = np.random.default_rng(0).choice(COLOURS, number.max() + 1)
+    fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
+    charts.add_points(
+        fig,
+        *np.round(100 * xy, 1).T,
+        "sample",
+        colour=colours[number].tolist(),
+        size=6,
+    )
+    alt = (
+        f"The same {len(xy):,} positions; the dots of each of {len(np.unique(number))} cells have "
+        "one colour, and cells that touch may by chance have the same."
+    )
+    caption = "The report's second chart: a colour for each cell, drawn at random."
+    return Picture(fig, alt, caption)
+
+
+def errors_as_reported(xy, error):
+    """Return the third of the report's charts: markers of error + 5 pixels, in Viridis.
+
+    Parameters
+    ----------
+    xy : array_like, shape (m, 2)
+        Positions of the queries, in metres.
+    error : array_like, shape (m,)
+        Their errors, in centimetres.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
+    scale = charts.ColourScale("error (cm)")
+    charts.add_points(fig, *(100 * xy).T, "query", size=error + 5, values=error, scale=scale)
+    small = (error < 1).mean()
+    alt = (
+        f"{len(xy):,} queries as dots whose diameter in pixels is the error in cm plus 5, in the "
+        f"colours of Viridis from 0 to {error.max():.1f} cm; {small:.0%} of them are below 1 cm "
+        f"and "
+        "look alike."
+    )
+    caption = (
+        "The report's third chart, with the colour bar that the report leaves out. A diameter of "
+        "the error plus 5 pixels hides all differences below a centimetre."
+    )
+    return Picture(fig, alt, caption)
