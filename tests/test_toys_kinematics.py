@@ -10,7 +10,7 @@ from py_mini_racer import MiniRacer
 from course_lib import ik, registration, rigid, rotations
 from course_lib.arms import SerialArm, panda, planar_arm, ur5e
 from course_lib.figures.solids import meshes
-from course_lib.figures.toys.toy import SCRIPTS
+from course_lib.figures.toys.toy import script
 from course_lib.lessons.panda_dh_ik.toys import SPOTS
 from course_lib.planar import (
     interpolate_body_screw,
@@ -27,7 +27,7 @@ N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
 def js():
     """A function: what one of the scripts answers to cases, its arguments one after the other, each as a column."""
     engine = MiniRacer()
-    engine.eval((SCRIPTS / "motion.js").read_text("utf-8"))
+    engine.eval(script("motion"))
 
     def ask(name, *columns):
         cases = json.dumps(list(zip(*columns, strict=True)), default=lambda array: array.tolist())

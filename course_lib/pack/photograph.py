@@ -10,7 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from course_lib.figures.toys.toy import SCRIPTS
+from course_lib.figures.toys.toy import script
 
 WIDTH, HIGHEST, PATIENCE = 720, 1600, 600  # pixels, pixels, seconds
 _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
@@ -56,10 +56,7 @@ def film_pictures(course: dict, times):
 
 def inline(scripts) -> str:
     """Return the HTML of scripts of course_lib/figures/scripts, named without ".js"."""
-    return "".join(
-        f"<script>{(SCRIPTS / f'{name}.js').read_text(encoding='utf-8')}</script>"
-        for name in scripts
-    )
+    return "".join(f"<script>{script(name)}</script>" for name in scripts)
 
 
 def screenshot(body: str, width: int, height: int) -> Image.Image:

@@ -1,16 +1,20 @@
-// Cells: the plane is cut into squares, each with two planes that stand for the joint angles of a two-link arm in it.
+// Cells: the plane is cut into squares, each with two planes that stand for the joint angles of a
+// two-link arm in it.
 (() => {
   "use strict";
-  const M = globalThis.course.motion,
-    P = globalThis.course.parts,
-    S = globalThis.course.scene,
-    { COLOURS } = P;
+  const M = globalThis.course.motion;
+  const P = globalThis.course.parts;
+  const S = globalThis.course.scene;
+  const { COLOURS, tint } = globalThis.course.palette;
+  const SAMPLES = 6; // along each side of a cell
+  const MIN_POINTS = 6; // within reach, of which two planes are fitted
+  const BAD = 5e-2; // metres: the mean error of a cell that is of no use
   const LEVELS = [
-    [2e-3, "#2166ac", "below 2 mm"],
-    [1e-2, "#92c5de", "below 1 cm"],
-    [2e-2, "#f7e6c4", "below 2 cm"],
-    [5e-2, "#f4a582", "below 5 cm"],
-    [Infinity, "#b01a2a", "5 cm and more"],
+    { below: 2e-3, colour: COLOURS.tiny, words: "below 2 mm" },
+    { below: 1e-2, colour: COLOURS.small, words: "below 1 cm" },
+    { below: 2e-2, colour: COLOURS.medium, words: "below 2 cm" },
+    { below: BAD, colour: COLOURS.large, words: "below 5 cm" },
+    { below: Infinity, colour: COLOURS.huge, words: "5 cm and more" },
   ];
   const SQUARE = [
     [0, 0],
@@ -18,173 +22,200 @@
     [1, 1],
     [0, 1],
   ];
+  const BOTH_SIDES = [
+    [0, 1, 2],
+    [0, 2, 3],
+    [0, 2, 1],
+    [0, 3, 2],
+  ];
+  const SWATCH =
+    "display:inline-block;width:.9em;height:.9em;margin-right:.35em;opacity:.75;background:";
+
+  // ---- cells ----
+
+  /**
+   * The samples of the cell (i, j) that the arm reaches, and its joint angles there, q1 without a
+   * jump.
+   */
+  function samplesOf(lengths, size, i, j) {
+    const points = [];
+    const angles = [];
+    for (let a = 0; a < SAMPLES; a++) {
+      for (let b = 0; b < SAMPLES; b++) {
+        const p = [(i + a / (SAMPLES - 1)) * size, (j + b / (SAMPLES - 1)) * size];
+        const q = M.twoLink(lengths, p);
+        if (!q) continue;
+        const revolutions = angles.length ? Math.round((q[0] - angles[0][0]) / (2 * Math.PI)) : 0;
+        points.push(p);
+        angles.push([q[0] - 2 * Math.PI * revolutions, q[1]]);
+      }
+    }
+    return { points, angles };
+  }
+  /** A cell with its samples, planes and errors; null if the arm reaches too few of its points. */
+  function cellAt(lengths, size, i, j) {
+    const { points, angles } = samplesOf(lengths, size, i, j);
+    if (points.length < MIN_POINTS) return null;
+    const centre = [(i + 0.5) * size, (j + 0.5) * size];
+    const rowOf = ([x, y]) => [1, x - centre[0], y - centre[1]];
+    const rows = points.map(rowOf);
+    const planes = [0, 1].map((k) =>
+      M.leastSquares(
+        rows,
+        angles.map((q) => q[k]),
+      ),
+    );
+    const model = (p) => planes.map((coefficients) => M.dot(coefficients, rowOf(p)));
+    const errors = points.map((p) => {
+      const tip = M.planarPoints(lengths, model(p))[2];
+      return M.norm(M.subtract(tip, p));
+    });
+    const mean = errors.reduce((sum, error) => sum + error, 0) / errors.length;
+    return { i, j, points, angles, planes, centre, model, worst: Math.max(...errors), mean };
+  }
+  function allCells(lengths, size) {
+    const reach = lengths[0] + lengths[1];
+    const half = Math.ceil(reach / size);
+    const indices = Array.from({ length: 2 * half }, (_, i) => i - half);
+    const cells = indices.flatMap((i) => indices.map((j) => cellAt(lengths, size, i, j)));
+    return cells.filter(Boolean);
+  }
+
+  // ---- the toy ----
 
   P.toy("cells", "Cells and their two planes", (card, meta) => {
-    const { lengths } = meta,
-      reach = lengths[0] + lengths[1];
+    const { lengths } = meta;
+    const reach = lengths[0] + lengths[1];
     const state = card.state({ size: meta.size, at: [...meta.at] });
-    const label = "The workspace cut into cells, coloured by the error of each cell's planes";
-    const beside = () => P.element("div", { class: "half" }, card.views); // on a phone too, where both stay square
-    const plane = card.map({ parent: beside(), half: 1.3 * reach, label });
+    let cells = allCells(lengths, state.size);
+
+    // Side by side on a phone, too, where both stay square.
+    const halfOfViews = () => P.element("div", { class: "half" }, card.views);
+    const plane = card.map({
+      parent: halfOfViews(),
+      half: 1.3 * reach,
+      label: "The workspace cut into cells, coloured by the error of each cell's planes",
+    });
     plane.handle({
       name: "Query",
       colour: COLOURS.blue,
       at: () => state.at,
-      moved: (p) => (state.at = p),
+      moved: (p) => {
+        state.at = p;
+      },
     });
     const view = card.space({
-      parent: beside(),
+      parent: halfOfViews(),
       radius: 0.95,
       azimuth: -2.2,
       elevation: 0.35,
       proportion: 1,
       label: "The joint angles over the cell and the two planes fitted to them",
     });
-    card.range(
-      "Cell size",
-      { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) },
-      (x) => P.metres([2 ** x]),
-      (x) => {
-        state.size = 2 ** x;
-        cells = all();
-      },
-    );
-    const legend = P.element(
-      "p",
-      { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" },
-      card.controls,
-    );
-    LEVELS.forEach(([, colour, label]) => {
-      const item = P.element("span", {}, legend);
-      const look =
-        "display:inline-block;width:.9em;height:.9em;margin-right:.35em;opacity:.75;background:";
-      P.element("span", { style: look + P.tint(colour) }, item);
-      item.append(label);
+    const limits = { min: -2, max: 0, step: 0.05, value: Math.log2(state.size) };
+    const writeSize = (exponent) => P.metres([2 ** exponent]);
+    card.range("Cell size", limits, writeSize, (exponent) => {
+      state.size = 2 ** exponent;
+      cells = allCells(lengths, state.size);
     });
-    const numbers = card.numbers(),
-      words = card.words();
+    addLegend(card.controls);
+    const numbers = card.numbers();
+    const words = card.words();
 
-    // A cell's samples (a square of 6 x 6, those within reach, q1 without a jump), planes and errors.
-    function cell(i, j) {
-      const h = state.size,
-        points = [],
-        angles = [],
-        centre = [(i + 0.5) * h, (j + 0.5) * h];
-      for (let a = 0; a < 6; a++)
-        for (let b = 0; b < 6; b++) {
-          const p = [(i + a / 5) * h, (j + b / 5) * h],
-            q = M.twoLink(lengths, p);
-          if (!q) continue;
-          if (angles.length)
-            q[0] -= 2 * Math.PI * Math.round((q[0] - angles[0][0]) / (2 * Math.PI));
-          points.push(p);
-          angles.push(q);
-        }
-      if (points.length < 6) return null;
-      const rows = points.map(([x, y]) => [1, x - centre[0], y - centre[1]]);
-      const planes = [0, 1].map((k) =>
-        M.leastSquares(
-          rows,
-          angles.map((q) => q[k]),
-        ),
-      );
-      const model = (p) => planes.map((c) => M.dot(c, [1, p[0] - centre[0], p[1] - centre[1]]));
-      const errors = points.map((p) => M.norm(M.add(M.planarPoints(lengths, model(p))[2], p, -1)));
-      const mean = errors.reduce((s, e) => s + e, 0) / errors.length;
-      return { i, j, points, angles, planes, centre, model, worst: Math.max(...errors), mean };
-    }
-    function all() {
-      const most = Math.ceil(reach / state.size),
-        range = Array.from({ length: 2 * most }, (_, i) => i - most);
-      return range.flatMap((i) => range.map((j) => cell(i, j))).filter(Boolean);
-    }
-    const corners = (i, j) => SQUARE.map((c) => M.scale(M.add(c, [i, j]), state.size));
-    let cells = all();
-    function drawCells(here, answer) {
+    const cornersOf = (i, j) => SQUARE.map((corner) => M.scale(M.add(corner, [i, j]), state.size));
+    function drawCells(query, tipPoints) {
       plane.begin();
-      cells.forEach((each) => {
-        const [, colour] = LEVELS.find(([limit]) => each.mean < limit),
-          edge = corners(each.i, each.j);
-        plane.line(edge, colour, 0, { closed: true, fill: 0.75 });
-        plane.line(edge, COLOURS.ground, 1, { closed: true });
-      });
+      for (const cell of cells) {
+        const { colour } = LEVELS.find(({ below }) => cell.mean < below);
+        const corners = cornersOf(cell.i, cell.j);
+        plane.line(corners, colour, 0, { closed: true, fill: 0.75 });
+        plane.line(corners, COLOURS.ground, 1, { closed: true });
+      }
       plane.line(P.circle(reach), COLOURS.grey, 1);
-      plane.line(here, COLOURS.black, 2.5, { closed: true });
-      if (answer)
-        [0, 1].forEach((k) =>
-          plane.line(answer.slice(k, k + 2), [COLOURS.dark, COLOURS.link][k], 6 - k),
-        );
-      if (answer) plane.dot(answer[2], COLOURS.crimson, 5);
+      plane.line(query, COLOURS.black, 2.5, { closed: true });
+      if (tipPoints) {
+        plane.line(tipPoints.slice(0, 2), COLOURS.dark, 6);
+        plane.line(tipPoints.slice(1), COLOURS.link, 5);
+        plane.dot(tipPoints[2], COLOURS.crimson, 5);
+      }
       plane.end();
     }
+    /** The samples of a cell and its planes, in a box of sides 1.1 whatever their range is. */
     function drawPlanes({ i, j, points, angles, model, centre }) {
-      const flat = angles.flat(),
-        low = Math.min(...flat),
-        tall = Math.max(Math.max(...flat) - low, 1e-9);
-      const put = (p, angle) => [
-        ...M.scale(M.add(p, centre, -1), 1.1 / state.size),
-        ((angle - low) / tall - 0.5) * 1.1,
-      ];
-      const square = corners(i, j),
-        floor = square.map((p) => put(p, low));
+      const allAngles = angles.flat();
+      const low = Math.min(...allAngles);
+      const range = Math.max(Math.max(...allAngles) - low, 1e-9);
+      const place = (p, angle) => {
+        const across = M.scale(M.subtract(p, centre), 1.1 / state.size);
+        return [...across, ((angle - low) / range - 0.5) * 1.1];
+      };
+      const corners = cornersOf(i, j);
       [COLOURS.blue, COLOURS.orange].forEach((colour, k) => {
-        const at = square.map((p) => put(p, model(p)[k]));
-        const faces = [
-          [0, 1, 2],
-          [0, 2, 3],
-          [0, 2, 1],
-          [0, 3, 2],
-        ];
-        view.mesh({ ...S.mesh(at, faces, 0), fleeting: true }, [M.eye(4)], [colour], {
-          opacity: 0.4,
-        });
-        view.line([...at, at[0]], colour, 1.5);
-        view.line(
-          points.flatMap((p, m) => [put(p, angles[m][k]), put(p, model(p)[k]), null]),
-          COLOURS.crimson,
-          1.5,
-        );
-        points.forEach((p, m) => view.ball(put(p, angles[m][k]), 0.022, colour));
-        view.text(M.add(at[0], [0, 0, 0.12]), P.sub("q", k + 1), colour);
+        const plate = corners.map((p) => place(p, model(p)[k]));
+        const mesh = { ...S.mesh(plate, BOTH_SIDES, 0), fleeting: true };
+        view.mesh(mesh, [M.eye(4)], [colour], { opacity: 0.4 });
+        view.line([...plate, plate[0]], colour, 1.5);
+        const samples = points.map((p, m) => place(p, angles[m][k]));
+        const residuals = points.flatMap((p, m) => [samples[m], place(p, model(p)[k]), null]);
+        view.line(residuals, COLOURS.crimson, 1.5);
+        for (const sample of samples) view.ball(sample, 0.022, colour);
+        view.text(M.add(plate[0], [0, 0, 0.12]), P.sub("q", k + 1), colour);
       });
+      const floor = corners.map((p) => place(p, low));
       view.line([...floor, floor[0]], COLOURS.grey, 1);
-      [
-        ["x", 1, [0.12, 0, 0]],
-        ["y", 3, [0, 0.12, 0]],
-      ].forEach(([name, k, d]) => view.text(M.add(floor[k], d), name, COLOURS.grey));
+      view.text(M.add(floor[1], [0.12, 0, 0]), "x", COLOURS.grey);
+      view.text(M.add(floor[3], [0, 0.12, 0]), "y", COLOURS.grey);
     }
-    function describe({ planes, centre, mean, worst }, answer) {
-      const sign = (x) => (x < 0 ? "−" : "+");
-      const term = (c, axis, x) =>
-        `${sign(c)} ${P.number(Math.abs(c), 3)} (${axis} ${sign(-x)} ${P.number(Math.abs(x))})`;
-      const mm = (x) => `${P.number(1000 * x, 1)} mm`,
-        off = M.norm(M.add(answer[2], state.at, -1));
-      return [
-        ...planes.map(
-          ([a, b, c], k) =>
-            `${P.sub("q", k + 1)} = ${P.number(a, 3)} ${term(b, "x", centre[0])} ${term(c, "y", centre[1])} rad`,
-        ),
-        `the arm stands ${mm(off)} from the query; on average in this cell ${mm(mean)}, at worst ${mm(worst)}`,
-      ];
-    }
+
     return () => {
-      const [i, j] = state.at.map((x) => Math.floor(x / state.size)),
-        found = cell(i, j);
-      const answer = found && M.planarPoints(lengths, found.model(state.at));
-      drawCells(corners(i, j), answer);
+      const [i, j] = state.at.map((x) => Math.floor(x / state.size));
+      const cell = cellAt(lengths, state.size, i, j);
+      const points = cell && M.planarPoints(lengths, cell.model(state.at));
+      drawCells(cornersOf(i, j), points);
       view.begin();
-      if (found) drawPlanes(found);
+      if (cell) drawPlanes(cell);
       view.end();
-      numbers(
-        ...(found
-          ? describe(found, answer)
-          : ["this cell holds too few points that the arm reaches"]),
-      );
-      const bad = cells.filter(({ mean }) => mean >= 5e-2).length;
-      const worst = P.list(cells.reduce((a, b) => (b.mean > a.mean ? b : a)).centre);
-      words.textContent =
-        `${cells.length} cells of ${P.number(state.size)} m, 6 numbers each, branch q₂ ≥ 0; ${bad} ` +
-        `of them are 5 cm off or more on average. The worst has its centre at (${worst}) m.`;
+      if (cell) numbers(...linesOf(cell, M.norm(M.subtract(points[2], state.at))));
+      else numbers("this cell holds too few points that the arm reaches");
+      words.textContent = comment(cells, state.size);
     };
   });
+
+  function addLegend(parent) {
+    const look = { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" };
+    const legend = P.element("p", look, parent);
+    for (const { colour, words } of LEVELS) {
+      const item = P.element("span", {}, legend);
+      P.element("span", { style: SWATCH + tint(colour) }, item);
+      item.append(words);
+    }
+  }
+
+  const millimetres = (x) => `${P.number(1000 * x, 1)} mm`;
+  const sign = (x) => (x < 0 ? "−" : "+");
+  /** A slope of a plane: "+ 0.123 (x − 0.25)". */
+  const termOf = (slope, axis, offset) =>
+    `${sign(slope)} ${P.number(Math.abs(slope), 3)} ` +
+    `(${axis} ${sign(-offset)} ${P.number(Math.abs(offset))})`;
+
+  /** The equations of a cell's planes, and its errors; `miss` is that of the query. */
+  function linesOf({ planes, centre, mean, worst }, miss) {
+    const equations = planes.map(([constant, slopeX, slopeY], k) => {
+      const x = termOf(slopeX, "x", centre[0]);
+      const y = termOf(slopeY, "y", centre[1]);
+      return `${P.sub("q", k + 1)} = ${P.number(constant, 3)} ${x} ${y} rad`;
+    });
+    const errors =
+      `the arm stands ${millimetres(miss)} from the query; ` +
+      `on average in this cell ${millimetres(mean)}, at worst ${millimetres(worst)}`;
+    return [...equations, errors];
+  }
+  function comment(cells, size) {
+    const bad = cells.filter(({ mean }) => mean >= BAD).length;
+    const worst = cells.reduce((a, b) => (b.mean > a.mean ? b : a));
+    return (
+      `${cells.length} cells of ${P.number(size)} m, 6 numbers each, branch q₂ ≥ 0; ${bad} ` +
+      `of them are 5 cm off or more on average. The worst has its centre at (${P.list(worst.centre)}) m.`
+    );
+  }
 })();

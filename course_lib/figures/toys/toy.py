@@ -25,6 +25,29 @@ _OFF_TIES = (
 )
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
+# The scripts that are a folder with a file for each subject, in the order in which the files are joined: a file uses those
+# before it. Every other script is a file. Stored notebooks name scripts, so files may be moved here and no output changes.
+PARTS = {
+    "motion": ("algebra", "rigid", "planar", "points", "arms"),
+    "scene": ("palette", "bodies", "webgl"),
+    "toys": (
+        "words",
+        "style",
+        "events",
+        "stage",
+        "plane",
+        "grips",
+        "camera",
+        "space",
+        "controls",
+        "animation",
+        "arm_space",
+        "card",
+    ),
+    "toy_arm": ("self_motion", "jog"),
+    "toy_orientation": ("modes", "axis", "gimbals", "order", "velocity", "belt"),
+    "toy_alive": ("answers", "reach", "fly", "table", "drive", "click"),
+}
 BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
 ELSEWHERE = (
     "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` "
@@ -34,7 +57,7 @@ ELSEWHERE = (
 _RENDER = """
 export default { render({ model, el }) {
   const meta = JSON.parse(JSON.stringify(model.get("meta")));
-  const answers = new Set(), { kinds, parts } = globalThis.course;
+  const answers = new Set(), { kinds, palette } = globalThis.course;
   // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no message: say what helps.
   const note = document.createElement("p");
   let late = null;
@@ -64,7 +87,7 @@ export default { render({ model, el }) {
   };
   let stop = start();
   // What is in `meta` outlives the change to the colours of the other theme.
-  const leave = parts.onTheme(() => { stop(); answers.clear(); stop = start(); });
+  const leave = palette.onTheme(() => { stop(); answers.clear(); stop = start(); });
   return () => { clearTimeout(late); leave(); stop(); };
 } };
 """
@@ -204,13 +227,23 @@ def is_live():
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
 
+def script_paths(name):
+    """Return the files of a script that a toy names: one, or those of a folder in their order."""
+    if name in PARTS:
+        return [SCRIPTS / name / f"{part}.js" for part in PARTS[name]]
+    return [SCRIPTS / f"{name}.js"]
+
+
+@cache
+def script(name):
+    """Return the text of a script that a toy names, which a browser runs."""
+    return "\n".join(path.read_text(encoding="utf-8") for path in script_paths(name))
+
+
 @cache
 def module(scripts):
     """Return the JavaScript module of a toy's widget: its scripts, and the function `render` that anywidget calls."""
-    return (
-        "\n".join((SCRIPTS / f"{name}.js").read_text(encoding="utf-8") for name in scripts)
-        + _RENDER
-    )
+    return "\n".join(script(name) for name in scripts) + _RENDER
 
 
 def solid(model):

@@ -11,7 +11,7 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
-import course_lib.figures
+from course_lib.figures.toys.toy import SCRIPTS, script
 from course_lib.pack.release.bundle import PAGES
 from course_lib.pack.site import SiteError, gather, icons, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
@@ -19,7 +19,6 @@ from course_lib.pack.site.finish import finish
 from course_lib.pack.site.prepare import prepare
 
 HERE = Path(__file__).parent
-SCRIPTS = Path(course_lib.figures.__file__).parent / "scripts"  # of toys
 
 
 def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = False) -> None:
@@ -118,8 +117,8 @@ def _copy_own_files(static: Path) -> None:
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
     (static / "icons.css").write_text(icons.style(), encoding="utf-8")
     (static / "figures").mkdir()
-    for script in SCRIPTS.glob("*.js"):
-        shutil.copy(script, static / "figures")
+    for name in sorted(path.stem for path in SCRIPTS.iterdir()):
+        (static / "figures" / f"{name}.js").write_text(script(name), encoding="utf-8")
     shutil.copy(files("plotly") / "package_data" / "plotly.min.js", static)  # for charts.js
 
 

@@ -1,0 +1,119 @@
+// The card of a toy: views beside each other, controls below, then what it says in words.
+(() => {
+  "use strict";
+  const P = globalThis.course.parts;
+  const MAX_HEIGHT = 638; // pixels, of a card: what a laptop's window shows of a page
+  const MAX_ROUNDS = 3; // of making the views less high
+  const LEAST_SHARE = 0.3; // of a view's full height
+
+  /**
+   * Make a toy known: course.kinds["toy:<name>"] starts it.
+   * @param {string} name
+   * @param {string | ((meta: object) => string)} title what it is, for screen readers
+   * @param {(card: object, meta: object, kernel: object | null) => () => void} build lays the toy
+   *   out in its card and returns the function that paints it, which is called again after every
+   *   change of a control or a handle
+   */
+  P.toy = (name, title, build) => {
+    globalThis.course.kinds[`toy:${name}`] = (host, meta, kernel) => {
+      const words = typeof title === "function" ? title(meta) : title;
+      let paint = () => {};
+      const draw = P.once(() => card.fit(paint));
+      const card = makeCard(host, meta, words, draw);
+      paint = build(card, meta, kernel);
+      card.fit(paint);
+      return card.end;
+    };
+  };
+
+  function makeCard(host, meta, title, draw) {
+    P.useStyle();
+    const root = P.element(
+      "div",
+      { class: "course-toy", role: "group", "aria-label": title },
+      host,
+    );
+    const views = P.element("div", { class: "views" }, root);
+    const controls = P.element("div", { class: "controls" }, root);
+    const stages = [];
+    const endings = [];
+    let fittedWidth = 0; // of the card, to which its views were fitted last
+
+    function keep(stage) {
+      stages.push(stage);
+      endings.push(() => stage.stop());
+      return stage;
+    }
+
+    /** Paint, and make the views less high until all of the card is in one window. */
+    function fit(paint) {
+      if (fittedWidth !== root.clientWidth) {
+        for (const stage of stages) stage.share = 1;
+      }
+      fittedWidth = root.clientWidth;
+      paint();
+      for (let round = 0; round < MAX_ROUNDS; round++) {
+        const isDragging = stages.some(({ held }) => held);
+        if (isDragging || !shrinkViews()) return;
+        paint();
+      }
+    }
+    /** Return whether a view became less high. */
+    function shrinkViews() {
+      const excess = root.offsetHeight - MAX_HEIGHT;
+      const height = views.offsetHeight;
+      if (excess <= 0 || !height) return false;
+      let isChanged = false;
+      for (const stage of stages) {
+        const share = Math.max(LEAST_SHARE, (stage.share * (height - excess - 3)) / height);
+        isChanged ||= share !== stage.share;
+        stage.share = share;
+      }
+      return isChanged;
+    }
+
+    const card = {
+      views,
+      controls,
+      draw,
+      fit,
+      /** Fit the views anew: the controls have another height. */
+      refit() {
+        fittedWidth = 0;
+        draw();
+      },
+      /** What the toy keeps while it is off the page: `initial`, or what it was when it left. */
+      state(initial) {
+        meta.state ??= initial;
+        return meta.state;
+      },
+      /** A function that asks the kernel; its newest answer is `answer` of the state. */
+      asker(kernel) {
+        const ask = P.asker(kernel, (answer) => {
+          meta.state.answer = answer;
+          draw();
+        });
+        return (question) => {
+          meta.state.asked = Boolean(kernel);
+          ask(question);
+        };
+      },
+      plane: ({ parent = views, ...options }) =>
+        keep(P.plane(parent, { redraw: draw, ...options })),
+      map: ({ parent = views, ...options }) => keep(P.map(parent, { redraw: draw, ...options })),
+      space: ({ parent = views, ...options }) =>
+        keep(P.space(parent, { redraw: draw, meta, ...options })),
+      armSpace: (azimuth = -1) => P.armSpace(card, meta, azimuth),
+      /** Call act when the toy leaves the page. */
+      atEnd(act) {
+        endings.push(act);
+      },
+      end() {
+        card.halt();
+        for (const act of endings) act();
+        root.remove();
+      },
+    };
+    return Object.assign(card, P.controlsOf(card), P.animationOf(card));
+  }
+})();
