@@ -40,6 +40,9 @@ lab: environment ## open the exercises in JupyterLab, from exercises/; SOLUTIONS
 update: environment ## take newer notebooks into exercises/, with your answers
 	@$(PY) -m course_lib.pack.release.exercises --update
 
+# Formats and lints JavaScript: an author's tool, from npm, which no student needs.
+BIOME = $(shell command -v biome || ls node_modules/.bin/biome 2>/dev/null)
+
 # One pytest run, so that its summary comes last; with ONLY, one process, because few tests take seconds. Matplotlib
 # builds its font list beforehand: it reports on stderr if that takes long, and nbval would compare that too. The cells
 # of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
@@ -47,6 +50,7 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	$(PY) -m ruff format --no-cache --check --quiet course_lib tests
 	.venv/bin/lint-imports --no-cache --no-logo
+	$(if $(BIOME),$(BIOME) ci course_lib,@echo "JavaScript is not checked, because Biome is not installed: npm install --no-save @biomejs/biome@2.6")
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, ur5e
+from course_lib.lessons.panda_dh_ik.toys import click
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import ARM, all_solutions
 
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
@@ -40,5 +41,5 @@ TOYS |= {
         figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]
     ),
     "drive": lambda: figures.alive(figures.drive(ROUND)),
-    "click": lambda: figures.alive(figures.click(*VIEWS)),
+    "click": lambda: figures.alive(click(*VIEWS)),
 }

@@ -44,6 +44,26 @@ def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(cours
     assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
 
 
+def test_make_test_says_that_javascript_is_not_checked_without_biome(course):
+    done = run(course, "make", "test", "ONLY=exp_so33")
+    assert "JavaScript is not checked, because Biome is not installed" in done.stdout
+
+
+@pytest.mark.parametrize("place", ["bin", "node_modules/.bin"])
+def test_make_test_stops_where_biome_finds_a_fault(course, place, monkeypatch):
+    biome = course / place / "biome"
+    biome.parent.mkdir(parents=True)
+    biome.write_text('#!/bin/sh\necho "biome was asked: $*"\nexit 1\n')
+    biome.chmod(0o755)
+    if place == "bin":
+        monkeypatch.setenv("PATH", f"{biome.parent}{os.pathsep}{os.environ['PATH']}")
+    done = run(course, "make", "test", "ONLY=exp_so33")
+    shutil.rmtree(course / place.split("/")[0])
+    assert "biome was asked: ci course_lib" in done.stdout
+    assert done.returncode != 0
+    assert "Nothing has exp_so33 in its name" not in done.stderr, "no test is run"
+
+
 def test_make_student_takes_more(course):
     assert "MORE=0.5 is neither yes nor no" in run(course, "make", "student", "MORE=0.5").stderr
 

@@ -14,11 +14,13 @@ from some_toys import Q7, ROUND, TOYS, VIEWS
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
 from course_lib.figures.stills import TOY, stored_stills
-from course_lib.figures.toys.toy import ELSEWHERE, is_live
+from course_lib.figures.toys.toy import ELSEWHERE, PARTS, SCRIPTS, is_live, script_names
+from course_lib.lessons.panda_dh_ik.toys import click
 from course_lib.pack.notebooks import run, tidy
 from course_lib.planar import propagate_body
 
 Q = np.array(Q7)
+ROOT = Path(__file__).parents[1]
 
 # ---- every toy ----
 
@@ -105,11 +107,6 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"at": [1, 1, 1]}, "at"),
         ("drive", {"plan": [((1, 2), 3)]}, "plan"),
-        (
-            "click",
-            {"K": np.eye(3), "T_mc": np.eye(4), "T_wc": np.eye(4), "T_wm": 2 * np.eye(4)},
-            "T_wm",
-        ),
         ("alive", {"figure": "reach"}, "figure"),
         ("alive", {"figure": figures.table([1, 1]), "f": 3}, "f"),
     ],
@@ -117,6 +114,35 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
 def test_a_wrong_argument_is_named(name, arguments, named):
     with pytest.raises(ValueError, match=rf"^{named}\b"):
         getattr(figures, name)(**arguments)
+
+
+def test_a_wrong_pose_of_the_mug_is_named():
+    with pytest.raises(ValueError, match=r"^T_wm\b"):
+        click(np.eye(3), np.eye(4), np.eye(4), 2 * np.eye(4))
+
+
+# ---- scripts ----
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_every_file_of_a_script_is_among_its_parts(name):
+    files = [path.stem for path in (SCRIPTS / name).iterdir()]
+    assert sorted(files) == sorted(PARTS[name])
+
+
+def test_every_folder_of_scripts_is_a_script():
+    assert {path.name for path in SCRIPTS.iterdir() if path.is_dir()} == set(PARTS)
+
+
+@pytest.mark.parametrize(
+    "path", sorted((ROOT / "notebooks").glob("0*.ipynb")), ids=lambda p: p.stem
+)
+def test_a_stored_notebook_names_scripts_that_there_are(path):
+    outputs = [o for c in nbformat.read(path, 4).cells for o in c.get("outputs", [])]
+    toys = [o.data[TOY] for o in outputs if TOY in o.get("data", {})]
+    named = {name for toy in toys for name in toy["layout"]["meta"]["course"]["scripts"]}
+    assert toys
+    assert named <= set(script_names())
 
 
 # ---- what jog answers ----
@@ -276,7 +302,7 @@ def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
 
 
 def test_pixels_and_depths_of_both_pictures_reach_the_function_and_its_pose_the_figure():
-    figure, seen = figures.click(*VIEWS), []
+    figure, seen = click(*VIEWS), []
     pixels, depths = figure.model["clicks"], np.ones((2, 7)).tolist()
     found = asked(figure, lambda *case: seen.append(case) or VIEWS[3], pixels=pixels, depths=depths)
     assert_allclose(found["value"], VIEWS[3])

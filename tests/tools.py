@@ -11,6 +11,7 @@ from pathlib import Path
 from helpers import unavailable
 
 TOOLS = {
+    "biome": ("biome",),
     "browser": ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"),
     "bwrap": ("bwrap",),
     "ffmpeg": ("ffmpeg",),

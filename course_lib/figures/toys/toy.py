@@ -25,8 +25,9 @@ _OFF_TIES = (
 )
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
-# The scripts that are a folder with a file for each subject, in the order in which the files are joined: a file uses those
-# before it. Every other script is a file. Stored notebooks name scripts, so files may be moved here and no output changes.
+# The scripts that are a folder with a file for each subject, in the order in which the files are
+# joined: a file uses those before it. Every other script is a file. Stored notebooks name scripts,
+# so a script may be divided here and no stored output changes.
 PARTS = {
     "motion": ("algebra", "rigid", "planar", "points", "arms"),
     "scene": ("palette", "bodies", "webgl"),
@@ -225,6 +226,11 @@ def is_live():
     plain models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
+
+
+def script_names():
+    """Return the names of all scripts that a toy can name, sorted."""
+    return sorted({*PARTS, *(path.stem for path in SCRIPTS.glob("*.js"))})
 
 
 def script_paths(name):

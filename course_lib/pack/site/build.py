@@ -11,7 +11,7 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
-from course_lib.figures.toys.toy import SCRIPTS, script
+from course_lib.figures.toys.toy import script, script_names
 from course_lib.pack.release.bundle import PAGES
 from course_lib.pack.site import SiteError, gather, icons, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
@@ -117,7 +117,7 @@ def _copy_own_files(static: Path) -> None:
     shutil.copytree(HERE / "static", static, dirs_exist_ok=True)
     (static / "icons.css").write_text(icons.style(), encoding="utf-8")
     (static / "figures").mkdir()
-    for name in sorted(path.stem for path in SCRIPTS.iterdir()):
+    for name in script_names():
         (static / "figures" / f"{name}.js").write_text(script(name), encoding="utf-8")
     shutil.copy(files("plotly") / "package_data" / "plotly.min.js", static)  # for charts.js
 
