@@ -50,7 +50,7 @@ test: environment ## lint, unit tests, and every notebook run against its stored
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	$(PY) -m ruff format --no-cache --check --quiet course_lib tests
 	.venv/bin/lint-imports --no-cache --no-logo
-	$(if $(BIOME),$(BIOME) ci course_lib,@echo "JavaScript is not checked, because Biome is not installed: npm install --no-save @biomejs/biome@2.6")
+	$(if $(BIOME),"$(BIOME)" ci course_lib,@echo "JavaScript is not checked, because Biome is not installed: npm install --no-save @biomejs/biome@2.6")
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
