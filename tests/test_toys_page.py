@@ -402,6 +402,21 @@ SAYS = [  # what is put into a toy's ranges, and what it then says
         {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 100, "From k₂ to p₂": 20},
         "inside the other",
     ),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 30, "From k₂ to p₂": 40},
+        "touch: one solution",
+    ),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 0, "From k₂ to p₂": 70},
+        "1: θ₁ = any angle, θ₂ = .*infinitely many solutions, because θ₁ is free",
+    ),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 110, "From k₂ to p₂": 180},
+        "θ₂ = any angle.*infinitely many solutions, because θ₂ is free",
+    ),
 ]
 
 

@@ -100,19 +100,39 @@
       });
       view.end();
 
-      const theta = (k, p, meeting) => P.degrees(M.angleAbout(k, p, meeting), 1);
-      const lines = meetings.map(
-        (meeting, i) => `${i + 1}: θ₁ = ${theta(k1, p1, meeting)}, θ₂ = ${theta(k2, p2, meeting)}`,
-      );
+      // A point on its axis stays where it is, whatever its angle is.
+      const theta = (k, p, meeting) =>
+        isOnAxis(k, p) ? "any angle" : P.degrees(M.angleAbout(k, p, meeting), 1);
+      const lines = meetings.map((meeting, i) => {
+        const [first, second] = [theta(k1, p1, meeting), theta(k2, p2, meeting)];
+        return `${i + 1}: θ₁ = ${first}, θ₂ = ${second}`;
+      });
       if (!lines.length) lines.push("no pair of angles brings p₁ and p₂ together");
       numbers(...lines);
       words.textContent = comment(meetings.length, state);
     };
   });
 
+  const isOnAxis = (k, p) => M.norm(M.cross(k, p)) < 1e-9;
+
+  /** Of one meeting; the axes differ, so not more than one of the points lies on its own. */
+  function meetingComment(p1, p2) {
+    const isPole = (away) => away === 0 || away === 180;
+    if (isPole(p1)) return freeComment(1, 2);
+    if (isPole(p2)) return freeComment(2, 1);
+    return "The circles touch: one solution.";
+  }
+  function freeComment(fixed, other) {
+    const [p, k, theta] = ["p", "k", "θ"].map((letter) => P.sub(letter, fixed));
+    return (
+      `${p} lies on its axis ${k}, so its circle is a point, and the circle of ` +
+      `${P.sub("p", other)} runs through it: infinitely many solutions, because ${theta} is free.`
+    );
+  }
+
   function comment(meetings, { between, p1, p2 }) {
     if (meetings === 2) return "The circles meet twice: two solutions.";
-    if (meetings === 1) return "The circles touch: one solution.";
+    if (meetings === 1) return meetingComment(p1, p2);
     if (between > p1 + p2) {
       return "The circles miss: the axes are farther apart than the two circles reach together.";
     }
