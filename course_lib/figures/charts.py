@@ -186,6 +186,7 @@ def panels(
                 "anchor": y_name,
                 "domain": _part(column, columns, _COLUMN_GAP),
                 "title": {"text": xlabels[i]},
+                "unifiedhovertitle": {"text": _hover_line(xlabels[i], "x")},
                 "type": "log" if "x" in log else "linear",
                 **(_ticks_in_parts_of_pi(parts_of_pi) if parts_of_pi else {}),
                 **({"matches": "x"} if "x" in share and x_name != "x" else {}),
@@ -500,7 +501,9 @@ def _add_series(fig, x, y, name, panel, details, place, look) -> None:
     unified = str(fig.layout.hovermode) == "x unified"
     texts.insert(0, name)
     if unified:  # x stands above the values of all series, and each has its name before it
-        texts = [f"%{{y:.4~g}}{_name_and_unit(fig, y_name)[1]}", *hover]
+        value = f"%{{y:.4~g}}{_name_and_unit(fig, y_name)[1]}"
+        title = _title_at(fig, y_name)
+        texts = [f"{value}, {title}" if title else value, *hover]
     add = fig.add_scattergl if len(x) >= MANY_POINTS else fig.add_scatter
     add(
         x=x,
@@ -654,6 +657,12 @@ def _title_of_panel(title: str, x_name: str, y_name: str) -> dict:
     }
 
 
+def _title_at(fig: Figure, y_name: str) -> str:
+    """Return the title of the panel with this y axis, or ""."""
+    titles = [note.text for note in fig.layout.annotations if note.yref == f"{y_name} domain"]
+    return re.sub("</?b>", "", titles[0]) if titles else ""
+
+
 def _ticks_in_parts_of_pi(parts: int) -> dict:
     """Return ticks at multiples of pi / parts; of those far away, which plotly leaves out, there are enough."""
     multiples = range(-_LARGEST_ANGLE * parts, _LARGEST_ANGLE * parts + 1)
@@ -683,10 +692,14 @@ def _axes_of(fig: Figure, panel: int) -> list[str]:
     return axes[panel]
 
 
-def _hover_of(fig: Figure, axis: str, letter: str) -> str:
+def _hover_line(label: str, letter: str) -> str:
     """Return the line under the pointer for one coordinate: "time: %{x:.4~g} s"."""
-    name, unit = _name_and_unit(fig, axis)
+    name, unit = _split(label)
     return f"{name}: %{{{letter}:.4~g}}{unit}"
+
+
+def _hover_of(fig: Figure, axis: str, letter: str) -> str:
+    return _hover_line(fig.layout[_layout_key(axis)].title.text, letter)
 
 
 def _name_and_unit(fig: Figure, axis: str) -> tuple[str, str]:
