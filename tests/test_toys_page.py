@@ -511,6 +511,33 @@ def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows
     box.get_by_label("Hide the robot").uncheck()
 
 
+@pytest.mark.parametrize("control", ["Start again", "Hide the robot", "Left"])
+def test_arrow_keys_drive_after_a_control_was_clicked_and_scroll_no_page(visit, control):
+    box = figure_of(visit, "drive")
+    box.get_by_role("button", name="Start again").click()
+    button, checkbox = (
+        box.get_by_role(role, name=control, exact=True) for role in ("button", "checkbox")
+    )
+    button.or_(checkbox).click()
+    visit.page.evaluate(SETTLED, 200)
+    before, scrolled = picture(box), visit.page.evaluate("scrollY")
+    for key in ("ArrowUp", "ArrowDown"):
+        visit.page.keyboard.press(key, delay=150)
+        wait_for_another_picture(visit, box, before)
+        before = picture(box)
+    assert visit.page.evaluate("scrollY") == scrolled
+    if control == "Hide the robot":
+        checkbox.uncheck()
+
+
+def test_a_range_of_the_drive_keeps_its_arrow_keys(visit):
+    box = figure_of(visit, "drive")
+    put(box, "Step dt", -1)
+    box.get_by_label("Step dt").focus()
+    visit.page.keyboard.press("ArrowRight")
+    expect(box.get_by_label("Step dt")).to_have_value("-0.9")
+
+
 def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(visit):
     box = figure_of(visit, "click")
     words = box.locator("p[role=status]")

@@ -108,18 +108,35 @@
       cancelAnimationFrame(frame);
     });
 
+    // Arrow keys drive wherever the focus is in the toy, for a press of a button takes it from the
+    // picture; a range keeps its keys. Listeners of the capturing phase come before those of buttons.
     const { canvas } = plane;
+    const { root } = card;
     canvas.style.cursor = "pointer";
     canvas.tabIndex = 0;
-    canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
-    canvas.addEventListener("blur", release);
-    canvas.addEventListener("keyup", (event) => {
-      held.delete(event.key);
+    const focusPicture = () => canvas.focus({ preventScroll: true });
+    canvas.addEventListener("pointerdown", focusPicture);
+    root.addEventListener("click", () => {
+      // Not every browser gives a button the focus that is clicked.
+      if (!root.contains(document.activeElement)) focusPicture();
+    });
+    const isRange = (node) => node.type === "range";
+    root.addEventListener(
+      "keydown",
+      (event) => {
+        if (!(event.key in DIRECTIONS) || isRange(event.target)) return;
+        event.preventDefault();
+        event.stopPropagation();
+        press(event.key);
+      },
+      { capture: true },
+    );
+    root.addEventListener("keyup", (event) => {
+      if (!held.delete(event.key)) return;
       if (!held.size) release();
     });
-    P.onKeys(canvas, (direction, { key }) => {
-      if (direction) press(key);
-      return Boolean(direction);
+    root.addEventListener("focusout", ({ relatedTarget }) => {
+      if (held.size && !root.contains(relatedTarget)) release();
     });
 
     // ---- controls ----

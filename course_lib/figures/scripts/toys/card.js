@@ -73,6 +73,7 @@
     }
 
     const card = {
+      root,
       views,
       controls,
       draw,
