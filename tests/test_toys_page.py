@@ -252,6 +252,66 @@ def test_arrow_keys_and_pointer_change_the_view(visit, name):
     wait_for_another_picture(visit, box, before)
 
 
+@pytest.mark.parametrize("way", ["Home", "double click"])
+def test_a_turned_picture_is_turned_back(visit, way):
+    box = figure_of(visit, "circles_toy")
+    canvas = box.locator("canvas").first
+    canvas.focus()
+    visit.page.keyboard.press("Home")
+    visit.page.evaluate(SETTLED, 500)
+    at_first = picture(box)
+    for key in ("ArrowLeft", "+"):
+        before = picture(box)
+        visit.page.keyboard.press(key)
+        wait_for_another_picture(visit, box, before)
+    if way == "Home":
+        visit.page.keyboard.press("Home")
+    else:
+        canvas.dblclick(position={"x": 5, "y": 5})
+    wait_until(visit, f"(box, before) => ({PICTURE})(box) === before", box, at_first)
+
+
+def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl_or_after_a_click(visit):
+    box = figure_of(visit, "circles_toy")
+    canvas = box.locator("canvas").first
+    visit.page.evaluate("document.activeElement.blur()")
+    place = canvas.bounding_box()
+    visit.page.mouse.move(place["x"] + 5, place["y"] + 5)
+    visit.page.evaluate(SETTLED, 500)
+    before, scrolled = picture(box), visit.page.evaluate("scrollY")
+    visit.page.mouse.wheel(0, 10)
+    visit.page.wait_for_function("scrolled => scrollY > scrolled", arg=scrolled)
+    assert picture(box) == before
+    visit.page.keyboard.down("Control")
+    visit.page.mouse.wheel(0, -100)
+    visit.page.keyboard.up("Control")
+    wait_for_another_picture(visit, box, before)
+    visit.page.mouse.click(place["x"] + 5, place["y"] + 5)
+    before, scrolled = picture(box), visit.page.evaluate("scrollY")
+    visit.page.mouse.wheel(0, 100)
+    wait_for_another_picture(visit, box, before)
+    assert visit.page.evaluate("scrollY") == scrolled
+
+
+@pytest.mark.parametrize(
+    ("device", "words"),
+    [("mouse", "A double click turns it back"), ("keys", "Home turns it back")],
+)
+def test_the_first_picture_that_is_met_says_once_how_it_is_turned(page, browser, device, words):
+    with Visit(browser, page) as visit:
+        for name in ("circles_toy", "axis"):
+            canvas = figure_of(visit, name).locator("canvas").first
+            canvas.wait_for()
+            if device == "mouse":
+                canvas.hover(position={"x": 5, "y": 5})
+            else:
+                canvas.evaluate("e => e.focus()")
+                visit.page.keyboard.press("Shift+Tab")
+                visit.page.keyboard.press("Tab")
+        expect(visit.page.locator(".hint")).to_have_count(1)
+        expect(visit.page.locator(".hint")).to_contain_text(words)
+
+
 # ---- the one WebGL context ----
 
 

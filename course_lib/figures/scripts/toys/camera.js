@@ -1,5 +1,6 @@
-// The view of space is changed by dragging, by the arrow keys, by two fingers, and by the wheel
-// once the figure has the focus. A body that can be taken is dragged instead.
+// The view of space is changed by dragging, by the arrow keys, by two fingers, and by the wheel, with
+// Ctrl or once the figure has the focus: else the page scrolls. Home and a double click turn it back.
+// A body that can be taken is dragged instead. The first figure that is met on a page says so.
 (() => {
   "use strict";
   const M = globalThis.course.motion;
@@ -20,13 +21,33 @@
     [0, -1],
   ];
 
+  const HINTS = {
+    mouse:
+      "Drag the picture to turn it. The wheel zooms after a click, or with Ctrl. " +
+      "A double click turns it back.",
+    touch:
+      "Drag sideways to turn the picture, and zoom with two fingers. Tap twice to turn it back.",
+    keys: "Arrow keys turn the picture, plus and minus zoom, and Home turns it back.",
+  };
+  const HINT_TIME = 7000; // milliseconds
+  let isHinted = false; // on this page
+
+  /** Write once on a page, in a picture, how a picture is turned by a device. */
+  function showHint(box, device) {
+    if (isHinted) return;
+    isHinted = true;
+    const hint = P.element("div", { class: "hint", "aria-hidden": "true" }, box, HINTS[device]);
+    setTimeout(() => hint.remove(), HINT_TIME);
+  }
+
   /**
    * @param {object} view the stage
    * @param {{azimuth: number, elevation: number, zoom: number}} camera is changed
+   * @param {{azimuth: number, elevation: number, zoom: number}} start to which it can be turned back
    * @param {(pixel: number[]) => object | null} take the body at a pixel that can be dragged
    */
-  P.moveCamera = (view, camera, take, redraw) => {
-    const { canvas } = view;
+  P.moveCamera = (view, camera, start, take, redraw) => {
+    const { box, canvas } = view;
     const fingers = new Map(); // {pointerId: where it was last}
 
     function rotate(across, upwards) {
@@ -36,6 +57,10 @@
     }
     function zoom(factor) {
       camera.zoom = P.clamp(camera.zoom * factor, ...ZOOMS);
+      redraw();
+    }
+    function turnBack() {
+      Object.assign(camera, start);
       redraw();
     }
     /** The body at the pointer; for a finger, also a few pixels beside it. */
@@ -51,6 +76,7 @@
 
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
+      if (event.pointerType === "touch") showHint(box, "touch");
       if (!fingers.size && !view.held) view.held = bodyAt(event, event.pointerType === "touch");
       if (!view.held) fingers.set(event.pointerId, [event.clientX, event.clientY]);
     });
@@ -78,6 +104,7 @@
       if (!fingers.size && event.pointerType === "mouse") {
         hovered = P.pixelOf(event, canvas);
         showCursor();
+        showHint(box, "mouse");
       }
       moveFinger(event);
     });
@@ -106,12 +133,17 @@
     canvas.addEventListener(
       "wheel",
       (event) => {
-        if (document.activeElement !== canvas) return; // the page scrolls
+        const isMeant = event.ctrlKey || document.activeElement === canvas;
+        if (!isMeant) return; // the page scrolls
         event.preventDefault();
         zoom(Math.exp(-0.002 * event.deltaY));
       },
       { passive: false },
     );
+    canvas.addEventListener("dblclick", turnBack);
+    canvas.addEventListener("focus", () => {
+      if (canvas.matches(":focus-visible")) showHint(box, "keys");
+    });
     P.onKeys(canvas, (direction, { key }) => {
       if (direction) {
         rotate(...M.scale(direction, RADIANS_PER_KEY));
@@ -119,6 +151,7 @@
       }
       if (key === "+" || key === "=") zoom(ZOOM_PER_KEY);
       else if (key === "-") zoom(1 / ZOOM_PER_KEY);
+      else if (key === "Home") turnBack();
       else return false;
       return true;
     });

@@ -5,7 +5,8 @@
   const S = globalThis.course.scene;
   const P = globalThis.course.parts;
   const { COLOURS, tint, isDark } = globalThis.course.palette;
-  const KEYS = "Arrow keys look from another side, plus and minus come nearer and go farther.";
+  const KEYS =
+    "Arrow keys look from another side, plus and minus come nearer and go farther, Home goes back.";
   const EYE_DISTANCE = 5; // in radii of what is in the picture
   // Half of the picture's shorter side, less a rim, in sides: there a radius ends.
   const FILLED = 0.49;
@@ -48,7 +49,8 @@
       attributes: { tabindex: 0, style: "touch-action:pan-y;cursor:move" },
     });
     const stage = { begin: view.begin, end: view.end, handle: view.handle, stop: view.stop };
-    meta.camera ??= { azimuth, elevation, zoom: 1 };
+    const start = { azimuth, elevation, zoom: 1 };
+    meta.camera ??= { ...start };
     const { camera } = meta;
 
     let fittedRadius = options.radius; // what has to be in the picture at zoom 1
@@ -280,7 +282,8 @@
       eye: M.add(centre, eye, EYE_DISTANCE * radius),
     });
     S.redraws.add(redraw);
-    P.moveCamera(view, camera, (pixel) => P.takeBody(meshes, pixel, eyeView()), redraw);
+    const take = (pixel) => P.takeBody(meshes, pixel, eyeView());
+    P.moveCamera(view, camera, start, take, redraw);
     aim();
     return view;
   };

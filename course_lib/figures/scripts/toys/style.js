@@ -49,6 +49,11 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
   background: radial-gradient(transparent 7px, var(--colour) 7.5px 9.5px, transparent 10px);
 }
 .course-stage .handle:focus-visible { box-shadow: inset 0 0 0 3px var(--focus) }
+.course-stage .hint {
+  position: absolute; left: 50%; bottom: .5rem; transform: translateX(-50%); width: max-content;
+  max-width: calc(100% - 1rem); padding: .25rem .7rem; border-radius: .25rem; pointer-events: none;
+  background: #14171be6; color: #fff; font: 13px/1.4 system-ui,sans-serif;
+}
 
 .course-toy .controls { margin-top: .4rem }
 .course-toy summary { cursor: pointer; margin-top: .3rem }
