@@ -645,6 +645,19 @@ def test_picture_controls_and_numbers_are_in_view_together(visit, phone):
         assert {name: high for name, high in zip(TOYS, heights, strict=True) if high > 640} == {}
 
 
+@pytest.mark.parametrize("name", ["iiwa_toy", "panda_toy", "jog"])
+def test_the_picture_keeps_its_height_when_the_joint_angles_are_opened(visit, name):
+    box = figure_of(visit, name)
+    canvas, fold = box.locator("canvas").first, box.locator("details").first
+    heights = []
+    for is_open in (False, True, False):
+        fold.evaluate("(part, open) => (part.open = open)", is_open)
+        put(box, "Joint 2", 10 + len(heights))  # it is drawn anew
+        visit.page.evaluate(SETTLED, 200)
+        heights.append(canvas.bounding_box()["height"])
+    assert heights[1:] == heights[:1] * 2
+
+
 def test_every_toy_is_accessible(visit, phone):
     assert violations(visit, within=".course-toy") == []
     assert violations(phone, within=".course-toy") == []

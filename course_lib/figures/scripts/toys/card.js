@@ -58,9 +58,17 @@
         paint();
       }
     }
+    /** What a reader has opened may make the card longer than the window: the views stay as they are. */
+    function openedHeight() {
+      let height = 0;
+      for (const part of controls.querySelectorAll("details[open]")) {
+        height += part.offsetHeight - part.querySelector("summary").offsetHeight;
+      }
+      return height;
+    }
     /** Return whether a view became less high. */
     function shrinkViews() {
-      const excess = root.offsetHeight - MAX_HEIGHT;
+      const excess = root.offsetHeight - openedHeight() - MAX_HEIGHT;
       const height = views.offsetHeight;
       if (excess <= 0 || !height) return false;
       let isChanged = false;
@@ -78,11 +86,6 @@
       controls,
       draw,
       fit,
-      /** Fit the views anew: the controls have another height. */
-      refit() {
-        fittedWidth = 0;
-        draw();
-      },
       /** What the toy keeps while it is off the page: `initial`, or what it was when it left. */
       state(initial) {
         meta.state ??= initial;

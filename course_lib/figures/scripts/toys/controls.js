@@ -31,7 +31,6 @@
       fill();
       rangesGoTo = controls;
       P.keepKeys(part);
-      part.addEventListener("toggle", card.refit);
     }
 
     /**
