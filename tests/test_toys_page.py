@@ -632,6 +632,24 @@ def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(
     )  # both are clicked: the next that is not
 
 
+@pytest.mark.parametrize("name", HANDLES)
+def test_a_handle_is_named_by_few_numbers(visit, name):
+    for handle in figure_of(visit, name).locator(".handle").all():
+        label = handle.get_attribute("aria-label")
+        assert len(re.findall(r"[\d.]+", label)) <= 4, label
+
+
+def test_the_handles_of_two_orientations_say_where_nose_and_wing_point(visit):
+    box = figure_of(visit, "fly")
+    nose, wing = (box.get_by_label(re.compile(f"^Start, {part}")) for part in ("nose", "wing"))
+    vectors = [
+        [float(x.replace(MINUS, "-")) for x in re.findall(rf"{MINUS}?[\d.]+", label)]
+        for label in (nose.get_attribute("aria-label"), wing.get_attribute("aria-label"))
+    ]
+    assert_allclose(np.linalg.norm(vectors, axis=1), 1, atol=0.02)
+    assert_allclose(np.dot(*vectors), 0, atol=0.02)
+
+
 def test_picture_controls_and_numbers_are_in_view_together(visit, phone):
     for page in (visit.page, phone.page):
         page.evaluate(

@@ -54,7 +54,7 @@
         colour,
         small: tip === WING,
         at: () => M.add(PLACES[end], M.apply(state.ends[end], tip)),
-        describe: () => P.list(state.ends[end].flat()),
+        describe: () => `points to (${P.list(M.apply(state.ends[end], M.unit(tip)))})`,
         moved: (p) => {
           state.ends[end] = dragged(state.ends[end], tip, M.subtract(p, PLACES[end]));
           ask({ ends: state.ends });
