@@ -9,6 +9,11 @@
   const LIFT = 1.004; // radii at which the circles run, so that the globe does not hide them
   const Y = [0, 1, 0];
   const K1 = [0, 0, 1];
+  const MISS_COMMENTS = {
+    apart: "The circles miss: the axes are farther apart than the two circles reach together.",
+    inside: "The circles miss: one lies inside the other.",
+    around: "The circles miss: together they reach around the far side of the sphere.",
+  };
   const RANGES = [
     ["between", "Between the axes k₁, k₂", 1, 179],
     ["p1", "From k₁ to p₁", 0, 180],
@@ -71,7 +76,7 @@
       });
     });
     const numbers = card.numbers();
-    const words = card.words();
+    const words = card.words([freeComment(1, 2)]);
 
     function drawCircle(k, p, colour, index) {
       view.line([M.scale(k, -1.25), M.scale(k, 1.1)], COLOURS.purple, 2, { dash: [6, 4] });
@@ -133,12 +138,8 @@
   function comment(meetings, { between, p1, p2 }) {
     if (meetings === 2) return "The circles meet twice: two solutions.";
     if (meetings === 1) return meetingComment(p1, p2);
-    if (between > p1 + p2) {
-      return "The circles miss: the axes are farther apart than the two circles reach together.";
-    }
-    if (between + Math.min(p1, p2) < Math.max(p1, p2)) {
-      return "The circles miss: one lies inside the other.";
-    }
-    return "The circles miss: together they reach around the far side of the sphere.";
+    if (between > p1 + p2) return MISS_COMMENTS.apart;
+    const isInside = between + Math.min(p1, p2) < Math.max(p1, p2);
+    return isInside ? MISS_COMMENTS.inside : MISS_COMMENTS.around;
   }
 })();

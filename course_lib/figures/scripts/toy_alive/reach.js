@@ -12,6 +12,8 @@
   const SHOWN_MISS = 5e-5; // metres: what is written as 0.1 mm or more
   const MAX_LINES = 8;
   const STEPS_A_MOVE = 60; // of each solution, while the target moves
+  const WITHIN_REACH = "The target is within reach: the arm follows.";
+  const OUT_OF_REACH = "Out of reach: the arm comes as near as it can.";
   const ZYX = [
     [0, 0, 1],
     [0, 1, 0],
@@ -104,7 +106,7 @@
     });
     if (starts) addSolutionRange(card, state, starts.length);
     const numbers = card.numbers();
-    const words = card.words();
+    const words = card.words([OUT_OF_REACH, WITHIN_REACH]);
     moved();
 
     /**
@@ -179,9 +181,9 @@
       shown.length === 1 ? "One solution." : `${shown.length} solutions, one of them solid.`;
     const hasSeveral = answer?.value?.length > 1;
     const ofAnswer = [hasSeveral ? count : "", more].filter(Boolean).join(" ");
-    let ofLibrary = "The target is within reach: the arm follows.";
+    let ofLibrary = WITHIN_REACH;
     if (starts) ofLibrary = count;
-    if (isOutOfReach) ofLibrary = "Out of reach: the arm comes as near as it can.";
+    if (isOutOfReach) ofLibrary = OUT_OF_REACH;
     return credit(state, ofAnswer, ofLibrary);
   }
 })();

@@ -50,7 +50,7 @@
     });
     card.button("Reverse the angle", () => setAngle(-state.angle));
     const numbers = card.numbers();
-    const words = card.words();
+    const words = card.words([-360, -359].map(comment));
 
     return () => {
       const angle = state.angle * P.rad;

@@ -103,7 +103,7 @@
       });
     }
     const numbers = card.numbers();
-    const words = card.words();
+    const words = card.words(Object.values(COMMENTS));
 
     /** The box is rotated by dragging as long as it was not moved. */
     function gripAt(end) {

@@ -76,7 +76,7 @@
     addBothButton(10);
     addBothButton(-10);
     const numbers = card.numbers();
-    const words = card.words();
+    const words = card.words([lockComment({ yaw: 100, pitch: -90, roll: -10 })]);
 
     function drawRing({ key, mesh, max, colour, wordAt }, R, axis) {
       const grip = () => ({

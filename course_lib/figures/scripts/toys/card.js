@@ -49,14 +49,20 @@
     function fit(paint) {
       if (fittedWidth !== root.clientWidth) {
         for (const stage of stages) stage.share = 1;
+        for (const field of card.fields) field.style.minHeight = "";
       }
       fittedWidth = root.clientWidth;
       paint();
+      keepHeights();
       for (let round = 0; round < MAX_ROUNDS; round++) {
         const isDragging = stages.some(({ held }) => held);
         if (isDragging || !shrinkViews()) return;
         paint();
       }
+    }
+    /** A field that once was high stays so at this width: what is below it does not move. */
+    function keepHeights() {
+      for (const field of card.fields) field.style.minHeight = `${field.offsetHeight}px`;
     }
     /** What a reader has opened may make the card longer than the window: the views stay as they are. */
     function openedHeight() {
@@ -84,6 +90,7 @@
       root,
       views,
       controls,
+      fields: [], // in which the toy writes
       draw,
       fit,
       /** What the toy keeps while it is off the page: `initial`, or what it was when it left. */

@@ -123,6 +123,7 @@
      */
     function numbers() {
       const field = P.element("div", { class: "numbers" }, controls);
+      card.fields.push(field);
       const toHtml = (part) => (part.startsWith("<") ? part : `<span>${P.escape(part)}</span>`);
       const toRow = (line) => `<div>${[line].flat().map(toHtml).join("")}</div>`;
       return (...lines) => {
@@ -130,8 +131,17 @@
       };
     }
 
-    /** A paragraph that screen readers announce when its text changes. */
-    const words = () => P.element("p", { role: "status" }, controls);
+    /**
+     * A paragraph that screen readers announce when its text changes.
+     * @param {string[]} texts some that it may show: there is room for the longest one from the
+     *   beginning, so that nothing on the page moves when it comes
+     */
+    function words(texts = []) {
+      const longest = texts.reduce((a, b) => (b.length > a.length ? b : a), "");
+      const room = P.element("div", { class: "room", "data-longest": longest }, controls);
+      card.fields.push(room);
+      return P.element("p", { role: "status" }, room);
+    }
 
     return { fold, range, setting, angle, share, button, checkbox, numbers, words };
   };

@@ -71,13 +71,17 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
 }
 .course-toy button.held { min-height: 44px; touch-action: none; user-select: none; -webkit-user-select: none }
 .course-toy .numbers {
-  display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; align-items: center; margin: .4rem 0 0;
+  display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; align-items: center; align-content: start;
+  margin: .4rem 0 0;
   padding: .3rem .7rem; font-size: 13px; background: var(--numbers); border-radius: .25rem;
   font-variant-numeric: tabular-nums;
 }
 .course-toy .numbers > div {
   display: flex; flex-wrap: wrap; align-items: center; gap: .2rem .5rem; white-space: pre-line;
 }
+.course-toy .room { display: grid; margin: .4rem 0 0 }
+.course-toy .room > p, .course-toy .room::after { grid-area: 1/1; margin: 0 }
+.course-toy .room::after { content: attr(data-longest); visibility: hidden }
 .course-toy .matrix {
   display: inline-grid; gap: 0 .7em; padding: .1em .5em; text-align: right; border: solid var(--ink);
   border-width: 0 1.5px; border-radius: .6em; font: 13px/1.45 system-ui,sans-serif;
@@ -89,10 +93,16 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
   .course-toy .setting input { min-height: 1.6rem }
   .course-toy .charts { flex-direction: row }
   .course-toy .numbers { padding: .3rem .4rem }
-  .course-toy .matrix { font-size: 12px; gap: 0 .45em }
+  .course-toy .room { display: grid; margin: .4rem 0 0 }
+.course-toy .room > p, .course-toy .room::after { grid-area: 1/1; margin: 0 }
+.course-toy .room::after { content: attr(data-longest); visibility: hidden }
+.course-toy .matrix { font-size: 12px; gap: 0 .45em }
 }
 @media (max-width: 360px) {
-  .course-toy .matrix { font-size: 11px; gap: 0 .3em; padding: .1em .3em }
+  .course-toy .room { display: grid; margin: .4rem 0 0 }
+.course-toy .room > p, .course-toy .room::after { grid-area: 1/1; margin: 0 }
+.course-toy .room::after { content: attr(data-longest); visibility: hidden }
+.course-toy .matrix { font-size: 11px; gap: 0 .3em; padding: .1em .3em }
 }
 @media print {
   .course-toy .controls { display: none }
