@@ -15,10 +15,15 @@ from sphinx_builds import build
 
 from course_lib import rigid
 from course_lib.arms import iiwa14
+from course_lib.figures.solids import Part
+from course_lib.figures.solids.meshes import ball
+from course_lib.figures.solids.model import AMBER, PALETTE, PLAIN
 from course_lib.figures.stills import TOY
+from course_lib.figures.toys.film import still
 from course_lib.lessons.poe_kuka_iiwa.figures import arm_movie
 from course_lib.trajectory import Trajectory
 
+GLOBE = Part(0, AMBER, ball(np.zeros(3), 1))
 MINUS = "\N{MINUS SIGN}"
 ALL = 26000  # pixels: a window in which all toys are, so that none waits to be drawn
 
@@ -52,6 +57,9 @@ def page(figure, tmp_path_factory):
     write(folder / "notebooks", "01.ipynb", *cells)
     film = cell(output({TOY: figure.stored(), "text/plain": figure.alt}))
     write(folder / "notebooks", "02.ipynb", new_markdown_cell("# Film"), film)
+    globe = still([Part(0, PLAIN, ball(np.zeros(3), 0.1))], "A globe.", pale=[GLOBE])
+    globe = cell(output({TOY: globe.stored(), "text/plain": globe.alt}))
+    write(folder / "notebooks", "03.ipynb", new_markdown_cell("# Globe"), globe)
     build(folder / "notebooks", folder / "html")
     return folder / "html/01.html"
 
@@ -679,7 +687,7 @@ def test_the_picture_keeps_its_height_when_the_joint_angles_are_opened(visit, na
 HEIGHT = "(box) => box.querySelector('.course-toy').offsetHeight"
 CHANGING = [  # ranges after which a toy says more, or shows fewer lines
     ("gimbals", {"Pitch (middle ring)": 90}),
-    ("axis", {"Angle": 360}),
+    ("axis", {"Angle": 0}),
     ("belt", {"Rotate the box": 720}),
     ("circles_toy", {"From k₁ to p₁": 0, "From k₂ to p₂": 0}),
     (
@@ -812,3 +820,25 @@ def test_play_moves_it_and_pause_holds_it(film):
     page.evaluate(SETTLED, 200)
     assert slider.get_attribute("aria-valuetext") == at
     assert picture(box) == held
+
+
+# The colours of translucent bodies that are drawn from now on.
+TRANSLUCENT = """() => {
+  const { scene } = window.course, { draw } = scene;
+  scene.draw = (context, what, redraw) => {
+    const mesh = what.meshes.find(({ opacity }) => opacity < 1);
+    window.colours = mesh.mesh.colours.map((index) => mesh.palette[index]);
+    draw(context, what, redraw);
+  };
+}"""
+
+
+def test_an_amber_body_that_is_seen_through_is_not_brown_in_the_dark(page, browser):
+    with Visit(browser, page.with_name("03.html")) as visit:
+        visit.page.locator(".toy-figure.drawn").wait_for()
+        visit.page.evaluate(TRANSLUCENT)
+        for theme, colour in (("dark", "#e8eaed"), ("light", PALETTE[AMBER])):
+            visit.page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
+            visit.page.wait_for_function(
+                "colour => window.colours?.every((own) => own === colour)", arg=colour
+            )

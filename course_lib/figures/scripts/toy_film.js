@@ -6,10 +6,11 @@
   const M = globalThis.course.motion;
   const P = globalThis.course.parts;
   const S = globalThis.course.scene;
-  const { COLOURS } = globalThis.course.palette;
+  const { COLOURS, isDark } = globalThis.course.palette;
   // Milliseconds: after a longer pause of the page a film goes on where it was.
   const MAX_PAUSE = 250;
   const EVERY = 5; // so many vertices apart a few of them stand for all when the view is fitted
+  const PALE = { opacity: 0.35 };
   const FITTED_TIMES = 12; // of a film, when the view is fitted
 
   P.toy(
@@ -115,6 +116,11 @@
       const wordPoints = meta.words.map(([, p]) => p);
       return [...bodyPoints, ...pathPoints, ...wordPoints, ...palePoints];
     }
+    /** Amber that a dark ground is seen through looks brown: such a body is white there. */
+    function palePalette() {
+      if (!isDark()) return pale.palette;
+      return pale.palette.map((colour) => (colour === COLOURS.amber ? COLOURS.white : colour));
+    }
     function drawFloor() {
       const [x, y, height, half] = floor;
       view.floor(half, height, half > 1 ? 0.5 : 0.2, [x, y]);
@@ -126,7 +132,7 @@
       if (floor) drawFloor();
       const now = posesAt(state.at);
       view.mesh(solid, now, solid.palette, { shadow: Boolean(floor) });
-      if (pale) view.mesh(pale, now, pale.palette, { opacity: 0.35 });
+      if (pale) view.mesh(pale, now, palePalette(), PALE);
       for (const [points, colour, dash] of meta.paths) {
         const path = points.map((p) => (isPoint(p) ? p : null));
         view.line(path, colour, 2.5, { dash });
