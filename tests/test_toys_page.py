@@ -671,6 +671,15 @@ def test_picture_controls_and_numbers_are_in_view_together(visit, phone):
         assert {name: high for name, high in zip(TOYS, heights, strict=True) if high > 640} == {}
 
 
+def test_on_a_phone_the_planar_arm_is_larger_than_its_chart(phone):
+    box = figure_of(phone, "planar_arm_toy")
+    arm, chart = (canvas.bounding_box() for canvas in box.locator("canvas").all())
+    assert arm["width"] == chart["width"]
+    assert arm["y"] + arm["height"] <= chart["y"]
+    assert arm["height"] > 280
+    assert chart["height"] >= 130
+
+
 @pytest.mark.parametrize("name", ["iiwa_toy", "panda_toy", "jog"])
 def test_the_picture_keeps_its_height_when_the_joint_angles_are_opened(visit, name):
     box = figure_of(visit, name)

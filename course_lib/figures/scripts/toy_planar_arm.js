@@ -7,6 +7,9 @@
   const { COLOURS } = globalThis.course.palette;
   const MAX_STEPS = 200;
   const REACHED = 1e-6; // metres
+  const MAX_DASHES = 30; // steps up to which the path of the tip is a line; dots are read more easily
+  const SIDE_BY_SIDE = 612; // pixels: room for the arm and the chart beside it
+  const FLAT = 0.45; // the height of the chart below the arm, in widths
   const ELLIPSE = 0.3; // the length of an axis with the singular value 1 m
   // The largest number on an axis of the chart, and the distance between its ticks.
   const DISTANCES = [
@@ -130,6 +133,13 @@
 
     // ---- drawing ----
 
+    function drawPath() {
+      if (state.path.length <= MAX_DASHES) {
+        plane.line(state.path, COLOURS.crimson, 1.2, { dash: [4, 4] });
+        return;
+      }
+      for (const p of state.path) plane.dot(p, COLOURS.crimson, 1.5);
+    }
     function drawEllipse(end, vectors, singularValues) {
       const [a, b] = vectors.map((v, i) => M.scale(v, ELLIPSE * singularValues[i]));
       const ellipse = P.circle(1).map(([c, s]) => M.add(M.add(end, a, c), b, s));
@@ -153,7 +163,7 @@
       plane.begin();
       plane.line(P.circle(reach), COLOURS.steel, 1.2, { dash: [6, 6] });
       drawEllipse(points[n], vectors, singularValues);
-      plane.line(state.path, COLOURS.crimson, 1.2, { dash: [4, 4] });
+      drawPath();
       drawLinks(points);
       plane.end();
       const errors = state.errors.length ? state.errors : [miss()];
@@ -182,7 +192,7 @@
         x: [0, steps[0]],
         y: [state.log ? LEAST_EXPONENT : 0, height(distances[0])],
         margin: true,
-        proportion: 1,
+        proportion: () => (card.views.clientWidth < SIDE_BY_SIDE ? FLAT : 1),
         parent,
         ticks: [ticksOf(steps), state.log ? POWERS : ticksOf(distances)],
         names: ["steps", "distance left (m)"],

@@ -109,7 +109,8 @@
     });
 
     // Arrow keys drive wherever the focus is in the toy, for a press of a button takes it from the
-    // picture; a range keeps its keys. Listeners of the capturing phase come before those of buttons.
+    // picture; a range keeps its keys. Listeners of the capturing phase come before those of
+    // buttons.
     const { canvas } = plane;
     const { root } = card;
     canvas.style.cursor = "pointer";

@@ -1,6 +1,7 @@
-// The view of space is changed by dragging, by the arrow keys, by two fingers, and by the wheel, with
-// Ctrl or once the figure has the focus: else the page scrolls. Home and a double click turn it back.
-// A body that can be taken is dragged instead. The first figure that is met on a page says so.
+// The view of space is changed by dragging, by the arrow keys, by two fingers, and by the wheel,
+// with Ctrl or once the figure has the focus: else the page scrolls. Home and a double click turn
+// it back. A body that can be taken is dragged instead. The first figure that is met on a page says
+// so.
 (() => {
   "use strict";
   const M = globalThis.course.motion;
@@ -43,7 +44,8 @@
   /**
    * @param {object} view the stage
    * @param {{azimuth: number, elevation: number, zoom: number}} camera is changed
-   * @param {{azimuth: number, elevation: number, zoom: number}} start to which it can be turned back
+   * @param {{azimuth: number, elevation: number, zoom: number}} start to which it can be turned
+   *   back
    * @param {(pixel: number[]) => object | null} take the body at a pixel that can be dragged
    */
   P.moveCamera = (view, camera, start, take, redraw) => {

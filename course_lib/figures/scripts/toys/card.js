@@ -64,7 +64,10 @@
     function keepHeights() {
       for (const field of card.fields) field.style.minHeight = `${field.offsetHeight}px`;
     }
-    /** What a reader has opened may make the card longer than the window: the views stay as they are. */
+    /**
+     * What a reader has opened may make the card longer than the window: the views stay as they
+     * are.
+     */
     function openedHeight() {
       let height = 0;
       for (const part of controls.querySelectorAll("details[open]")) {

@@ -5,7 +5,7 @@
   const P = globalThis.course.parts;
   const { COLOURS, tint } = globalThis.course.palette;
   // Pixels around a chart for the words at its axes; a map writes them into the picture.
-  const CHART_MARGINS = { left: 48, right: 10, top: 8, below: 38 };
+  const CHART_MARGINS = { left: 48, right: 16, top: 8, below: 38 };
   const NO_MARGINS = { left: 0, right: 0, top: 0, below: 0 };
   const STEPS_ACROSS = 120; // of a handle, by the arrow keys
 
@@ -65,9 +65,14 @@
     ];
 
     function write(words, [u, v], align, weight = "") {
-      context.fillStyle = tint(COLOURS.grey);
       context.font = `${weight}12px system-ui,sans-serif`;
       context.textAlign = align;
+      // A rim of the ground, so that no line of the grid runs through the words.
+      context.strokeStyle = tint(COLOURS.ground);
+      context.lineWidth = 4;
+      context.setLineDash([]);
+      context.strokeText(words, u, v);
+      context.fillStyle = tint(COLOURS.grey);
       context.fillText(words, u, v);
     }
     function drawGridAcross() {

@@ -24,9 +24,10 @@
 
   /**
    * A stage in `parent`.
-   * @param {{label: string, proportion: number, redraw: () => void, attributes?: object}} options
-   *   label: what it shows, for readers who do not see it; proportion: its height in widths; redraw
-   *   is called when its width changes; attributes: of the canvas
+   * @param {{label: string, proportion: number | (() => number), redraw: () => void, attributes?:
+   *   object}} options label: what it shows, for readers who do not see it; proportion: its height
+   *   in widths, or a function that returns it; redraw is called when its width changes;
+   *   attributes: of the canvas
    * @returns {object} width, height (pixels of the page), dense (dots a pixel), share (of its full
    *   height), held (whether something is dragged), begin, word, end, handle, stop
    */
@@ -46,7 +47,8 @@
     stage.begin = () => {
       stage.dense = Math.min(window.devicePixelRatio || 1, 2);
       stage.width = box.clientWidth || 300;
-      const fullHeight = stage.width * proportion;
+      const shape = typeof proportion === "function" ? proportion() : proportion;
+      const fullHeight = stage.width * shape;
       const least = Math.min(fullHeight, LEAST_HEIGHT);
       stage.height = Math.round(Math.max(least, stage.share * fullHeight));
       canvas.style.height = `${stage.height}px`;
