@@ -168,7 +168,7 @@
     const observer = new IntersectionObserver((entries) => entries.forEach(act), {
       rootMargin: margin,
     });
-    document.querySelectorAll(".chart-figure").forEach((box) => observer.observe(box));
+    for (const box of document.querySelectorAll(".chart-figure")) observer.observe(box);
   }
   observe(NEAR, ({ target, isIntersecting }) => {
     if (isIntersecting) chartOf(target).draw();
@@ -176,7 +176,9 @@
   observe(FAR, ({ target, isIntersecting }) => {
     if (!isIntersecting && charts.has(target)) chartOf(target).letGo();
   });
-  window.addEventListener("resize", () => charts.forEach(({ fit }) => fit()));
+  window.addEventListener("resize", () => {
+    for (const { fit } of charts.values()) fit();
+  });
 
   // ---- the numbers, for readers who use no pointer ----
 
@@ -281,7 +283,7 @@
     const body = element("tbody", table);
     for (let i = 0; i < points.length; i += step) {
       const row = element("tr", body);
-      columns.forEach(({ template }) => element("td", row, plain(filled(template, points[i]))));
+      for (const { template } of columns) element("td", row, plain(filled(template, points[i])));
     }
   }
 
@@ -290,7 +292,7 @@
     details.addEventListener("toggle", () => {
       if (details.childElementCount > 1) return;
       const { figure } = chartOf(details.previousElementSibling);
-      figure.data.forEach((series) => addTable(details, series, figure.layout));
+      for (const series of figure.data) addTable(details, series, figure.layout);
     });
   });
 })();
