@@ -116,8 +116,8 @@
   function comment(k) {
     if (!k) return "All joints at 0: each axis is where it was, the columns are the screws.";
     return (
-      `Column ${k} is the screw axis ${k} where it is now: the joints before it have moved it, the joint itself ` +
-      "and those after it have not."
+      `Column ${k} is the screw axis ${k} where it is now: the joints before it have moved it, ` +
+      "the joint itself and those after it have not."
     );
   }
 })();

@@ -215,7 +215,8 @@
     const worst = cells.reduce((a, b) => (b.mean > a.mean ? b : a));
     return (
       `${cells.length} cells of ${P.number(size)} m, 6 numbers each, branch q₂ ≥ 0; ${bad} ` +
-      `of them are 5 cm off or more on average. The worst has its centre at (${P.list(worst.centre)}) m.`
+      "of them are 5 cm off or more on average. " +
+      `The worst has its centre at (${P.list(worst.centre)}) m.`
     );
   }
 })();

@@ -7,7 +7,7 @@
   const { COLOURS } = globalThis.course.palette;
   const MAX_STEPS = 200;
   const REACHED = 1e-6; // metres
-  const MAX_DASHES = 30; // steps up to which the path of the tip is a line; dots are read more easily
+  const MAX_DASHES = 30; // steps up to which the path of the tip is a line; more are dots
   const SIDE_BY_SIDE = 612; // pixels: room for the arm and the chart beside it
   const FLAT = 0.45; // the height of the chart below the arm, in widths
   const ELLIPSE = 0.3; // the length of an axis with the singular value 1 m

@@ -97,15 +97,16 @@
       plane.end();
       words.textContent = pole
         ? rotationComment(twist[0], pole, isPoleSeen)
-        : "Both poses have the same orientation: the screw motion is a translation, along the same straight line; " +
-          "its pole is infinitely far away.";
+        : "Both poses have the same orientation: the screw motion is a translation, " +
+          "along the same straight line; its pole is infinitely far away.";
     };
   });
 
   function rotationComment(angle, pole, isSeen) {
     const outside = isSeen ? "" : ", outside the picture";
     return (
-      `The screw motion is a rotation by ${P.degrees(angle)} about the pole at (${P.list(pole)}) m${outside}. ` +
+      `The screw motion is a rotation by ${P.degrees(angle)} about the pole ` +
+      `at (${P.list(pole)}) m${outside}. ` +
       "The straight motion has no fixed pole."
     );
   }

@@ -21,6 +21,7 @@ from course_lib.figures.plots import (
 )
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.figures.toys.film import flat_film
+from course_lib.figures.words import interval
 from course_lib.planar import pose_matrix
 
 HALF = 10  # metres from the middle of the scene to its edge
@@ -177,7 +178,7 @@ def past_a_gate(paths):
 def straight_and_screw(motions, pole):
     """Return two motions {title: poses (n, 3)}, straight and screw, between two poses, and the screw's pole (2,)."""
     far = {title: np.linalg.norm(poses[:, :2] - pole, axis=1) for title, poses in motions.items()}
-    said = "; ".join(f"{title}: {d.min():.2f} to {d.max():.2f} m" for title, d in far.items())
+    said = "; ".join(f"{title}: {interval(d)} m" for title, d in far.items())
     return _body_paths(motions, 10, f"Distance from the pole: {said}.", pole)
 
 

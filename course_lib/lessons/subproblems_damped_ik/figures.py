@@ -26,6 +26,7 @@ from course_lib.figures.solids.model import BLACK as INK
 from course_lib.figures.solids.model import MUG_RED as RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
 from course_lib.figures.toys.film import still
+from course_lib.figures.words import interval
 from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
@@ -100,7 +101,7 @@ def circle_and_sphere(k, p, g, d, theta):
         f"{_count(theta)}.",
         f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: "
         f"{_listed(found)}. All "
-        f"points of the circle are {away.min():.3f} to {away.max():.3f} m from $g$.",
+        f"points of the circle are {interval(away, 3)} m from $g$.",
         [Part(0, AMBER, ball(g, d, 32))],
     )
 
@@ -141,7 +142,7 @@ def orientation_paths(tracks, duration):
         words.append((label.replace("omega", "ω"), 1.1 * R[len(R) // 2, :, 0], colour))
         step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
         length = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
-        range_of = f"{step.min():.2f} to {step.max():.2f} rad/s"
+        range_of = f"{interval(step)} rad/s"
         said.append(f"{label} on a path of length {length:.2f}, at {range_of}")
         speeds.append(label.replace("omega", "$\\omega$") + f", {range_of}")
     ends, e = next(iter(tracks.values()))[[0, -1], :, 0], np.eye(3)
@@ -204,7 +205,11 @@ def _answers(k, p, theta):
 
 
 def _listed(lengths):
-    return " and ".join(f"{length:.3f} m" for length in lengths) or "nowhere"
+    """Return lengths in words; two that print alike are said once."""
+    in_words = [f"{length:.3f} m" for length in lengths]
+    if len(in_words) == 2 and in_words[0] == in_words[1]:
+        return f"{in_words[0]} at both points"
+    return " and ".join(in_words) or "nowhere"
 
 
 def _count(theta):

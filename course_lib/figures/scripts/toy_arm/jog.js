@@ -255,7 +255,8 @@
     const speed = least > 1e-4 ? `${P.number(SPEED / least, 1)} rad/s` : "infinite speed";
     return (
       `Near a singularity: the least singular value is ${P.number(least, 3)} m. To move the ` +
-      `end-effector at ${SPEED} m/s along the ellipsoid's short axis the joints would need at least ${speed}.`
+      `end-effector at ${SPEED} m/s along the ellipsoid's short axis the joints would need ` +
+      `at least ${speed}.`
     );
   }
 })();

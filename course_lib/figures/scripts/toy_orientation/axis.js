@@ -79,10 +79,14 @@
 
   function comment(angle) {
     if (Math.abs(angle) === 360) {
-      return "A full rotation: R is the identity again, but q is −1. Both q and −q stand for this orientation.";
+      return (
+        "A full rotation: R is the identity again, but q is −1. " +
+        "Both q and −q stand for this orientation."
+      );
     }
     if (angle === 0) return "No rotation: the axis does not matter.";
-    return `R rotates by ${P.inDegrees(angle)} about the dashed axis; the red arc is the path of a wing tip.`;
+    const degrees = P.inDegrees(angle);
+    return `R rotates by ${degrees} about the dashed axis; the red arc is the path of a wing tip.`;
   }
 
   MODES.axis = { title: "Axis and angle", build };

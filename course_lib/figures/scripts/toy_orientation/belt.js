@@ -15,12 +15,15 @@
   const WALL = S.box([-1.5, -0.5, -0.5], [-1.36, 0.5, 0.5], 1);
   const BOX = S.box([0, -0.28, -0.18], [0.3, 0.28, 0.18], 0);
   const COMMENTS = {
-    360: "One full rotation: the box looks as before, but the belt is twisted and q is −1. Now move the box around.",
+    360:
+      "One full rotation: the box looks as before, but the belt is twisted and q is −1. " +
+      "Now move the box around.",
     "360 moved":
       "The twist has only changed its direction, and q is still −1: moving cannot undo one rotation.",
     720: "Two full rotations. Now move the box around, without rotating it, by the second slider.",
     "720 moved":
-      "The belt is flat again, and the box was not rotated back: two full rotations can be undone; q is +1.",
+      "The belt is flat again, and the box was not rotated back: " +
+      "two full rotations can be undone; q is +1.",
   };
   const FIRST_COMMENT = "Rotate the box by one and by two full rotations.";
 

@@ -132,8 +132,10 @@
       P.degrees(M.wrap(angle * P.rad)),
     );
     return (
-      `Gimbal lock: the axes of yaw and roll are one line, and only the ${what} counts, ${count}: ` +
-      `yaw ${sameYaw}, roll 0° give the same orientation. No ring rotates about the red direction any more.`
+      "Gimbal lock: the axes of yaw and roll are one line, " +
+      `and only the ${what} counts, ${count}: ` +
+      `yaw ${sameYaw}, roll 0° give the same orientation. ` +
+      "No ring rotates about the red direction any more."
     );
   }
   function volumeComment(pitch) {

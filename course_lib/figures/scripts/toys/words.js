@@ -62,7 +62,8 @@ globalThis.course.parts = {};
     const cells = words.flatMap((row) => row.map(cell)).join("");
     const spoken = words.map((row) => row.join(" ")).join("; ");
     const columns = `grid-template-columns:repeat(${rows[0].length},auto)`;
-    return `<span class="matrix" role="img" aria-label="${spoken}" style="${columns}">${cells}</span>`;
+    const look = `role="img" aria-label="${spoken}" style="${columns}"`;
+    return `<span class="matrix" ${look}>${cells}</span>`;
   };
 
   /**
