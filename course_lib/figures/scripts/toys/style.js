@@ -59,6 +59,7 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
 .course-stage .hint {
   position: absolute; left: 50%; bottom: .5rem; transform: translateX(-50%); width: max-content;
   max-width: calc(100% - 1rem); padding: .25rem .7rem; border-radius: .25rem; pointer-events: none;
+  border: 1px solid #ffffff40;
   background: #14171be6; color: #fff; font: 13px/1.4 system-ui,sans-serif;
 }
 
