@@ -4,11 +4,11 @@ Each function returns a Picture: a figure with its words, for `show`.
 """
 
 import numpy as np
-from matplotlib.patches import Circle
 
 from course_lib.arms import SerialArm
+from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, lines, pi_ticks, plain
+from course_lib.figures.plots import in_columns, plain
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
@@ -17,6 +17,9 @@ from course_lib.figures.toys.arms import jog
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
 from course_lib.rotations import log_so3, rot_y
+
+# The camera of the spheres, below the equator: there the two samplers differ most.
+FROM_BELOW = {"eye": {"x": 0.9, "y": 0.9, "z": -1.0}}
 
 
 def arm_toy():
@@ -146,39 +149,67 @@ def rotated_point(w, p, exp):
 
 
 def log_errors(short_of_pi, errors):
-    """Return errors of logarithms {label: (n,)} over pi minus the angle, (n,), all in radians."""
-    drawn = {label: np.maximum(each, 1e-17) for label, each in errors.items()}
-    said = [f"{label} {_size_of_errors(each)}" for label, each in drawn.items()]
-    return Picture(
-        lines(short_of_pi, drawn, log="xy", xlabel=r"$\pi - a$ (rad)", ylabel="error (rad)"),
-        f"Errors of logarithms against pi minus the angle, both axes logarithmic. "
-        f"{'; '.join(said)}.",
-        "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit "
-        "after digit.",
+    """Return the errors of logarithms over how far the angle is from pi.
+
+    Parameters
+    ----------
+    short_of_pi : array_like, shape (n,)
+        pi minus the angle, in radians.
+    errors : dict
+        Label of a logarithm to its errors, shape (n,), in radians.
+
+    Returns
+    -------
+    Picture
+    """
+    drawn = {label: np.maximum(error, 1e-17) for label, error in errors.items()}
+    fig = charts.lines(
+        short_of_pi, drawn, log="xy", xlabel="π − a (rad)", ylabel="error (rad)", markers=True
     )
+    sizes = [f"{label} {_size_of_errors(error)}" for label, error in drawn.items()]
+    alt = (
+        f"Errors of logarithms over pi minus the angle, both axes logarithmic. {'; '.join(sizes)}."
+    )
+    caption = (
+        "From right to left the angle approaches $\\pi$, and the formula with arccos loses digit "
+        "after digit."
+    )
+    return Picture(fig, alt, caption)
 
 
 def euler_rates(beta, smallest):
-    """Return the smallest singular value (n,) of the Euler rate matrix against the pitch (n,), radians."""
-    top, first, last = (
-        _numbers([beta[np.argmax(smallest)]]),
-        _numbers(smallest[:1]),
-        _numbers(smallest[-1:]),
+    """Return the smallest singular value of the Euler rate matrix over the pitch.
+
+    Parameters
+    ----------
+    beta : array_like, shape (n,)
+        The pitch, in radians.
+    smallest : array_like, shape (n,)
+        The smallest singular value at each pitch.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.lines(
+        beta,
+        {"smallest singular value": smallest},
+        xlabel="pitch β (rad)",
+        ylabel="smallest singular value",
+        parts_of_pi=4,
     )
-    return Picture(
-        lines(
-            beta,
-            {"": smallest},
-            xlabel=r"pitch $\beta$ (rad)",
-            ylabel="smallest singular value",
-            parts_of_pi=4,
-        ),
+    top = _numbers([beta[np.argmax(smallest)]])
+    first, last = _numbers(smallest[:1]), _numbers(smallest[-1:])
+    alt = (
         f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch "
-        f"{top} and falls to "
-        f"{first} at pitch {beta[0]:.2f} and to {last} at pitch {beta[-1]:.2f}: gimbal lock.",
-        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any "
-        "rates of the angles.",
+        f"{top} and falls to {first} at pitch {beta[0]:.2f} and to {last} at pitch "
+        f"{beta[-1]:.2f}: gimbal lock."
     )
+    caption = (
+        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any "
+        "rates of the angles."
+    )
+    return Picture(fig, alt, caption)
 
 
 def projections(M, rotations):
@@ -238,45 +269,135 @@ def projections(M, rotations):
 
 
 def on_sphere(samples):
-    """Return rotations {title: (n, 3, 3)} on spheres seen from below: where each takes e_x."""
-    fig, axes = in_columns(samples, 4.2, 4.4, xlabel="x", ylabel="y")
-    said = []
-    for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        below = R[R[:, 2, 0] < 0, :2, 0]
-        ax.add_patch(Circle((0, 0), 1, facecolor="#ececec", edgecolor=GREY))
-        ax.plot(*below.T, ".", color=BLUE, markersize=4)
-        ax.set(xlim=(1.1, -1.1), ylim=(-1.1, 1.1), aspect="equal")
-        ax.set_title(f"{title}\n{len(below)} of {len(R)} below the equator")
+    """Return rotations on spheres that can be turned: a dot where each takes e_x, and a tick towards R e_y.
+
+    A rotation is its axis R e_x, a point of the sphere, and a rotation about this axis, which the
+    short tick shows. The spheres turn together.
+
+    Parameters
+    ----------
+    samples : dict
+        Title of a sphere to rotations, shape (n, 3, 3).
+
+    Returns
+    -------
+    Picture
+    """
+    from plotly.graph_objects import Figure
+
+    fig = Figure(layout={"template": {"layout": charts.STYLE}, "height": 430, "showlegend": False})
+    in_words = []
+    width = 1 / len(samples)
+    for number, (title, R) in enumerate(samples.items()):
+        scene = "scene" if number == 0 else f"scene{number + 1}"
+        _add_sphere(fig, scene)
+        tips = R[:, :, 0]
+        ends = 1.001 * tips + 0.09 * R[:, :, 1]
+        # One line for all ticks: NaN, between one tick and the next, leaves a gap.
+        gaps = np.full_like(tips, np.nan)
+        ticks = np.stack([tips, ends, gaps], 1).reshape(-1, 3)
+        fig.add_scatter3d(
+            **dict(zip("xyz", ticks.T.round(3), strict=True)),
+            mode="lines",
+            line={"color": RED, "width": 2},
+            hoverinfo="skip",
+            scene=scene,
+        )
+        angle = np.rad2deg(np.linalg.norm(log_so3(R), axis=-1))
+        fig.add_scatter3d(
+            **dict(zip("xyz", tips.T.round(3), strict=True)),
+            mode="markers",
+            marker={"color": BLUE, "size": 2.5},
+            customdata=angle.round(1)[:, None],
+            hovertemplate=(
+                "R e<sub>x</sub> = (%{x:.2f}, %{y:.2f}, %{z:.2f})<br>"
+                "rotation angle: %{customdata[0]:.0f}°<extra></extra>"
+            ),
+            scene=scene,
+        )
+        hidden_axes = {
+            axis: {"title": {"text": axis[0]}, "range": [-1.2, 1.2], "showticklabels": False}
+            for axis in ("xaxis", "yaxis", "zaxis")
+        }
+        fig.update_layout(
+            {
+                scene: {
+                    "aspectmode": "cube",
+                    "camera": FROM_BELOW,
+                    "domain": {"x": [number * width, (number + 1) * width], "y": [0, 0.9]},
+                    **hidden_axes,
+                }
+            }
+        )
+        below = int((R[:, 2, 0] < 0).sum())
+        fig.add_annotation(
+            text=f"<b>{title}</b><br>{below} of {len(R)} below the equator",
+            showarrow=False,
+            x=(number + 0.5) * width,
+            xref="paper",
+            y=1,
+            yref="paper",
+            yanchor="top",
+        )
         up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
-        said.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
+        in_words.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     alt = (
-        f"Spheres seen from below, with a dot where each rotation takes the x axis. "
-        f"{'; '.join(said)}."
+        "Spheres, which can be turned, with a dot where each rotation takes the x axis and a short "
+        f"tick towards where it takes the y axis. {'; '.join(in_words)}."
     )
     caption = (
-        "Left, the dots crowd at the lower pole and none is in the upper half; right, they are "
-        "everywhere alike."
+        "Turn the spheres. Left, the dots crowd at the lower pole and none is in the upper half; "
+        "right, equal areas hold equally many, and the ticks point in all directions."
     )
     return Picture(fig, alt, caption)
 
 
-def angles(samples):
-    """Return histograms of the rotation angles of {title: (n, 3, 3)} beside the density of uniform rotations."""
-    fig, axes = in_columns(samples, 4.2, 3, xlabel="rotation angle a (rad)", ylabel="density")
-    said = []
-    for ax, (title, R) in zip(axes, samples.items(), strict=True):
-        heights, edges = np.histogram(
-            np.linalg.norm(log_so3(R), axis=-1), 20, (0, np.pi), density=True
-        )
-        ax.stairs(heights, edges, color=BLUE)
-        ax.plot(edges, (1 - np.cos(edges)) / np.pi, color=RED, linestyle="--")
-        pi_ticks(ax.xaxis, 4)
-        said.append(f"{title}: {np.mean(heights[10:]) * np.pi / 2:.0%} above 90 degrees")
-    return Picture(
-        fig,
-        f"Histograms of rotation angles. {'; '.join(said)}.",
-        "Dashed: $f(a)$, uniform rotations.",
+def _add_sphere(fig, scene):
+    """Add a grey sphere, a little smaller than one, which hides what is behind it."""
+    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 37), np.linspace(0, np.pi, 19))
+    points = 0.985 * np.stack(
+        [np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)]
     )
+    fig.add_surface(
+        **dict(zip("xyz", points.round(3), strict=True)),
+        colorscale=[[0, "#e8e8e8"], [1, "#e8e8e8"]],
+        showscale=False,
+        hoverinfo="skip",
+        lighting={"ambient": 0.75, "diffuse": 0.4, "specular": 0},
+        scene=scene,
+    )
+
+
+def angles(samples):
+    """Return histograms of rotation angles beside the density of uniformly distributed rotations.
+
+    Parameters
+    ----------
+    samples : dict
+        Title of a panel to rotations, shape (n, 3, 3).
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        list(samples),
+        xlabel="rotation angle a (rad)",
+        ylabel="density (1/rad)",
+        share="y",
+        parts_of_pi=4,
+    )
+    in_words = []
+    for panel, (title, R) in enumerate(samples.items()):
+        angle = np.linalg.norm(log_so3(R), axis=-1)
+        heights, edges = np.histogram(angle, 20, (0, np.pi), density=True)
+        charts.add_bars(fig, edges, heights, "sample", panel=panel)
+        a = np.linspace(0, np.pi, 61)
+        density = (1 - np.cos(a)) / np.pi
+        charts.add_line(fig, a, density, "f(a), uniform rotations", panel=panel, dash="dash")
+        in_words.append(f"{title}: {np.mean(heights[10:]) * np.pi / 2:.0%} above 90 degrees")
+    alt = f"Histograms of rotation angles. {'; '.join(in_words)}."
+    return Picture(fig, alt, "The dashed curve is $f(a)$, the density of uniform rotations.")
 
 
 def _size_of_errors(errors):

@@ -5,11 +5,13 @@ in metres, and dampings in square metres. `points_of` takes joint angles to an a
 first: (..., joints + 1, 2).
 """
 
+import re
+
 import numpy as np
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import STYLES, draw_arms, in_metres, legend_above, lines
+from course_lib.figures.plots import draw_arms, in_metres
 from course_lib.figures.solids import Part
 from course_lib.figures.solids.meshes import Mesh, arrow, ball, basis
 from course_lib.figures.solids.model import (
@@ -30,6 +32,8 @@ from course_lib.figures.words import interval
 from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
+GREEK = {"alpha": "α", "eps": "ε"}  # as charts write them
+LARGEST_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
 
 
 # ---- circles in space ----
@@ -244,115 +248,168 @@ def arm_by_hand():
 
 
 def joint_motion(motions):
-    """Return the joint motion that a step commands, {label: function of the bend}, over the bend of the last joint."""
+    """Return the joint motion that a step commands over the bend of the last joint.
+
+    Parameters
+    ----------
+    motions : dict
+        Label to a function that takes the bend, in radians, and returns the length of the step of
+        the joint angles, in radians.
+
+    Returns
+    -------
+    Picture
+    """
     bends = np.geomspace(0.003, 1, 60)
-    rows = {label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()}
-    said = "; ".join(
-        f"{label} from {np.min(y):.2g} to {np.max(y):.3g} rad" for label, y in rows.items()
+    by_label = {
+        label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()
+    }
+    fig = charts.lines(
+        bends,
+        by_label,
+        log="xy",
+        xlabel="bend of the last joint (rad)",
+        ylabel="joint motion (rad)",
+    )
+    ranges = [
+        f"{label} from {motion.min():.2g} to {motion.max():.3g} rad"
+        for label, motion in by_label.items()
+    ]
+    alt = (
+        f"The joint motion over the bend of the last joint, both logarithmic: {'; '.join(ranges)}."
     )
     caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
-    if len(rows) > 1:
+    if len(by_label) > 1:
         caption = (
             "The undamped step grows as one over the bend; the damped step stays small at every "
             "bend."
         )
-    return Picture(
-        lines(
-            bends,
-            rows,
-            log="xy",
-            xlabel="bend of the last joint (rad)",
-            ylabel="joint motion (rad)",
-        ),
-        f"The joint motion over the bend of the last joint, both logarithmic: {said}.",
-        caption,
-    )
+    return Picture(fig, alt, caption)
 
 
 def largest_rates(inverse_rate_matrix):
     """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
 
-    inverse_rate_matrix: from the three angles to the matrix (3, 3) that takes angular velocities to
-    rates.
+    Parameters
+    ----------
+    inverse_rate_matrix : callable
+        inverse_rate_matrix(b) takes the three angles and returns the matrix, shape (3, 3), that
+        maps an angular velocity to the rates of the angles.
+
+    Returns
+    -------
+    Picture
     """
     b2 = np.linspace(0.02, np.pi - 0.02, 301)
-    inverses = np.array([inverse_rate_matrix(np.array([0.4, x, 0.0])) for x in b2])
-    together, single = (
-        np.linalg.norm(inverses, 2, axis=(1, 2)),
-        np.linalg.norm(inverses, axis=2).max(1),
-    )
+    inverses = np.array([inverse_rate_matrix(np.array([0.4, angle, 0.0])) for angle in b2])
+    together = np.linalg.norm(inverses, 2, axis=(1, 2))
+    single = np.linalg.norm(inverses, axis=2).max(1)
     rates = {"all three together": together, "largest single rate": single}
-    said = "; ".join(
-        f"{label} from {np.min(y):.2g} to {np.max(y):.0f} rad/s" for label, y in rates.items()
+    fig = charts.lines(
+        b2,
+        rates,
+        log="y",
+        parts_of_pi=4,
+        xlabel="b<sub>2</sub> (rad)",
+        ylabel="rates for 1 rad/s (rad/s)",
+    )
+    ranges = [
+        f"{label} from {rate.min():.2g} to {rate.max():.0f} rad/s" for label, rate in rates.items()
+    ]
+    alt = (
+        "The largest rates for an angular velocity of one, over b2, on a logarithmic axis: "
+        f"{'; '.join(ranges)}."
     )
     middle = np.abs(b2 - np.pi / 4).argmin()
-    return Picture(
-        lines(
-            b2,
-            rates,
-            log="y",
-            parts_of_pi=4,
-            xlabel=r"$b_2$ (rad)",
-            ylabel="rates for 1 rad/s (rad/s)",
-        ),
-        f"The largest rates for an angular velocity of one, over b2, on a logarithmic axis: {said}.",
+    caption = (
         r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide. "
-        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s (together).",
+        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s "
+        "(together)."
     )
+    return Picture(fig, alt, caption)
 
 
 def descents(runs, target, caption):
-    """Return, for several runs towards one target, the tips' paths with the last configurations, and the errors.
+    """Return the tips' paths of several runs towards one target, and their distances from it over the steps.
 
-    runs: {label: arms (n, links + 1, 2), one configuration a step, base first}. target: (2,).
-    caption: what to notice.
+    Each dot is a step and says its number. The arm is drawn where each run ends, unless the tip
+    jumps about.
+
+    Parameters
+    ----------
+    runs : dict
+        Label to an arm's points, shape (n, links + 1, 2), one configuration for each step, base
+        first, in metres.
+    target : array_like, shape (2,)
+        In metres.
+    caption : str
+        What to notice.
+
+    Returns
+    -------
+    Picture
     """
-    fig, (plane, error) = plane_figure(9.6, 4.4, 2, width_ratios=[1, 1.1])
-    said, corners, lowest = [], [np.zeros((1, 2)), [target]], np.inf
-    for colour, style, (label, arms) in zip(COLOURS, 2 * STYLES, runs.items(), strict=False):
+    fig = charts.panels(
+        ["path of the tip", "distance from the target"],
+        xlabel=["x (m)", "step"],
+        ylabel=["y (m)", "distance (m)"],
+        height=430,
+    )
+    fig.layout.yaxis.update(scaleanchor="x", constrain="domain")
+    fig.layout.xaxis.constrain = "domain"
+    in_words = []
+    least_distance, largest_distance = np.inf, 0.0
+    for number, (label, arms) in enumerate(runs.items()):
+        name = re.sub(r"\b(alpha|eps)\b", lambda word: GREEK[word[0]], label)
+        colour = COLOURS[number % len(COLOURS)]
         tips = arms[:, -1]
-        jumps = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > 1
-        if jumps:  # lines between jumps would hide everything
-            plane.plot(*tips.T, "o", color=colour, markersize=6, alpha=0.6)
-        else:
-            plane.plot(*tips.T, color=colour, linestyle=style, linewidth=2)
-            plane.plot(
-                *arms[-1].T,
-                "-o",
-                color=colour,
-                linewidth=5,
-                markersize=7,
-                markeredgecolor="white",
-                alpha=0.5,
+        steps = np.arange(len(tips))
+        distances = np.linalg.norm(tips - target, axis=-1)
+        jumps_about = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > LARGEST_DRAWN_STEP
+        if jumps_about:  # lines between the dots would hide everything
+            charts.add_points(
+                fig, *tips.T, name, colour=colour, opacity=0.6, details=_of_steps(steps, distances)
             )
-            corners.append(arms[-1])
-        corners.append(tips)
-        miss = np.linalg.norm(tips - target, axis=-1)
-        lowest = min(lowest, miss.min())
-        error.plot(
-            miss,
-            color=colour,
-            linestyle=style,
-            linewidth=2,
-            label=label.replace("alpha", r"$\alpha$"),
-        )
-        end = "less than a micrometre" if miss[-1] < 1e-6 else f"{miss[-1]:.2g} m"
-        said.append(f"{label}: {'jumps about and is' if jumps else 'ends'} {end} from it")
-    plane.plot(*target, "x", color=BLACK, markersize=11, markeredgewidth=2.5, zorder=5)
-    (left, low), (right, high) = _window(corners, 0.2)
-    more = max(0, 0.85 * (right - left) - (high - low)) / 2  # else it would be a strip
-    in_metres(plane, xlim=(left, right), ylim=(low - more, high + more))
-    error.set(xlabel="steps", ylabel="distance from the target (m)")
-    if lowest < error.get_ylim()[1] / 30:
-        error.set(yscale="log", ylim=(max(lowest, 1e-9) / 2, None))
-    if len(runs) > 1:
-        legend_above(fig, 1 if max(map(len, runs)) > 30 else len(runs))
+        else:
+            charts.add_line(
+                fig,
+                *tips.T,
+                name,
+                colour=colour,
+                markers=True,
+                details=_of_steps(steps, distances),
+            )
+            _draw_arm(fig, arms[-1], name, colour)
+        charts.add_line(fig, steps, distances, name, panel=1, colour=colour, markers=True)
+        least_distance = min(least_distance, distances.min())
+        largest_distance = max(largest_distance, distances.max())
+        end = "less than a micrometre" if distances[-1] < 1e-6 else f"{distances[-1]:.2g} m"
+        verb = "jumps about and is" if jumps_about else "ends"
+        in_words.append(f"{label}: {verb} {end} from it")
+    fig.update_traces(marker_size=4, selector={"mode": "lines+markers"})  # a hundred steps or more
+    charts.add_points(fig, [target[0]], [target[1]], "target", colour=BLACK, symbol="x", size=12)
+    if least_distance < largest_distance / 30:
+        lowest = max(least_distance, 1e-9) / 2
+        log_range = [np.log10(lowest), np.log10(2 * largest_distance)]
+        fig.update_layout(yaxis2={"type": "log", "range": log_range})
     x, y = target
     alt = (
         f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. "
-        f"{'; '.join(said)}."
+        f"{'; '.join(in_words)}."
     )
     return Picture(fig, alt, caption)
+
+
+def _of_steps(steps, distances):
+    """Return what a dot of a path says besides its position."""
+    return {"step": steps, "distance from the target (m)": distances}
+
+
+def _draw_arm(fig, points, name, colour):
+    """Draw an arm (links + 1, 2) in the first panel; the legend's entry `name` switches it off, too."""
+    joints = {"joint": np.arange(1, len(points) + 1)}
+    charts.add_line(fig, *points.T, name, colour=colour, dash="solid", width=5, details=joints)
+    fig.data[-1].update(opacity=0.45)
 
 
 def _window(corners, margin):
@@ -364,19 +421,29 @@ def _window(corners, margin):
 def race(racers, points_of, target):
     """Return the runs of several methods towards one target; the legend says how fast and how large their steps are.
 
-    racers: {label: joint angles (steps + 1, joints)}. target: (2,), reached within a centimetre.
+    Parameters
+    ----------
+    racers : dict
+        Label of a method to its joint angles, shape (steps + 1, joints), in radians.
+    points_of : callable
+        points_of(angles) returns the arm's points, shape (..., joints + 1, 2), base first.
+    target : array_like, shape (2,)
+        It counts as reached within a centimetre.
+
+    Returns
+    -------
+    Picture
     """
-    runs, near = {}, 0.01
+    near = 0.01
+    runs = {}
     for label, path in racers.items():
         arms = points_of(path)
-        miss = np.linalg.norm(arms[:, -1] - target, axis=-1)
-        largest = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
-        steps = (
-            f"{np.argmax(miss < near)} steps to {100 * near:g} cm"
-            if (miss < near).any()
-            else "never there"
-        )
-        runs[f"{label}: {steps}, at most {largest:.3g} rad"] = arms
+        distances = np.linalg.norm(arms[:, -1] - target, axis=-1)
+        largest_step = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
+        steps = "never there"
+        if (distances < near).any():
+            steps = f"{np.argmax(distances < near)} steps to {100 * near:g} cm"
+        runs[f"{label}: {steps}, at most {largest_step:.3g} rad"] = arms
     caption = (
         "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end "
         "alike, as drawn."
@@ -387,40 +454,44 @@ def race(racers, points_of, target):
 def gains(epsilons, values):
     """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
 
-    epsilons: the dampings. values: {label: a singular value to point out}.
+    Parameters
+    ----------
+    epsilons : sequence of float
+        The dampings, in square metres.
+    values : dict
+        Label, such as "s1", to a singular value to point out, in metres.
+
+    Returns
+    -------
+    Picture
     """
     s = np.linspace(0.01, 4.2, 300)
-    fig, (ax,) = plane_figure(5.4, 3.8)
-    ax.plot(s, 1 / s, color=BLACK, linewidth=1, label="no damping: $1/s$")
-    for colour, style, eps in zip(COLOURS, STYLES, epsilons, strict=False):
-        ax.plot(
-            s,
-            s / (s**2 + eps),
-            color=colour,
-            linestyle=style,
-            linewidth=2,
-            label=rf"$\epsilon$ = {eps:g} m$^2$",
-        )
-        if np.sqrt(eps) < s[-1]:
-            ax.plot(np.sqrt(eps), 1 / (2 * np.sqrt(eps)), "o", color=colour)
-    for label, value in values.items():
-        ax.axvline(value, color=GREY, linewidth=1)
-        name = f"${label[0]}_{label[1:]}$"
-        ax.annotate(name, (value, 2.05), xytext=(4, 0), textcoords="offset points", color=BLACK)
-    ax.set(
-        ylim=(0, 2.2),
-        xlabel="singular value $s$ of the Jacobian (m)",
+    fig = charts.panels(
+        xlabel="singular value s of the Jacobian (m)",
         ylabel="joint step per error (rad/m)",
+        height=430,
     )
-    legend_above(fig, 2)
+    charts.add_line(fig, s, 1 / s, "no damping: 1/s", colour=BLACK, width=1.5, dash="solid")
+    for colour, eps in zip(COLOURS, epsilons, strict=False):
+        name = f"ε = {eps:g} m²"
+        charts.add_line(fig, s, s / (s**2 + eps), name, colour=colour)
+        if np.sqrt(eps) < s[-1]:
+            largest = 1 / (2 * np.sqrt(eps))
+            charts.add_points(fig, [np.sqrt(eps)], [largest], name, colour=colour, size=9)
+    for label, value in values.items():
+        charts.add_rule(fig, x=value, text=f"{label[0]}<sub>{label[1:]}</sub>")
+    fig.update_layout(yaxis_range=[0, 2.2])
     tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
-    return Picture(
-        fig,
+    alt = (
         "The joint step per metre of error, over the singular value. Without damping it grows "
-        "without bound towards "
-        f"zero; with damping it rises from zero to a largest value, {tops}, and falls again.",
-        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ damping cuts the step, for large $s$ hardly.",
+        f"without bound towards zero; with damping it rises from zero to a largest value, {tops}, "
+        "and falls again."
     )
+    caption = (
+        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ damping cuts the step, for "
+        "large $s$ hardly."
+    )
+    return Picture(fig, alt, caption)
 
 
 def step_map(alphas, epsilons, errors, largest, runs):
@@ -487,16 +558,28 @@ def two_arms(paths, points_of):
 def manipulability_along(dampings, values):
     """Return the manipulability over the steps of runs with several dampings.
 
-    values: (m, n), a row for each of the dampings (m,), one value a step, in square metres.
+    Parameters
+    ----------
+    dampings : array_like, shape (m,)
+        In square metres.
+    values : array_like, shape (m, n)
+        A row for each damping and a value for each step, in square metres.
+
+    Returns
+    -------
+    Picture
     """
-    rows = {rf"$\epsilon$ = {eps:g} m²": row for eps, row in zip(dampings, values, strict=True)}
-    said = [
-        f"epsilon = {e:g} m²: {min(row):.1f} to {max(row):.1f}"
-        for e, row in zip(dampings, values, strict=True)
-    ]
-    return Picture(
-        lines(np.arange(values.shape[1]), rows, xlabel="steps", ylabel="manipulability (m²)"),
-        f"The manipulability (m²) over the steps. {'; '.join(said)}.",
-        "With little damping the curve settles within a few steps; with much damping it changes "
-        "slowly.",
+    by_damping = {f"ε = {eps:g} m²": row for eps, row in zip(dampings, values, strict=True)}
+    fig = charts.lines(
+        np.arange(values.shape[1]), by_damping, xlabel="step", ylabel="manipulability (m²)"
     )
+    ranges = [
+        f"epsilon = {eps:g} m²: {min(row):.1f} to {max(row):.1f}"
+        for eps, row in zip(dampings, values, strict=True)
+    ]
+    alt = f"The manipulability (m²) over the steps. {'; '.join(ranges)}."
+    caption = (
+        "With little damping the curve settles within a few steps; with much damping it changes "
+        "slowly."
+    )
+    return Picture(fig, alt, caption)
