@@ -281,3 +281,12 @@ def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():
     np.testing.assert_allclose(np.array(heat.customdata)[..., 0], errors.T)
     np.testing.assert_allclose(limit.x, 2 * (1 + epsilons / 2.5**2))
     np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), runs)
+
+
+def test_bars_of_one_name_in_two_panels_have_one_colour():
+    fig = charts.panels(["a", "b"], xlabel="x (m)", ylabel="count")
+    for panel in (0, 1):
+        charts.add_bars(fig, [0.0, 1.0], [3.0], "sample", panel=panel)
+    first, second = fig.data
+    assert first.marker.color == second.marker.color
+    assert (first.showlegend, second.showlegend) == (True, False)

@@ -471,7 +471,8 @@ def _place(fig: Figure, name: str) -> _Place:
     if name in names:
         number = names.index(name)
         first = next(trace for trace in fig.data if trace.legendgroup == name)
-        colour = first.line.color if first.mode and "lines" in first.mode else first.marker.color
+        is_curve = first.type != "bar" and "lines" in (first.mode or "")
+        colour = first.line.color if is_curve else first.marker.color
         return _Place(number, colour, False)
     number = len(names)
     return _Place(number, COLOURS[number % len(COLOURS)], True)

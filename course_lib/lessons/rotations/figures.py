@@ -8,7 +8,7 @@ import numpy as np
 from course_lib.arms import SerialArm
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, plain
+from course_lib.figures.plots import in_columns, lines, plain
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
@@ -19,7 +19,8 @@ from course_lib.rigid import transform
 from course_lib.rotations import log_so3, rot_y
 
 # The camera of the spheres, below the equator: there the two samplers differ most.
-FROM_BELOW = {"eye": {"x": 0.9, "y": 0.9, "z": -1.0}}
+FROM_BELOW = {"eye": {"x": 0.75, "y": 0.75, "z": -0.85}}
+HIDDEN_AXIS = {"visible": False, "range": [-1.3, 1.3]}
 
 
 def arm_toy():
@@ -163,9 +164,9 @@ def log_errors(short_of_pi, errors):
     Picture
     """
     drawn = {label: np.maximum(error, 1e-17) for label, error in errors.items()}
-    fig = charts.lines(
-        short_of_pi, drawn, log="xy", xlabel="π − a (rad)", ylabel="error (rad)", markers=True
-    )
+    # Not a chart: rounding decides these errors, and a notebook may store no number that differs
+    # from one machine to the next.
+    fig = lines(short_of_pi, drawn, log="xy", xlabel=r"$\pi - a$ (rad)", ylabel="error (rad)")
     sizes = [f"{label} {_size_of_errors(error)}" for label, error in drawn.items()]
     alt = (
         f"Errors of logarithms over pi minus the angle, both axes logarithmic. {'; '.join(sizes)}."
@@ -315,17 +316,13 @@ def on_sphere(samples):
             ),
             scene=scene,
         )
-        hidden_axes = {
-            axis: {"title": {"text": axis[0]}, "range": [-1.2, 1.2], "showticklabels": False}
-            for axis in ("xaxis", "yaxis", "zaxis")
-        }
         fig.update_layout(
             {
                 scene: {
                     "aspectmode": "cube",
                     "camera": FROM_BELOW,
-                    "domain": {"x": [number * width, (number + 1) * width], "y": [0, 0.9]},
-                    **hidden_axes,
+                    "domain": {"x": [number * width, (number + 1) * width], "y": [0, 0.88]},
+                    **dict.fromkeys(("xaxis", "yaxis", "zaxis"), HIDDEN_AXIS),
                 }
             }
         )
@@ -334,6 +331,7 @@ def on_sphere(samples):
             text=f"<b>{title}</b><br>{below} of {len(R)} below the equator",
             showarrow=False,
             x=(number + 0.5) * width,
+            xanchor="center",
             xref="paper",
             y=1,
             yref="paper",
@@ -353,7 +351,18 @@ def on_sphere(samples):
 
 
 def _add_sphere(fig, scene):
-    """Add a grey sphere, a little smaller than one, which hides what is behind it."""
+    """Add a grey sphere, a little smaller than one, which hides what is behind it, and its poles."""
+    fig.add_scatter3d(
+        x=[0, 0],
+        y=[0, 0],
+        z=[-1.25, 1.25],
+        mode="lines+text",
+        text=["−z", "z"],
+        textposition=["bottom center", "top center"],
+        line={"color": GREY, "width": 3},
+        hoverinfo="skip",
+        scene=scene,
+    )
     around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 37), np.linspace(0, np.pi, 19))
     points = 0.985 * np.stack(
         [np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)]
@@ -363,7 +372,7 @@ def _add_sphere(fig, scene):
         colorscale=[[0, "#e8e8e8"], [1, "#e8e8e8"]],
         showscale=False,
         hoverinfo="skip",
-        lighting={"ambient": 0.75, "diffuse": 0.4, "specular": 0},
+        lighting={"ambient": 0.9, "diffuse": 0.15, "specular": 0},
         scene=scene,
     )
 

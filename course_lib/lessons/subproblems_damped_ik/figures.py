@@ -32,6 +32,8 @@ from course_lib.figures.words import interval
 from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
+# Metres: what is below is drawn here, since rounding decides it, differently on other machines.
+LEAST_DISTANCE = 1e-8
 GREEK = {"alpha": "α", "eps": "ε"}  # as charts write them
 LARGEST_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
 
@@ -364,7 +366,7 @@ def descents(runs, target, caption):
         colour = COLOURS[number % len(COLOURS)]
         tips = arms[:, -1]
         steps = np.arange(len(tips))
-        distances = np.linalg.norm(tips - target, axis=-1)
+        distances = np.linalg.norm(tips - target, axis=-1).clip(LEAST_DISTANCE)
         jumps_about = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > LARGEST_DRAWN_STEP
         if jumps_about:  # lines between the dots would hide everything
             charts.add_points(
@@ -389,8 +391,7 @@ def descents(runs, target, caption):
     fig.update_traces(marker_size=4, selector={"mode": "lines+markers"})  # a hundred steps or more
     charts.add_points(fig, [target[0]], [target[1]], "target", colour=BLACK, symbol="x", size=12)
     if least_distance < largest_distance / 30:
-        lowest = max(least_distance, 1e-9) / 2
-        log_range = [np.log10(lowest), np.log10(2 * largest_distance)]
+        log_range = [np.log10(least_distance / 2), np.log10(2 * largest_distance)]
         fig.update_layout(yaxis2={"type": "log", "range": log_range})
     x, y = target
     alt = (
