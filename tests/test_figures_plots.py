@@ -115,6 +115,22 @@ def test_the_largest_error_is_named_at_its_dot(dots):
     assert (note.text, note.x, note.y) == ("largest: 12.0 cm", 1.0, 1.0)
 
 
+def impulses_of(*velocities):
+    """Return the (time, height) of the arrows that a time scaling with these velocities has."""
+    u = np.linspace(0, 1, len(velocities))
+    curve = np.array([u, velocities, 0 * u])
+    notes = nb2.time_scalings(u, {"one": curve}).fig.layout.annotations
+    return [(note.x, note.y) for note in notes if note.showarrow]
+
+
+def test_a_velocity_that_jumps_at_both_ends_has_two_impulses():
+    assert impulses_of(1.0, 1.0, 1.0) == [(0.0, 1.0), (1.0, -1.0)]
+
+
+def test_a_velocity_that_begins_and_ends_at_rest_has_no_impulse():
+    assert impulses_of(0.0, 1.5, 0.0) == []
+
+
 # ---- films: bodies and arms are where their data say, at each time ----
 
 CORNERS = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])

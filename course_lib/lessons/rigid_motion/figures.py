@@ -8,16 +8,13 @@ Poses are rows (x, y, theta), in metres and radians; times are in seconds.
 import numpy as np
 from matplotlib.patches import Circle
 
+from course_lib.figures import charts
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import (
-    STYLES,
     draw_arms,
-    draw_lines,
     in_columns,
     in_metres,
     legend_above,
-    lines,
-    pi_ticks,
 )
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.figures.toys.film import flat_film
@@ -206,68 +203,136 @@ def _body_paths(contents, every, caption, pole=None):
 
 
 def euler_paths(paths):
-    """Return paths {label: points (n, 2)} of a plan by Euler's method beside the exact one, which is the last."""
+    """Return the paths of one plan by Euler's method with several steps, beside the exact path.
+
+    Parameters
+    ----------
+    paths : dict
+        Label to points, shape (n, 2), in metres; the exact path is the last one.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(xlabel="x (m)", ylabel="y (m)", equal=True, height=470)
     exact = list(paths)[-1]
-    fig, (ax,) = plane_figure(5.2, 4.8)
-    said = []
-    for style, (label, points) in zip(STYLES, paths.items(), strict=False):
+    in_words = []
+    for label, points in paths.items():
         off = np.linalg.norm(points[-1] - paths[exact][-1])
+        name = label
         if label != exact:
-            label += f": {off:.3f} m off"
-            said.append(
-                f'The path "{label}" ends at {_point(points[-1])}, {off:.2f} m from the end of "{exact}".'
+            name = f"{label}: {off:.3f} m off"
+            in_words.append(
+                f'The path "{name}" ends at {_point(points[-1])}, {off:.2f} m from the end of '
+                f'"{exact}".'
             )
-        few = {"marker": "o", "markersize": 3} if len(points) < 60 else {}
-        ax.plot(*points.T, label=label, linestyle=style, linewidth=2, **few)
-    in_metres(ax)
-    ax.margins(0.08)
-    ax.legend(loc="center left", bbox_to_anchor=(0, 0.35), frameon=False)
+        is_short = len(points) < 60
+        number = {"number of steps": np.arange(len(points))}
+        charts.add_line(fig, *points.T, name, markers=is_short, details=number)
+    alt = f"Paths from one point. {' '.join(in_words)}"
     caption = (
         "Euler's method leaves the exact path in the first bend; the smaller the step, the less."
     )
-    return Picture(fig, f"Paths from one point. {' '.join(said)}", caption)
+    return Picture(fig, alt, caption)
 
 
 def euler_errors(steps, errors):
-    """Return the error (n,) of Euler's method, in metres, against its step (n,), the longest first."""
+    """Return the error of Euler's method over its step, beside a line of slope one.
+
+    Parameters
+    ----------
+    steps : array_like, shape (n,)
+        Time steps, in seconds, the longest first.
+    errors : array_like, shape (n,)
+        The error at the end for each step, in metres.
+
+    Returns
+    -------
+    Picture
+    """
     curves = {"Euler": errors, "slope 1": errors[-1] * steps / steps[-1]}
-    return Picture(
-        lines(steps, curves, log="xy", xlabel="step dt (s)", ylabel="error at the end (m)"),
-        "The error at the end against the step, on logarithmic axes, beside a line of slope one: "
-        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} "
-        f"s.",
-        "For short steps the slope is 1: the error is proportional to the step.",
+    fig = charts.lines(
+        steps, curves, log="xy", xlabel="step dt (s)", ylabel="error at the end (m)", markers=True
     )
+    alt = (
+        "The error at the end over the step, on logarithmic axes, beside a line of slope one: "
+        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} s."
+    )
+    caption = "For short steps the slope is 1, because the error is proportional to the step."
+    return Picture(fig, alt, caption)
 
 
 # ---- time scalings ----
 
 
 def time_scalings(u, curves):
-    """Return three time scalings with their velocities and accelerations.
+    """Return time scalings with their velocities and accelerations, three panels below each other.
 
-    u: (n,), time as a part of T. curves: {name: (3, n), the values of s, of its velocity and of its
-    acceleration}.
+    Where a velocity jumps at an end, from a body at rest or to it, the acceleration is an impulse,
+    and an arrow stands for it.
+
+    Parameters
+    ----------
+    u : array_like, shape (n,)
+        Time as a part of T, from 0 to 1.
+    curves : dict
+        Name of a time scaling to its values, velocities and accelerations, shape (3, n).
+
+    Returns
+    -------
+    Picture
     """
-    fig, axes = plane_figure(10.2, 3.2, 3)
-    for k, (ax, name) in enumerate(
-        zip(axes, ("s", "velocity of s (1/T)", "acceleration of s (1/T²)"), strict=True)
-    ):
-        draw_lines(ax, u, {label: curve[k] for label, curve in curves.items()})
-        ax.set(xlabel="time t / T", ylabel=name)
-    if len(curves) > 1:
-        legend_above(fig, len(curves), axes[0])
-    said = (
-        f"The {label} one: velocity {v[0]:.2f} at the start, up to {max(v):.2f}; "
-        f"acceleration from {a[0]:.1f} to {a[-1]:.1f}."
-        for label, (_, v, a) in curves.items()
+    fig = charts.panels(
+        ["", "", ""],
+        xlabel="time t / T",
+        ylabel=["s", "velocity of s (1/T)", "acceleration of s (1/T²)"],
+        columns=1,
+        share="x",
+        height=620,
     )
-    return Picture(
-        fig,
-        f"Time scalings from 0 to 1. {' '.join(said)}",
-        "At both ends of each curve compare its velocity and its acceleration with those of a body "
-        "at rest, 0.",
+    largest = max(np.abs(curve[2]).max() for curve in curves.values())
+    in_words = []
+    for number, (name, curve) in enumerate(curves.items()):
+        for panel in range(3):
+            charts.add_line(fig, u, np.asarray(curve[panel], float), name, panel=panel)
+        _, velocity, acceleration = curve
+        impulses = ""
+        if abs(velocity[0]) > 1e-9 or abs(velocity[-1]) > 1e-9:
+            _add_impulses(fig, velocity[0], velocity[-1], largest, COLOURS[number])
+            impulses = ", with an impulse at each end, where the velocity jumps"
+        in_words.append(
+            f"The {name} one: velocity {velocity[0]:.2f} at the start, up to {max(velocity):.2f}; "
+            f"acceleration from {acceleration[0]:.1f} to {acceleration[-1]:.1f}{impulses}."
+        )
+    alt = f"Time scalings from 0 to 1. {' '.join(in_words)}"
+    caption = (
+        "At both ends of each curve compare its velocity with that of a body at rest, which is 0. "
+        "Where the velocity jumps, the acceleration is infinite: an arrow."
     )
+    return Picture(fig, alt, caption)
+
+
+def _add_impulses(fig, first_velocity, last_velocity, largest, colour):
+    """Draw the impulses by which a velocity jumps from 0 at the start, and back to 0 at the end."""
+    x_axis, y_axis = fig.layout.meta["panels"][2]
+    height = max(largest, 1.0)
+    for x, jump in ((0.0, first_velocity), (1.0, -last_velocity)):
+        fig.add_annotation(
+            x=x,
+            y=height * np.sign(jump),
+            ax=x,
+            ay=0.0,
+            xref=x_axis,
+            yref=y_axis,
+            axref=x_axis,
+            ayref=y_axis,
+            text="",
+            showarrow=True,
+            arrowhead=2,
+            arrowwidth=2.5,
+            arrowcolor=colour,
+        )
+    fig.update_layout({f"yaxis{y_axis[1:]}": {"range": [-1.15 * height, 1.15 * height]}})
 
 
 # ---- arms ----
@@ -318,17 +383,31 @@ def arm_paths(contents):
 
 
 def joint_tracks(paths):
-    """Return paths {label: joint angles (n, 2) in radians} in the plane of these angles."""
-    fig, (ax,) = plane_figure(5.4, 3.8)
-    for colour, style, (label, theta) in zip(COLOURS, STYLES, paths.items(), strict=False):
-        ax.plot(*theta.T, color=colour, linestyle=style, linewidth=2, label=label)
-    ax.set(xlabel="angle of joint 1 (rad)", ylabel="angle of joint 2 (rad)")
-    pi_ticks(ax.xaxis, 4)
-    pi_ticks(ax.yaxis, 4)
-    ax.legend(frameon=False)
-    said = (
-        f"{label.capitalize()}: joint 2 between {t[:, 1].min():.2f} and {t[:, 1].max():.2f} rad."
-        for label, t in paths.items()
+    """Return paths in the plane of the two joint angles.
+
+    Parameters
+    ----------
+    paths : dict
+        Label to joint angles, shape (n, 2), in radians.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        xlabel="angle of joint 1 (rad)", ylabel="angle of joint 2 (rad)", height=420
     )
+    for label, theta in paths.items():
+        degrees = {
+            "joint 1 (degrees)": np.rad2deg(theta[:, 0]),
+            "joint 2 (degrees)": np.rad2deg(theta[:, 1]),
+        }
+        charts.add_line(fig, *theta.T, label, details=degrees)
+    in_words = [
+        f"{label.capitalize()}: joint 2 between {theta[:, 1].min():.2f} and "
+        f"{theta[:, 1].max():.2f} rad."
+        for label, theta in paths.items()
+    ]
+    alt = f"Paths in the plane of the two joint angles. {' '.join(in_words)}"
     caption = "The same two motions in joint space: now the other one of them is straight."
-    return Picture(fig, f"Paths in the plane of the two joint angles. {' '.join(said)}", caption)
+    return Picture(fig, alt, caption)
