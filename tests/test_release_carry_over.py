@@ -1,165 +1,579 @@
-"""A student's answers, taken over from an older release into a newer one."""
+"""A student's work, taken over from an older release into a newer one: each answer is there, or is named."""
 
+import copy
+import json
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+import damages
 import nbformat
 import pytest
+from damages import encoded, name_of, new_cell
 
 from course_lib.pack.release.bundle import STUDENTS
-from course_lib.pack.release.exercises import prepare
 from course_lib.pack.release.stubs import students_copy
+from course_lib.pack.release.students import carry_over as program
+from course_lib.pack.release.students.carry_over import carry_folder, carry_over
 
 ROOT = Path(__file__).parents[1]
+NAMES = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 NAME = "02_rigid_motion.ipynb"
-CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far\n'
+CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far'
 
 
-@pytest.fixture
-def folders(tmp_path):
-    """An older release and a newer one, both as they come, with one notebook."""
-    text = (ROOT / "notebooks" / NAME).read_text(encoding="utf-8")
-    folders = tmp_path / "old one", tmp_path / "new"
-    for folder in folders:
-        (folder / "notebooks").mkdir(parents=True)
-        (folder / "notebooks" / NAME).write_text(students_copy(text, NAME, "1"), encoding="utf-8")
-        shutil.copy(STUDENTS / "carry_over.py", folder)
-    return folders
+def released(name):
+    text = (ROOT / "notebooks" / name).read_text(encoding="utf-8")
+    return json.loads(students_copy(text, name, "1"))
 
 
-def cell_of(notebook, name):
-    return next(c for c in notebook.cells if c.metadata.get("nbgrader", {}).get("grade_id") == name)
+RELEASED = {name: released(name) for name in NAMES}
 
 
-def write(folder, **sources):
-    notebook = nbformat.read(folder / "notebooks" / NAME, 4)
-    for name, source in sources.items():
-        cell_of(notebook, name).source = source
-    nbformat.write(notebook, folder / "notebooks" / NAME)
+def text_of(cell):
+    return "".join(cell["source"])
 
 
-def source(folder, name):
-    return cell_of(nbformat.read(folder / "notebooks" / NAME, 4), name).source
+def answered(name):
+    """A notebook as released with an answer in each cell for one, and {exercise: its answer}."""
+    book, answers = copy.deepcopy(RELEASED[name]), {}
+    for cell in book["cells"]:
+        exercise = name_of(cell)
+        if not exercise:
+            continue
+        if cell["cell_type"] == "code":
+            cell["source"] = f"{text_of(cell)}\n# my {exercise}"
+        else:
+            cell["source"] = f"My words on {exercise}: it rotates by π.\n\nThat is all."
+        answers[exercise] = cell["source"]
+    return book, answers
 
 
-def carry_over(old, new):
-    command = [sys.executable, str(new / "carry_over.py"), str(old)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=3600)
+EXERCISES = [(name, exercise) for name in NAMES for exercise in answered(name)[1]]
 
 
-def test_answers_in_code_and_words_and_begun_work_are_taken_over_and_nothing_else_changes(folders):
-    old, new = folders
-    begun = 'def two_link_angles(a):\n    """Return it."""\n    # one idea\n    raise NotImplementedError("Later.")'
-    broken = "def arm_frames(theta:\n    raise NotImplementedError()"
+def cell_of(book, exercise):
+    return next(cell for cell in book["cells"] if name_of(cell) == exercise)
+
+
+def cell_with_id(book, cell_id):
+    return next(cell for cell in book["cells"] if cell["id"] == cell_id)
+
+
+def written(folder, name, book):
+    """Write a notebook, or the bytes of a file, into a folder; return its path."""
+    folder.mkdir(parents=True, exist_ok=True)
+    content = book if isinstance(book, bytes) else encoded(book)
+    if b"\\ud83e" in content or b"\xed\xa0" in content:
+        content = json.dumps(book).encode()
+    (folder / name).write_bytes(content)
+    return folder / name
+
+
+def carried(tmp_path, old, new=None, name=NAME):
+    """Carry one notebook over; return the new one and the report."""
+    older = written(tmp_path / "old", name, old)
+    path = written(tmp_path / "new", name, new or RELEASED[name])
+    report = carry_over(older, path, "../old/notebook")
+    nbformat.validate(nbformat.read(path, 4))
+    return json.loads(path.read_text(encoding="utf-8")), str(report)
+
+
+def book_with(**sources):
+    book = copy.deepcopy(RELEASED[NAME])
+    for exercise, source in sources.items():
+        cell_of(book, exercise)["source"] = source
+    return book
+
+
+# ---- the promise: every answer is in the new file or is named with the reason ----
+
+
+def without_spaces(text):
+    return "\n".join(line.rstrip() for line in text.splitlines() if line.strip())
+
+
+def holds(book, answer):
+    """Whether one cell of a notebook has the lines of an answer, one below the other."""
+    return any(without_spaces(answer) in without_spaces(text_of(cell)) for cell in book["cells"])
+
+
+@pytest.fixture(scope="module")
+def all_carried(tmp_path_factory):
+    """The six new notebooks after an update from six in which everything is answered."""
+    folder = tmp_path_factory.mktemp("all")
+    for name in NAMES:
+        written(folder / "old", name, answered(name)[0])
+        written(folder / "new", name, RELEASED[name])
+    assert carry_folder(folder / "old", folder / "new").failed() == []
+    return {name: json.loads((folder / "new" / name).read_text("utf-8")) for name in NAMES}
+
+
+def test_there_are_86_answers_in_code_with_21_in_words():
+    kinds = [cell_of(RELEASED[name], exercise)["cell_type"] for name, exercise in EXERCISES]
+    assert (kinds.count("code"), kinds.count("markdown")) == (86, 21)
+
+
+@pytest.mark.parametrize(("name", "exercise"), EXERCISES)
+def test_an_answer_is_in_its_cell_of_the_new_notebook(all_carried, name, exercise):
+    assert text_of(cell_of(all_carried[name], exercise)) == answered(name)[1][exercise]
+
+
+def damage_name(damage):
+    return damage.__name__
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("damage", damages.READABLE, ids=damage_name)
+def test_every_answer_of_a_notebook_that_can_be_read_is_carried_over(tmp_path, damage, name):
+    book, answers = answered(name)
+    new, report = carried(tmp_path, damage(book), name=name)
+    lost = [exercise for exercise in answers if not holds(new, answers[exercise])]
+    assert lost == [], report
+    own_place = [text_of(cell_of(new, exercise)) for exercise in answers]
+    expected = [without_spaces(answer) for answer in answers.values()]
+    assert [without_spaces(text) for text in own_place] == expected
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("damage", damages.ELSEWHERE, ids=damage_name)
+def test_every_answer_that_stands_elsewhere_is_carried_over_or_named(tmp_path, damage, name):
+    book, answers = answered(name)
+    new, report = carried(tmp_path, damage(book), name=name)
+    lost = [exercise for exercise in answers if not holds(new, answers[exercise])]
+    assert [exercise for exercise in lost if exercise not in report] == []
+
+
+@pytest.mark.parametrize("damage", damages.UNREADABLE, ids=damage_name)
+def test_a_notebook_that_cannot_be_read_is_named_with_its_place_as_the_others_are_carried_over(
+    tmp_path, damage
+):
+    for name in NAMES:
+        book = answered(name)[0]
+        written(tmp_path / "old", name, damage(book) if name == NAME else book)
+        written(tmp_path / "new", name, RELEASED[name])
+    before = (tmp_path / "new" / NAME).read_bytes()
+    update = carry_folder(tmp_path / "old", tmp_path / "new")
+    assert update.failed() == [NAME]
+    (problem,) = (line for line in update.lines() if line.startswith(NAME))
+    assert str(tmp_path / "old" / NAME) in problem
+    assert "run make update again" in problem
+    assert (tmp_path / "new" / NAME).read_bytes() == before
+    for name in set(NAMES) - {NAME}:
+        new = json.loads((tmp_path / "new" / name).read_text("utf-8"))
+        assert all(holds(new, answer) for answer in answered(name)[1].values())
+
+
+# ---- answers ----
+
+
+def test_only_answers_change_in_the_new_notebook(tmp_path):
     mine = {
         "wrap_angle": CODE,
         "explain_wrap": "Because.\n\nπ.",
-        "two_link_angles": begun,
-        "arm_frames": broken,
+        "arm_frames": "def arm_frames(theta:",
     }
-    write(old, **mine, task_wrap_angle="an older task", check_wrap_angle="pass")
-    before, fresh = (
-        (old / "notebooks" / NAME).read_bytes(),
-        nbformat.read(new / "notebooks" / NAME, 4),
+    new, report = carried(tmp_path, book_with(**mine))
+    assert report == f"{NAME}: 3 answers were carried over."
+    assert new == book_with(**mine)
+
+
+def test_a_second_run_changes_nothing(tmp_path):
+    old = damages.with_own_cells_between(answered(NAME)[0])
+    new, _ = carried(tmp_path, old)
+    again, report = carried(tmp_path, old, new)
+    assert again == new
+    assert report == (
+        f"{NAME}: nothing was carried over, and 15 answers, 260 cells of your own were here already."
     )
-    done = carry_over(old, new)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert f"{NAME}: answers carried over: 4\n" in done.stdout
-    assert (old / "notebooks" / NAME).read_bytes() == before
-    for name, text in mine.items():
-        cell_of(fresh, name).source = text
-    assert nbformat.read(new / "notebooks" / NAME, 4) == fresh
-    nbformat.validate(fresh)
-
-    assert f"{NAME}: answers carried over: 0\n" in carry_over(old, new).stdout
-    names = [path.name for path in (new / "notebooks").iterdir()]
-    assert sorted(names) == sorted(path.name for path in (old / "notebooks").iterdir())
 
 
-def test_nothing_written_in_the_new_release_is_lost_and_a_newer_stub_stays(folders):
-    old, new = folders
-    newer = 'def arm_frames(theta, links):\n    """Newer."""\n    raise NotImplementedError("Write arm_frames here.")'
-    write(old, wrap_angle=CODE)
-    write(new, wrap_angle=CODE.replace("7", "8"), arm_frames=newer)
+def test_the_older_notebook_is_only_read(tmp_path):
+    old = written(tmp_path / "old", NAME, answered(NAME)[0])
+    before = old.read_bytes()
+    carry_over(old, written(tmp_path / "new", NAME, RELEASED[NAME]))
+    assert old.read_bytes() == before
+    assert [path.name for path in (tmp_path / "new").iterdir()] == [NAME]
+
+
+def test_what_is_written_in_the_new_notebook_stays_as_the_older_answer_is_named(tmp_path):
+    other = CODE.replace("7", "8")
+    new, report = carried(tmp_path, book_with(wrap_angle=CODE), book_with(wrap_angle=other))
+    assert text_of(cell_of(new, "wrap_angle")) == other
     assert (
-        "answers carried over: 0; answered here already: wrap_angle\n"
-        in carry_over(old, new).stdout
+        "The answer wrap_angle was not carried over, because another answer is written here "
+        "already. It is cell "
+    ) in report
+    assert "of ../old/notebook." in report
+
+
+def newer_stub(new, exercise):
+    """Give an exercise another stub, as a newer release does."""
+    cell = cell_of(new, exercise)
+    cell["source"] = text_of(cell).replace('"""', '"""Newer. ', 1)
+    new["metadata"]["course"]["stubs"][exercise] = program.fingerprint(cell["source"])
+    return new
+
+
+@pytest.mark.parametrize(("name", "exercise"), EXERCISES)
+def test_a_newer_stub_stays_if_the_older_one_is_untouched(tmp_path, name, exercise):
+    new = newer_stub(copy.deepcopy(RELEASED[name]), exercise)
+    after, report = carried(tmp_path, RELEASED[name], new, name)
+    assert after == new
+    assert report == f"{name}: nothing was carried over."
+
+
+def test_a_newer_stub_gives_way_to_an_answer(tmp_path):
+    new = newer_stub(copy.deepcopy(RELEASED[NAME]), "exp_se2")
+    after, _ = carried(tmp_path, book_with(exp_se2=CODE), new)
+    assert text_of(cell_of(after, "exp_se2")) == CODE
+
+
+def without_record(book):
+    """A notebook of a release that did not record its cells."""
+    book["metadata"]["course"] = {"release": "1.1.0-1"}
+    return book
+
+
+EXP_SE2_OF_1_0_0 = '''def exp_se2(twist):
+    """Return the pose (3, 3) that a constant twist reaches in unit time."""
+    raise NotImplementedError("Write exp_se2 here.")
+'''
+
+
+def test_the_stub_of_a_release_that_recorded_nothing_is_known(tmp_path):
+    _, report = carried(tmp_path, without_record(book_with(exp_se2=EXP_SE2_OF_1_0_0)))
+    assert report == f"{NAME}: nothing was carried over."
+
+
+def test_a_change_to_a_given_cell_of_a_release_that_recorded_nothing_is_named(tmp_path):
+    old = without_record(copy.deepcopy(RELEASED[NAME]))
+    imports = next(cell for cell in old["cells"] if cell["cell_type"] == "code")
+    imports["source"] = text_of(imports) + "\nimport random"
+    new, report = carried(tmp_path, old)
+    assert new == RELEASED[NAME]
+    assert "because the older release does not record what it had there" in report
+
+
+def test_a_stub_that_no_release_is_known_to_have_had_is_carried_over_in_doubt(tmp_path):
+    stub = 'def propagate_arm(a):\n    """Return it."""\n    raise NotImplementedError()'
+    new, report = carried(tmp_path, without_record(book_with(propagate_arm=stub)))
+    assert report == f"{NAME}: 1 answer was carried over."
+    assert text_of(cell_of(new, "propagate_arm")) == stub
+
+
+def test_an_exercise_that_is_gone_is_named(tmp_path):
+    old = book_with(arm_frames="pass")
+    cell_of(old, "arm_frames")["metadata"]["nbgrader"]["grade_id"] = "frames"
+    _, report = carried(tmp_path, old)
+    assert "frames was not carried over, because this release no longer has such" in report
+
+
+def test_a_deleted_answer_cell_is_named(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    old["cells"].remove(cell_of(old, "wrap_angle"))
+    _, report = carried(tmp_path, old)
+    assert "wrap_angle: ../old/notebook has no cell for its answer any more" in report
+
+
+def test_a_cell_that_became_raw_is_named_as_code_again(tmp_path):
+    old = book_with(wrap_angle=CODE)
+    cell_of(old, "wrap_angle")["cell_type"] = "raw"
+    new, report = carried(tmp_path, old)
+    assert cell_of(new, "wrap_angle")["cell_type"] == "code"
+    assert "wrap_angle: its cell had become a raw cell, and is a code cell again." in report
+
+
+def test_a_split_answer_is_named_with_its_cells(tmp_path):
+    old = damages.with_answers_that_are_split(book_with(wrap_angle=CODE))
+    _, report = carried(tmp_path, old)
+    assert "wrap_angle: its answer stood in the cells " in report
+    assert "1 answer was carried over." in report
+
+
+def test_a_copy_of_the_stub_is_no_part_of_an_answer(tmp_path):
+    old = damages.with_answers_that_are_duplicated(copy.deepcopy(RELEASED[NAME]))
+    cell_of(old, "wrap_angle")["source"] = CODE
+    new, _ = carried(tmp_path, old)
+    assert text_of(cell_of(new, "wrap_angle")) == CODE
+
+
+def test_a_picture_that_is_pasted_into_words_is_carried_over(tmp_path):
+    old = book_with(explain_wrap="![](attachment:image.png)")
+    pictures = {"image.png": {"image/png": "iVBORw0KGgo="}}
+    cell_of(old, "explain_wrap")["attachments"] = pictures
+    new, _ = carried(tmp_path, old)
+    assert cell_of(new, "explain_wrap")["attachments"] == pictures
+
+
+# ---- predictions, own cells, given cells ----
+
+
+def test_a_prediction_is_carried_over(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    cell_with_id(old, "predict-pole-choice")["source"] = 'check.pole.predict("b")'
+    new, report = carried(tmp_path, old)
+    assert report == f"{NAME}: 1 prediction was carried over."
+    assert new == old
+
+
+def test_a_prediction_without_metadata_or_ids_is_carried_over(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    cell_with_id(old, "predict-pole-choice")["source"] = 'check.pole.predict("b")'
+    new, _ = carried(tmp_path, damages.without_metadata_or_ids(old))
+    assert text_of(cell_with_id(new, "predict-pole-choice")) == 'check.pole.predict("b")'
+
+
+def test_an_own_cell_stands_below_the_cell_that_it_stood_below(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    at = old["cells"].index(cell_of(old, "wrap_angle")) + 1
+    old["cells"][at:at] = [new_cell("helper = 3"), new_cell("A note.", "markdown")]
+    old["cells"].insert(0, new_cell("print('top')"))
+    new, report = carried(tmp_path, old)
+    assert report == f"{NAME}: 3 cells of your own were carried over."
+    assert new["cells"] == old["cells"]
+
+
+def test_an_own_cell_that_was_changed_here_stays_as_the_older_one_is_named(tmp_path):
+    old, new = copy.deepcopy(RELEASED[NAME]), copy.deepcopy(RELEASED[NAME])
+    old["cells"].append(new_cell("helper = 3"))
+    new["cells"].append(old["cells"][-1] | {"source": "helper = 4"})
+    after, report = carried(tmp_path, old, new)
+    assert after == new
+    assert "was not carried over, because you have written something else there" in report
+
+
+def test_an_own_cell_that_answers_an_exercise_is_named(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    old["cells"].append(new_cell(CODE))
+    new, report = carried(tmp_path, old)
+    assert new["cells"][-1]["source"] == CODE
+    assert "wrap_angle: nothing is written in its answer cell, and a cell of your own" in report
+
+
+def test_a_change_to_a_given_cell_that_stays_is_carried_over(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    imports = next(cell for cell in old["cells"] if cell["cell_type"] == "code")
+    imports["source"] = text_of(imports) + "\nimport random"
+    new, report = carried(tmp_path, old)
+    assert report == f"{NAME}: 1 given cell that you had changed was carried over."
+    assert new["cells"] == old["cells"]
+
+
+def test_a_change_to_a_given_cell_of_which_there_is_a_newer_one_is_named(tmp_path):
+    old, new = copy.deepcopy(RELEASED[NAME]), copy.deepcopy(RELEASED[NAME])
+    imports = next(cell for cell in old["cells"] if cell["cell_type"] == "code")
+    cell_with_id(new, imports["id"])["source"] = "import numpy as np"
+    new["metadata"]["course"]["cells"] += " " + program.fingerprint("import numpy as np")
+    imports["source"] = text_of(imports) + "\nimport random"
+    after, report = carried(tmp_path, old, new)
+    assert after == new
+    assert "because this release has another text there" in report
+
+
+def test_a_change_to_a_check_is_named(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    cell = cell_with_id(old, "wrap-angle-check")
+    cell["source"] = "print(wrap_angle(1))"
+    new, report = carried(tmp_path, old)
+    assert new == RELEASED[NAME]
+    assert "because this cell is a task or a check of the course" in report
+
+
+# ---- imports that are in another place now ----
+
+
+def test_a_carried_cell_that_imports_what_has_moved_is_named_with_the_new_import(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    old["cells"].append(new_cell("%time\nfrom course_lib.checks import rigid_motion as check"))
+    old["cells"].append(
+        new_cell("import course_lib.checks.rotations\nfrom course_lib import cells")
     )
-    assert source(new, "wrap_angle") == CODE.replace("7", "8")
-    assert source(new, "arm_frames") == newer
+    _, report = carried(tmp_path, old)
+    moved = ("course_lib.checks.rigid_motion", "course_lib.checks.rotations", "course_lib.cells")
+    assert [name for name in moved if f"imports {name}, which this" not in report] == []
+    assert "`from course_lib.lessons.rigid_motion import check, figures`" in report
 
 
-def test_a_split_cell_is_put_together_and_an_exercise_that_is_gone_is_named(folders):
-    old, new = folders
-    notebook = nbformat.read(old / "notebooks" / NAME, 4)
-    second = cell_of(notebook, "wrap_angle").copy()
-    cell_of(notebook, "wrap_angle").source, second["source"], second["id"] = (
-        "turn = 7",
-        CODE,
-        "another",
-    )
-    notebook.cells.append(second)
-    cell_of(notebook, "arm_frames").source = "pass"
-    cell_of(notebook, "arm_frames").metadata.nbgrader.grade_id = "frames"
-    nbformat.write(notebook, old / "notebooks" / NAME)
-    assert "answers carried over: 1; no longer asked: frames\n" in carry_over(old, new).stdout
-    assert source(new, "wrap_angle") == f"turn = 7\n\n{CODE}"
-
-
-def test_unreadable_input_is_reported_in_a_sentence(folders):
-    old, new = folders
-    for folder in (old / "notebooks", old / "nowhere"):
-        done = carry_over(folder, new)
-        assert (done.returncode, done.stdout) == (1, "")
-        assert (
-            done.stderr
-            == "Name the folder of the older release, the one that holds its notebooks/.\n"
-        )
-    (old / "notebooks" / NAME).write_text("<<<<<<< {}")
-    before = (new / "notebooks" / NAME).read_bytes()
-    done = carry_over(old, new)
-    assert f"{NAME}: left as it is" in done.stderr
-    assert "Traceback" not in done.stderr
-    assert (new / "notebooks" / NAME).read_bytes() == before
-
-
-def test_a_checkout_has_its_exercises_in_a_folder_that_no_command_changes(tmp_path):
-    for name in (
-        f"notebooks/{NAME}",
-        "pyproject.toml",
-        "environment.txt",
-        "course_lib/pack/environment.sh",
-    ):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / name, tmp_path / name)
-    folder, original = tmp_path / "exercises", tmp_path / "notebooks" / NAME
-    assert [*prepare(tmp_path)] == [
-        "Made exercises/, where the notebooks are yours: no command changes them."
+def test_imports_of_what_is_there_are_not_named(tmp_path):
+    old = copy.deepcopy(RELEASED[NAME])
+    lines = [
+        "from course_lib.lessons.rigid_motion import check, figures",
+        "from course_lib.figures import alive, show",
+        "from course_lib.figures.plots import *",
+        "from course_lib.arms import ur5e",
+        "import course_lib.rigid as rigid",
     ]
-    assert "NotImplementedError" in cell_of(nbformat.read(folder / NAME, 4), "wrap_angle").source
+    old["cells"].append(new_cell("\n".join(lines)))
+    _, report = carried(tmp_path, old)
+    assert report == f"{NAME}: 1 cell of your own was carried over."
 
-    mine = nbformat.read(folder / NAME, 4)
-    cell_of(mine, "wrap_angle").source = CODE
-    nbformat.write(mine, folder / NAME)
-    before = (folder / NAME).read_bytes()
-    assert [*prepare(tmp_path)] == []
-    original.write_text(
-        original.read_text(encoding="utf-8").replace("# 2 ", "# Two "), encoding="utf-8"
-    )
-    assert "make update takes the" in next(prepare(tmp_path))
-    assert (folder / NAME).read_bytes() == before
 
-    aside, _, carried = prepare(tmp_path, update=True)
-    assert f"{NAME}: answers carried over: 1" in carried
-    newer = nbformat.read(folder / NAME, 4)
-    assert newer.cells[0].source.startswith("# Two ")
-    assert cell_of(newer, "wrap_angle").source == CODE
-    (older,) = tmp_path.glob("exercises-*")
-    assert older.name in aside
-    assert (older / NAME).read_bytes() == before
+def test_a_module_of_ones_own_that_imports_what_has_moved_is_named(tmp_path):
+    written(tmp_path / "old", "helper.py", b"from course_lib.checks import rotations as check\n")
+    written(tmp_path / "new", NAME, RELEASED[NAME])
+    lines = [*carry_folder(tmp_path / "old", tmp_path / "new").lines()]
+    assert "helper.py imports course_lib.checks.rotations, which this release has in" in lines[1]
 
-    (folder / NAME).unlink()  # to start a notebook over
-    assert [*prepare(tmp_path, update=True)] == ["The notebooks in exercises/ are of this version."]
-    assert (folder / NAME).exists()
+
+# ---- files ----
+
+
+@pytest.fixture
+def release(tmp_path):
+    """An older and a newer release of one notebook, with the program in both."""
+    for folder in ("old one", "new"):
+        written(tmp_path / folder / "notebooks", NAME, RELEASED[NAME])
+        shutil.copy(STUDENTS / "carry_over.py", tmp_path / folder)
+        shutil.copy(STUDENTS / "older_cells.json", tmp_path / folder)
+    return tmp_path / "old one", tmp_path / "new"
+
+
+def run(new, *arguments):
+    """Run the program with the standard library alone."""
+    command = [sys.executable, "-I", "-S", str(new / "carry_over.py"), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=600)
+
+
+def test_the_program_runs_with_the_standard_library_alone(release):
+    old, new = release
+    written(old / "notebooks", NAME, book_with(wrap_angle=CODE))
+    done = run(new, old)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == f"{NAME}: 1 answer was carried over.\n"
+
+
+def test_the_folder_of_notebooks_may_be_named_itself(release):
+    old, new = release
+    written(old / "notebooks", NAME, book_with(wrap_angle=CODE))
+    assert "1 answer was carried over" in run(new, old / "notebooks").stdout
+
+
+def test_a_folder_that_is_no_release_is_asked_for(release):
+    old, new = release
+    (old.parent / "robot-kinematics-1.1.0-1" / "notebooks").mkdir(parents=True)
+    for arguments in ([old / "nowhere"], [], [old, old]):
+        done = run(new, *arguments)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr == (
+            "Name the folder of the older release, the one that holds its notebooks/. Beside this "
+            "folder there is ../robot-kinematics-1.1.0-1.\n"
+        )
+
+
+def test_this_release_is_no_older_one(release):
+    _, new = release
+    assert "is the folder of this release." in run(new, new).stderr
+
+
+def test_after_a_notebook_is_mended_the_same_command_goes_on(release):
+    old, new = release
+    written(old / "notebooks", NAME, damages.half_merged(book_with(wrap_angle=CODE)))
+    done = run(new, old)
+    assert done.returncode == 1
+    assert "half merged: line 11 begins with <<<<<<<" in done.stdout
+    assert "Then run the same command again" in done.stderr
+    written(old / "notebooks", NAME, book_with(wrap_angle=CODE))
+    done = run(new, old)
+    assert (done.returncode, done.stdout) == (0, f"{NAME}: 1 answer was carried over.\n")
+
+
+def test_the_copy_that_jupyterlab_keeps_is_named(tmp_path):
+    saved = NAME.replace(".ipynb", "-checkpoint.ipynb")
+    written(tmp_path / "old/.ipynb_checkpoints", saved, RELEASED[NAME])
+    older = written(tmp_path / "old", NAME, b"")
+    report = str(carry_over(older, written(tmp_path / "new", NAME, RELEASED[NAME])))
+    assert f"JupyterLab has kept a copy, .ipynb_checkpoints/{saved}" in report
+
+
+def test_a_folder_with_the_name_of_a_notebook_is_named(tmp_path):
+    (tmp_path / "old" / NAME).mkdir(parents=True)
+    new = written(tmp_path / "new", NAME, RELEASED[NAME])
+    assert "is a folder, not a notebook." in str(carry_over(tmp_path / "old" / NAME, new))
+
+
+def test_a_file_that_may_not_be_read_is_named(tmp_path, monkeypatch):
+    older = written(tmp_path / "old", NAME, RELEASED[NAME])
+    new = written(tmp_path / "new", NAME, RELEASED[NAME])
+
+    def forbidden(path):
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "read_bytes", forbidden)
+    assert "you have no permission to read this file" in str(carry_over(older, new))
+
+
+def test_a_new_notebook_that_cannot_be_read_is_named(tmp_path):
+    older = written(tmp_path / "old", NAME, RELEASED[NAME])
+    report = carry_over(older, written(tmp_path / "new", NAME, b""))
+    assert "put it there again as it came" in report.problem
+    assert f"Your answers are in {older}." in report.problem
+
+
+def test_a_new_notebook_that_cannot_be_written_is_named(tmp_path, monkeypatch):
+    older = written(tmp_path / "old", NAME, answered(NAME)[0])
+    new = written(tmp_path / "new", NAME, RELEASED[NAME])
+    before = new.read_bytes()
+
+    def full(path, target):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(program.os, "replace", full)
+    assert "could not be written: No space left on device" in carry_over(older, new).problem
+    assert [path.read_bytes() for path in new.parent.iterdir()] == [before]
+
+
+def test_a_renamed_notebook_is_carried_over_by_what_it_holds(tmp_path):
+    written(tmp_path / "old", "my homework 2.ipynb", answered(NAME)[0])
+    new = written(tmp_path / "new", NAME, RELEASED[NAME])
+    report = [*carry_folder(tmp_path / "old", tmp_path / "new").lines()]
+    assert report[0] == f"{NAME}: 15 answers were carried over."
+    assert "This is from my homework 2.ipynb, which holds the same notebook." in report[1]
+    assert [path.name for path in new.parent.iterdir()] == [NAME]
+
+
+def test_a_copy_gives_what_the_notebook_itself_does_not_answer(tmp_path):
+    written(tmp_path / "old", NAME, book_with(wrap_angle=CODE))
+    second = book_with(wrap_angle=CODE.replace("7", "8"), arm_frames="x = 1")
+    written(tmp_path / "old", NAME.replace(".ipynb", "-Copy1.ipynb"), second)
+    path = written(tmp_path / "new", NAME, RELEASED[NAME])
+    report = "\n".join(carry_folder(tmp_path / "old", tmp_path / "new").lines())
+    assert json.loads(path.read_text("utf-8")) == book_with(wrap_angle=CODE, arm_frames="x = 1")
+    assert "The answer wrap_angle was not carried over" in report
+
+
+def test_files_of_the_students_own_are_copied_below_the_same_names(tmp_path):
+    names = ("helper.py", "data/own.csv", "sketch.ipynb", "pictures/a b.png")
+    for name in names:
+        (tmp_path / "old" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "old" / name).write_bytes(name.encode())
+    written(tmp_path / "old", NAME, RELEASED[NAME])
+    written(tmp_path / "old/__pycache__", "helper.pyc", b"1")
+    written(tmp_path / "old/.ipynb_checkpoints", "x.ipynb", b"1")
+    new = written(tmp_path / "new", NAME, RELEASED[NAME]).parent
+    lines = [*carry_folder(tmp_path / "old", new).lines()]
+    copied = {str(path.relative_to(new)) for path in new.rglob("*") if path.is_file()}
+    assert copied == {NAME, *names}
+    assert "had them: helper.py, sketch.ipynb, data/own.csv" in lines[-1]
+
+
+def test_a_file_that_differs_here_stays_as_it_is_named(tmp_path):
+    written(tmp_path / "old", "notes.md", b"mine")
+    written(tmp_path / "new", NAME, RELEASED[NAME])
+    written(tmp_path / "new", "notes.md", b"theirs")
+    lines = [*carry_folder(tmp_path / "old", tmp_path / "new", "../old").lines()]
+    assert (tmp_path / "new/notes.md").read_bytes() == b"theirs"
+    assert lines[-1].startswith("These files differ between ../old and here")
+    assert lines[-1].endswith(": notes.md.")
+
+
+def test_a_file_that_is_none_is_named(tmp_path):
+    (tmp_path / "old").mkdir()
+    (tmp_path / "old/far").symlink_to(tmp_path)
+    (tmp_path / "old/gone.csv").symlink_to(tmp_path / "nowhere")
+    written(tmp_path / "new", NAME, RELEASED[NAME])
+    lines = [*carry_folder(tmp_path / "old", tmp_path / "new", "../old").lines()]
+    assert lines[1:] == [
+        f"../old/{name} was not copied: it is no file to be read." for name in ("far", "gone.csv")
+    ]

@@ -1,70 +1,204 @@
 """The folder that ``make lab`` opens: the students' notebooks of this checkout, for a student's own work.
 
 ``python -m course_lib.pack.release.exercises`` makes it once and never changes a file in it. With
-``--update`` it is put aside, made anew, and its answers are carried over.
+``--update`` a new one is made beside it, with its answers; then the two change places. Whatever
+interrupts that, the student's work is in ``exercises/`` or in a folder that the next run names.
 """
 
+from __future__ import annotations
+
 import hashlib
+import shutil
 import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from course_lib.pack.files import write_atomically
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named
-from course_lib.pack.release.students.carry_over import carry_over
+from course_lib.pack.release.students.carry_over import carry_folder
 
 FOLDER = "exercises"
-MADE_FROM = ".made-from"  # in the folder: a hash of the notebooks as they were released
+MAKING = "exercises-making"  # the new folder until it is complete
+MADE_FROM = ".made-from"  # in the folder, written last: what Origin holds
+PENDING = "pending"
 
 
-def main(arguments=None):
-    """Make the folder, or say what to do about an older one; return an exit code."""
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Make or update the folder; return an exit code: 1 if something could not be carried over."""
     update = "--update" in (sys.argv[1:] if arguments is None else arguments)
+    root = Path.cwd()
     try:
-        for line in prepare(Path.cwd(), update):
+        for line in prepare(root, update):
             print(line)
     except (ReleaseError, OSError) as error:
-        print(f"{FOLDER}/ could not be made. {error}", file=sys.stderr)
+        what = "updated; it stays as it was" if update else "made"
+        print(f"{FOLDER}/ could not be {what}. {error}", file=sys.stderr)
         return 1
-    return 0
+    origin = Origin.of(root / FOLDER)
+    return 1 if update and origin and origin.pending else 0
 
 
-def prepare(root, update=False):
-    """Write what is missing in the folder of exercises of the project at `root`; yield sentences on what was done.
+@dataclass
+class Origin:
+    """What a folder of exercises was made from.
 
-    update: whether a folder of an older version is put aside, and its answers are carried over into
-    a new one. Raises ReleaseError if a notebook cannot be released, or the name under which the
-    older folder is kept is taken.
+    digest: a hash of the notebooks as they were released. release: its number. pending: pairs
+    (older folder, notebook) of what could not be carried over yet.
+    """
+
+    digest: str
+    release: str
+    pending: list[tuple[str, str]]
+
+    @classmethod
+    def of(cls, folder: Path) -> Origin | None:
+        """Return what a folder says that it was made from; None if it says nothing."""
+        try:
+            first, *rest = (folder / MADE_FROM).read_text(encoding="utf-8").splitlines()
+            digest, release = first.split()
+        except (OSError, ValueError):
+            return None
+        pending = [tuple(line.split("\t")[1:3]) for line in rest if line.count("\t") == 2]
+        return cls(digest, release, pending)
+
+    def write(self, folder: Path) -> None:
+        """Write this into a folder."""
+        lines = [f"{self.digest} {self.release}"]
+        lines += [f"{PENDING}\t{older}\t{name}" for older, name in self.pending]
+        write_atomically(folder / MADE_FROM, "\n".join(lines) + "\n", mode=0o644)
+
+
+def prepare(root: Path, update: bool = False) -> Iterator[str]:
+    """Make the folder of exercises of the project at `root`; yield sentences on what was done.
+
+    Parameters
+    ----------
+    root : Path
+    update : bool
+        Whether a folder of an older version is put aside, and its answers are carried over into a
+        new one.
+
+    Raises
+    ------
+    ReleaseError
+        If a notebook cannot be released.
+    OSError
+        If a file or folder cannot be written. The folder of exercises is then as it was.
     """
     folder = root / FOLDER
     digest, release, files = _released(root)
-    made_from = folder / MADE_FROM
-    before = made_from.read_text().split() if made_from.exists() else None
-    aside = None
-    if before and before[0] != digest:
-        if not update:
-            yield f"The notebooks in {FOLDER}/ are of an earlier version, and stay as they are: make update takes the"
-            yield "new ones and carries your answers over."
-            return
-        aside = root / f"{FOLDER}-{before[1]}"
-        if aside.exists():
-            raise ReleaseError(f"{aside.name}/ is there already: give it another name.")
-        folder.rename(aside)
-        yield f"The older notebooks are in {aside.name}/ now."
-    elif before and update:
-        yield f"The notebooks in {FOLDER}/ are of this version."
-    for name in files:
-        if not (folder / name).exists():
-            write_atomically(folder / name, files[name], mode=0o644)
-    if aside or not before:
-        write_atomically(made_from, f"{digest} {release}\n", mode=0o644)
+    origin = Origin(digest, release, [])
+    if _finish_interrupted(root):
+        yield f"An update was interrupted. It is complete now: {FOLDER}/ has the new notebooks."
+    before = Origin.of(folder)
+    if not folder.exists() or not any(folder.iterdir()):
+        _make(root / MAKING, files)
+        origin.write(root / MAKING)
+        if folder.exists():
+            folder.rmdir()
+        (root / MAKING).rename(folder)
         yield f"Made {FOLDER}/, where the notebooks are yours: no command changes them."
-    for path in sorted(aside.glob("[0-9][0-9]_*.ipynb") if aside else ()):
-        if (folder / path.name).exists():
-            yield f"{path.name}: {carry_over(path, folder / path.name)}"
+    elif before and before.digest == digest:
+        _write_missing(folder, files)
+        if before.pending and update:
+            yield from _carry_pending(root, before)
+        elif before.pending:
+            names = ", ".join(f"{older}/{name}" for older, name in before.pending)
+            yield f"Not carried over yet, because it could not be read: {names}. Run make update."
+        elif update:
+            yield f"The notebooks in {FOLDER}/ are of this version."
+    elif update:
+        yield from _replace(root, files, origin, before)
+    else:
+        version = "of an earlier version" if before else "of a version that nothing there names"
+        yield (
+            f"The notebooks in {FOLDER}/ are {version}, and stay as they are: make update takes "
+            f"the new ones and carries your answers over."
+        )
 
 
-def _released(root):
+def _finish_interrupted(root: Path) -> bool:
+    """Put a new folder in its place if only that last step of an update is missing; say whether.
+
+    One that is incomplete, or was not needed, holds nothing but copies, and is deleted.
+    """
+    making = root / MAKING
+    complete = Origin.of(making) is not None
+    if complete and not (root / FOLDER).exists():
+        making.rename(root / FOLDER)
+        return True
+    if making.exists():
+        shutil.rmtree(making)
+    return False
+
+
+def _make(folder: Path, files: dict[str, bytes]) -> None:
+    folder.mkdir()
+    _write_missing(folder, files)
+
+
+def _write_missing(folder: Path, files: dict[str, bytes]) -> None:
+    for name, content in files.items():
+        if not (folder / name).exists():
+            write_atomically(folder / name, content, mode=0o644)
+
+
+def _replace(
+    root: Path, files: dict[str, bytes], origin: Origin, before: Origin | None
+) -> Iterator[str]:
+    """Make a new folder with the answers of the older one, then let the two change places."""
+    folder, making = root / FOLDER, root / MAKING
+    aside = _free_name(root, before.release if before else "before")
+    _make(making, files)
+    update = carry_folder(folder, making, shown=aside.name)
+    origin.pending = [(aside.name, name) for name in update.failed()]
+    lines = [*update.lines()]
+    for older, name in before.pending if before else ():
+        lines += _carry_one(root / older, making, name, origin)
+    origin.write(making)
+    folder.rename(aside)
+    try:
+        making.rename(folder)
+    except OSError:
+        aside.rename(folder)
+        raise
+    yield f"Made {FOLDER}/ anew. The older notebooks are in {aside.name}/ now, as they were."
+    yield from lines
+    if origin.pending:
+        yield "Then run make update again: what is here already stays."
+
+
+def _free_name(root: Path, release: str) -> Path:
+    """Return the path under which an older folder can be kept."""
+    path, number = root / f"{FOLDER}-{release}", 1
+    while path.exists() or path.is_symlink():
+        number += 1
+        path = root / f"{FOLDER}-{release}-{number}"
+    return path
+
+
+def _carry_pending(root: Path, before: Origin) -> Iterator[str]:
+    """Carry over what could not be read the last time."""
+    after = Origin(before.digest, before.release, [])
+    for older, name in before.pending:
+        yield from _carry_one(root / older, root / FOLDER, name, after)
+    after.write(root / FOLDER)
+    if after.pending:
+        yield "Then run make update again: what is here already stays."
+
+
+def _carry_one(older: Path, folder: Path, name: str, origin: Origin) -> list[str]:
+    """Carry one notebook over that could not be read before; return sentences."""
+    if not older.is_dir():
+        return [f"{name}: {older.name}/ is not there any more, so nothing is carried over from it."]
+    update = carry_folder(older, folder, shown=older.name, only=[name])
+    origin.pending += [(older.name, failed) for failed in update.failed()]
+    return [*update.lines()]
+
+
+def _released(root: Path) -> tuple[str, str, dict[str, bytes]]:
     """Return a hash of the students' notebooks, the release, and {path below notebooks/: bytes} of all beside them."""
     release, files = named(collect(root))
     files = {

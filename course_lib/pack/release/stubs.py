@@ -9,6 +9,7 @@ from course_lib.checks.errors import UNWRITTEN
 from course_lib.pack.more import cells_of_more, heading_level
 from course_lib.pack.notebooks import tidy
 from course_lib.pack.release import PROMPT, ReleaseError
+from course_lib.pack.release.students.carry_over import fingerprint
 
 BEGIN, END = "BEGIN SOLUTION", "END SOLUTION"  # anywhere in a line, as nbgrader has it
 FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")
@@ -34,9 +35,26 @@ def students_copy(text, name, release, more=True):
         first.outputs = shown
     if not more:
         _leave_out_more(notebook)
-    notebook.metadata["course"] = {**notebook.metadata.get("course", {}), "release": release}
+    course = {**notebook.metadata.get("course", {}), "release": release}
+    notebook.metadata["course"] = course | _record(notebook.cells)
     tidy(notebook)
     return nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+
+
+def _record(cells):
+    """Return what a release says of its cells, so that an update knows what a student has changed.
+
+    The keys are "stubs", {exercise: hash of its answer cell}, and "cells", the hashes of all others
+    in one text, separated by spaces.
+    """
+    stubs, others = {}, set()
+    for cell in cells:
+        about = cell.metadata.get("nbgrader", {})
+        if about.get("solution"):
+            stubs[about["grade_id"]] = fingerprint(cell.source)
+        else:
+            others.add(fingerprint(cell.source))
+    return {"stubs": stubs, "cells": " ".join(sorted(others))}
 
 
 def _read(text, name):

@@ -1,0 +1,302 @@
+"""``exercises/`` of a checkout: made once, renewed by make update, and safe whatever interrupts that."""
+
+import copy
+import json
+import os
+import shutil
+import subprocess
+import sys
+from itertools import count
+from pathlib import Path
+
+import damages
+import pytest
+from damages import encoded, name_of
+
+from course_lib.pack.release import exercises
+from course_lib.pack.release.bundle import STUDENTS
+from course_lib.pack.release.exercises import FOLDER, MAKING, main, prepare
+
+ROOT = Path(__file__).parents[1]
+NAME, OTHER = "02_rigid_motion.ipynb", "06_decomposition_ik.ipynb"
+CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so far'
+OF_THIS_VERSION = ["The notebooks in exercises/ are of this version."]
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A checkout with two notebooks, whose exercises are made."""
+    needed = ("pyproject.toml", "environment.txt", "course_lib/pack/environment.sh")
+    for name in (f"notebooks/{NAME}", f"notebooks/{OTHER}", *needed):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    assert [*prepare(tmp_path)] == [
+        "Made exercises/, where the notebooks are yours: no command changes them."
+    ]
+    return tmp_path
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def source(path, exercise):
+    (cell,) = (cell for cell in read(path)["cells"] if name_of(cell) == exercise)
+    return "".join(cell["source"])
+
+
+def answer(path, exercise, text):
+    """Write an answer as a student does; return the bytes of the file."""
+    book = read(path)
+    for cell in book["cells"]:
+        if name_of(cell) == exercise:
+            cell["source"] = text
+    path.write_bytes(encoded(book))
+    return path.read_bytes()
+
+
+def release_anew(root, title="# Two "):
+    """Change a notebook of the course, as a newer version does."""
+    path = root / "notebooks" / NAME
+    text = path.read_text(encoding="utf-8")
+    assert '"# 2 ' in text or '"# Two ' in text
+    text = text.replace('"# 2 ', f'"{title}').replace('"# Two ', f'"{title}')
+    path.write_text(text, encoding="utf-8")
+
+
+def asides(root):
+    return sorted(path.name for path in root.glob(f"{FOLDER}-*"))
+
+
+# ---- made once ----
+
+
+def test_the_notebooks_have_stubs(root):
+    assert "NotImplementedError" in source(root / FOLDER / NAME, "wrap_angle")
+
+
+def test_a_second_run_changes_nothing(root):
+    before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    assert [*prepare(root)] == []
+    assert [*prepare(root, update=True)] == OF_THIS_VERSION
+    assert (root / FOLDER / NAME).read_bytes() == before
+
+
+def test_a_notebook_that_was_deleted_is_made_again(root):
+    (root / FOLDER / NAME).unlink()
+    assert [*prepare(root)] == []
+    assert "NotImplementedError" in source(root / FOLDER / NAME, "wrap_angle")
+
+
+def test_an_older_version_stays_until_make_update(root):
+    before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    release_anew(root)
+    (line,) = prepare(root)
+    assert line == (
+        "The notebooks in exercises/ are of an earlier version, and stay as they are: make update "
+        "takes the new ones and carries your answers over."
+    )
+    assert (root / FOLDER / NAME).read_bytes() == before
+
+
+# ---- make update ----
+
+
+def test_make_update_takes_the_new_notebooks_with_the_answers(root):
+    before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    release_anew(root)
+    lines = [*prepare(root, update=True)]
+    (aside,) = asides(root)
+    assert lines == [
+        f"Made exercises/ anew. The older notebooks are in {aside}/ now, as they were.",
+        f"{NAME}: 1 answer was carried over.",
+        f"{OTHER}: nothing was carried over.",
+    ]
+    assert read(root / FOLDER / NAME)["cells"][0]["source"][0].startswith("# Two ")
+    assert source(root / FOLDER / NAME, "wrap_angle") == CODE
+    assert (root / aside / NAME).read_bytes() == before
+    assert [*prepare(root, update=True)] == OF_THIS_VERSION
+
+
+def test_files_of_ones_own_are_in_the_new_folder(root):
+    (root / FOLDER / "helper.py").write_text("x = 1\n")
+    release_anew(root)
+    assert any(line.endswith("had them: helper.py.") for line in prepare(root, update=True))
+    assert (root / FOLDER / "helper.py").read_text() == "x = 1\n"
+
+
+@pytest.mark.parametrize("damage", damages.UNREADABLE, ids=lambda damage: damage.__name__)
+def test_a_notebook_that_cannot_be_read_is_named_as_the_others_are_carried_over(root, damage):
+    before = damage(read(root / FOLDER / NAME))
+    before = before if isinstance(before, bytes) else encoded(before)
+    (root / FOLDER / NAME).write_bytes(before)
+    answer(root / FOLDER / OTHER, "fk_2r", "x = 1")
+    release_anew(root)
+    lines = [*prepare(root, update=True)]
+    (aside,) = asides(root)
+    assert lines[1].startswith(f"{NAME}: {aside}/{NAME} ")
+    assert lines[2:] == [
+        f"{OTHER}: 1 answer was carried over.",
+        "Then run make update again: what is here already stays.",
+    ]
+    assert source(root / FOLDER / OTHER, "fk_2r") == "x = 1"
+    assert (root / aside / NAME).read_bytes() == before
+    assert "NotImplementedError" in source(root / FOLDER / NAME, "wrap_angle")
+
+
+@pytest.fixture
+def half_done(root):
+    """A checkout after an update that could not read one notebook; also that notebook, mended."""
+    answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    mended = read(root / FOLDER / NAME)
+    (root / FOLDER / NAME).write_bytes(damages.half_merged(copy.deepcopy(mended)))
+    release_anew(root)
+    assert any("is half merged: line 11" in line for line in prepare(root, update=True))
+    return root, mended
+
+
+def test_make_lab_says_what_is_not_carried_over_yet(half_done):
+    root, _ = half_done
+    (aside,) = asides(root)
+    assert [*prepare(root)] == [
+        f"Not carried over yet, because it could not be read: {aside}/{NAME}. Run make update."
+    ]
+
+
+def test_a_second_update_says_again_what_cannot_be_read(half_done, monkeypatch):
+    root, _ = half_done
+    lines = [*prepare(root, update=True)]
+    assert "is half merged: line 11" in lines[0]
+    monkeypatch.chdir(root)
+    assert main(["--update"]) == 1
+
+
+def test_a_second_update_goes_on_with_a_notebook_that_was_mended(half_done, monkeypatch):
+    root, mended = half_done
+    (aside,) = asides(root)
+    (root / aside / NAME).write_bytes(encoded(mended))
+    assert [*prepare(root, update=True)] == [f"{NAME}: 1 answer was carried over."]
+    assert source(root / FOLDER / NAME, "wrap_angle") == CODE
+    assert [*prepare(root, update=True)] == OF_THIS_VERSION
+    monkeypatch.chdir(root)
+    assert main(["--update"]) == 0
+
+
+def test_what_could_not_be_read_is_tried_again_in_the_next_version(half_done):
+    root, mended = half_done
+    (aside,) = asides(root)
+    release_anew(root, "# Three ")
+    assert any("is half merged" in line for line in prepare(root, update=True))
+    (root / aside / NAME).write_bytes(encoded(mended))
+    assert f"{NAME}: 1 answer was carried over." in [*prepare(root, update=True)]
+    assert source(root / FOLDER / NAME, "wrap_angle") == CODE
+
+
+def test_an_older_folder_that_was_deleted_is_named(half_done):
+    root, _ = half_done
+    (aside,) = asides(root)
+    shutil.rmtree(root / aside)
+    assert [*prepare(root, update=True)] == [
+        f"{NAME}: {aside}/ is not there any more, so nothing is carried over from it."
+    ]
+    assert [*prepare(root, update=True)] == OF_THIS_VERSION
+
+
+def test_a_name_that_is_taken_is_left_alone(root):
+    answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    release = exercises.Origin.of(root / FOLDER).release
+    (root / f"{FOLDER}-{release}").mkdir()
+    release_anew(root)
+    assert f"{FOLDER}-{release}-2/ now" in next(prepare(root, update=True))
+    assert [*(root / f"{FOLDER}-{release}").iterdir()] == []
+
+
+@pytest.mark.parametrize("content", [None, b"", b"one", b"\xff\xfe", b"a b c\n"])
+def test_a_folder_that_does_not_name_its_version_is_put_aside(root, content):
+    answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    (root / FOLDER / ".made-from").unlink()
+    if content is not None:
+        (root / FOLDER / ".made-from").write_bytes(content)
+    (line,) = prepare(root)
+    assert "are of a version that nothing there names, and stay as they are" in line
+    assert "exercises-before/" in next(prepare(root, update=True))
+    assert source(root / FOLDER / NAME, "wrap_angle") == CODE
+
+
+def test_a_folder_that_cannot_be_renamed_stays_as_it_was(root, monkeypatch, capsys):
+    before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    release_anew(root)
+    rename = Path.rename
+
+    def in_use(path, target):
+        if path.name == MAKING:
+            raise PermissionError(13, "The process cannot access the file", str(path))
+        return rename(path, target)
+
+    monkeypatch.setattr(Path, "rename", in_use)
+    monkeypatch.chdir(root)
+    assert main(["--update"]) == 1
+    assert "exercises/ could not be updated; it stays as it was." in capsys.readouterr().err
+    assert (root / FOLDER / NAME).read_bytes() == before
+
+
+# ---- killed in the middle ----
+
+
+def killed(step, *command, folder):
+    """Run a program that is killed before a step; return whether it was."""
+    program = [sys.executable, str(ROOT / "tests/killed.py"), str(step), *command]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(program, cwd=folder, env=environment, capture_output=True, text=True)
+    assert done.returncode in (0, -9), done.stderr
+    return done.returncode == -9
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
+def test_an_update_that_is_killed_at_any_step_loses_nothing(root, tmp_path_factory):
+    (root / "notebooks" / OTHER).unlink()  # one notebook has all kinds of steps
+    shutil.rmtree(root / FOLDER)
+    assert [*prepare(root)] != []
+    before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
+    (root / FOLDER / "helper.py").write_text("x = 1\n")
+    release_anew(root)
+    for step in count(1):
+        copied = tmp_path_factory.mktemp("killed") / "checkout"
+        shutil.copytree(root, copied)
+        was_killed = killed(step, "course_lib.pack.release.exercises", "--update", folder=copied)
+        kept = [path.read_bytes() for path in copied.glob(f"{FOLDER}*/{NAME}")]
+        assert before in kept, step
+        lab, update = [*prepare(copied)], [*prepare(copied, update=True)]
+        assert source(copied / FOLDER / NAME, "wrap_angle") == CODE, (step, lab, update)
+        assert (copied / FOLDER / "helper.py").exists(), step
+        assert not (copied / MAKING).exists()
+        (aside,) = asides(copied)
+        assert (copied / aside / NAME).read_bytes() == before
+        shutil.rmtree(copied)
+        if not was_killed:
+            break
+    assert step > 20
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
+def test_an_update_from_a_zip_that_is_killed_at_any_step_loses_nothing(root, tmp_path):
+    for folder in ("old", "new"):
+        shutil.copytree(root / FOLDER, tmp_path / folder / "notebooks")
+    before = answer(tmp_path / "old/notebooks" / NAME, "wrap_angle", CODE)
+    (tmp_path / "old/notebooks/helper.py").write_text("x = 1\n")
+    for name in ("carry_over.py", "older_cells.json"):
+        shutil.copy(STUDENTS / name, tmp_path / "new")
+    for step in count(1):
+        new = tmp_path / f"new-{step}"
+        shutil.copytree(tmp_path / "new", new)
+        command = [str(new / "carry_over.py"), str(tmp_path / "old")]
+        was_killed = killed(step, *command, folder=new)
+        assert source(new / "notebooks" / NAME, "explain_wrap") == "*Type your answer here.*"
+        assert not killed(10_000, *command, folder=new)
+        assert source(new / "notebooks" / NAME, "wrap_angle") == CODE
+        assert (new / "notebooks/helper.py").read_text() == "x = 1\n"
+        assert [path.name for path in (new / "notebooks").glob(".*.part")] == []
+        assert (tmp_path / "old/notebooks" / NAME).read_bytes() == before
+        if not was_killed:
+            break
+    assert step > 3
