@@ -6,7 +6,6 @@ import os
 import shutil
 import subprocess
 import sys
-from itertools import count
 from pathlib import Path
 
 import damages
@@ -23,17 +22,22 @@ CODE = 'def wrap_angle(angle):\n    """Return it."""\n    return angle % 7  # so
 OF_THIS_VERSION = ["The notebooks in exercises/ are of this version."]
 
 
+def checkout(folder, *names):
+    """Make a checkout with these notebooks, and its exercises."""
+    needed = ("pyproject.toml", "environment.txt", "course_lib/pack/environment.sh")
+    for name in (*(f"notebooks/{name}" for name in names), *needed):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, folder / name)
+    assert [*prepare(folder)] == [
+        "Made exercises/, where the notebooks are yours: no command changes them."
+    ]
+    return folder
+
+
 @pytest.fixture
 def root(tmp_path):
     """A checkout with two notebooks, whose exercises are made."""
-    needed = ("pyproject.toml", "environment.txt", "course_lib/pack/environment.sh")
-    for name in (f"notebooks/{NAME}", f"notebooks/{OTHER}", *needed):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / name, tmp_path / name)
-    assert [*prepare(tmp_path)] == [
-        "Made exercises/, where the notebooks are yours: no command changes them."
-    ]
-    return tmp_path
+    return checkout(tmp_path, NAME, OTHER)
 
 
 def read(path):
@@ -243,60 +247,83 @@ def test_a_folder_that_cannot_be_renamed_stays_as_it_was(root, monkeypatch, caps
 # ---- killed in the middle ----
 
 
-def killed(step, *command, folder):
-    """Run a program that is killed before a step; return whether it was."""
-    program = [sys.executable, str(ROOT / "tests/killed.py"), str(step), *command]
-    environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    done = subprocess.run(program, cwd=folder, env=environment, capture_output=True, text=True)
-    assert done.returncode in (0, -9), done.stderr
-    return done.returncode == -9
+def killed_at_every_step(folder, copies, *program):
+    """Make copies of a folder in which a program was killed before its step 1, 2, …; return them."""
+    command = [sys.executable, str(ROOT / "tests/killed.py"), str(folder), str(copies), *program]
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": "1"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return sorted(copies.iterdir(), key=lambda path: int(path.name))
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
-def test_an_update_that_is_killed_at_any_step_loses_nothing(root, tmp_path_factory):
-    (root / "notebooks" / OTHER).unlink()  # one notebook has all kinds of steps
-    shutil.rmtree(root / FOLDER)
-    assert [*prepare(root)] != []
+@pytest.fixture(scope="module")
+def killed_updates(tmp_path_factory):
+    """A folder of checkouts in which make update was killed at each step, and the bytes of a student's notebook."""
+    root = checkout(tmp_path_factory.mktemp("killed") / "checkout", NAME)
     before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
     (root / FOLDER / "helper.py").write_text("x = 1\n")
     release_anew(root)
-    for step in count(1):
-        copied = tmp_path_factory.mktemp("killed") / "checkout"
-        shutil.copytree(root, copied)
-        was_killed = killed(step, "course_lib.pack.release.exercises", "--update", folder=copied)
-        kept = [path.read_bytes() for path in copied.glob(f"{FOLDER}*/{NAME}")]
-        assert before in kept, step
-        lab, update = [*prepare(copied)], [*prepare(copied, update=True)]
-        assert source(copied / FOLDER / NAME, "wrap_angle") == CODE, (step, lab, update)
-        assert (copied / FOLDER / "helper.py").exists(), step
-        assert not (copied / MAKING).exists()
-        (aside,) = asides(copied)
-        assert (copied / aside / NAME).read_bytes() == before
-        shutil.rmtree(copied)
-        if not was_killed:
-            break
-    assert step > 20
+    program = ("course_lib.pack.release.exercises", "--update")
+    killed_at_every_step(root, root.with_name("copies"), *program)
+    return root.with_name("copies"), before
+
+
+@pytest.fixture
+def after_kills(killed_updates, tmp_path, monkeypatch):
+    """Copies of those checkouts, for one test."""
+    copies, _ = killed_updates
+    released = exercises._released(copies / "1")
+    monkeypatch.setattr(exercises, "_released", lambda root: released)  # of all of them the same
+    shutil.copytree(copies, tmp_path / "copies")
+    return [*(tmp_path / "copies").iterdir()]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
-def test_an_update_from_a_zip_that_is_killed_at_any_step_loses_nothing(root, tmp_path):
+def test_an_update_that_is_killed_at_any_step_loses_nothing(killed_updates):
+    copies, before = killed_updates
+    assert len([*copies.iterdir()]) > 20
+    for copied in copies.iterdir():
+        kept = [path.read_bytes() for path in copied.glob(f"{FOLDER}*/{NAME}")]
+        assert before in kept, copied.name
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
+def test_make_lab_after_a_kill_opens_a_folder_with_the_answers(after_kills):
+    for copied in after_kills:
+        lines = [*prepare(copied)]
+        assert source(copied / FOLDER / NAME, "wrap_angle") == CODE, (copied.name, lines)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
+def test_a_second_update_after_a_kill_is_complete(killed_updates, after_kills):
+    for copied in after_kills:
+        lines = [*prepare(copied, update=True)]
+        new = copied / FOLDER
+        assert source(new / NAME, "wrap_angle") == CODE, (copied.name, lines)
+        assert read(new / NAME)["cells"][0]["source"][0].startswith("# Two "), copied.name
+        assert (new / "helper.py").exists(), copied.name
+        assert not (copied / MAKING).exists()
+        (aside,) = asides(copied)
+        assert (copied / aside / NAME).read_bytes() == killed_updates[1]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
+def test_an_update_from_a_zip_that_is_killed_at_any_step_is_completed_by_the_next(root, tmp_path):
+    both = tmp_path / "both"
     for folder in ("old", "new"):
-        shutil.copytree(root / FOLDER, tmp_path / folder / "notebooks")
-    before = answer(tmp_path / "old/notebooks" / NAME, "wrap_angle", CODE)
-    (tmp_path / "old/notebooks/helper.py").write_text("x = 1\n")
+        shutil.copytree(root / FOLDER, both / folder / "notebooks")
+    before = answer(both / "old/notebooks" / NAME, "wrap_angle", CODE)
+    (both / "old/notebooks/helper.py").write_text("x = 1\n")
     for name in ("carry_over.py", "older_cells.json"):
-        shutil.copy(STUDENTS / name, tmp_path / "new")
-    for step in count(1):
-        new = tmp_path / f"new-{step}"
-        shutil.copytree(tmp_path / "new", new)
-        command = [str(new / "carry_over.py"), str(tmp_path / "old")]
-        was_killed = killed(step, *command, folder=new)
-        assert source(new / "notebooks" / NAME, "explain_wrap") == "*Type your answer here.*"
-        assert not killed(10_000, *command, folder=new)
-        assert source(new / "notebooks" / NAME, "wrap_angle") == CODE
-        assert (new / "notebooks/helper.py").read_text() == "x = 1\n"
-        assert [path.name for path in (new / "notebooks").glob(".*.part")] == []
-        assert (tmp_path / "old/notebooks" / NAME).read_bytes() == before
-        if not was_killed:
-            break
-    assert step > 3
+        shutil.copy(STUDENTS / name, both / "new")
+    copies = killed_at_every_step(both, tmp_path / "copies", "new/carry_over.py", "old")
+    assert len(copies) > 3
+    for copy_of_both in copies:
+        new = copy_of_both / "new/notebooks"
+        assert source(new / NAME, "explain_wrap") == "*Type your answer here.*"
+        command = [sys.executable, "new/carry_over.py", "old"]
+        subprocess.run(command, cwd=copy_of_both, check=True, capture_output=True)
+        assert source(new / NAME, "wrap_angle") == CODE
+        assert (new / "helper.py").read_text() == "x = 1\n"
+        assert [*new.glob(".*.part")] == []
+        assert (copy_of_both / "old/notebooks" / NAME).read_bytes() == before
