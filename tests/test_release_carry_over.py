@@ -504,6 +504,29 @@ def test_a_file_that_may_not_be_read_is_named(tmp_path, monkeypatch):
     assert "you have no permission to read this file" in str(carry_over(older, new))
 
 
+def test_an_older_folder_that_may_not_be_read_is_named(tmp_path, monkeypatch):
+    written(tmp_path / "old", NAME, answered(NAME)[0])
+    written(tmp_path / "new", NAME, RELEASED[NAME])
+
+    def forbidden(path):
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(program.os, "listdir", forbidden)
+    update = carry_folder(tmp_path / "old", tmp_path / "new", "../old")
+    assert [*update.lines()] == ["../old cannot be read: Permission denied."]
+    assert update.failed() == [NAME]
+
+
+def test_a_given_cell_that_uses_the_name_of_an_exercise_is_no_answer(tmp_path):
+    old, new = copy.deepcopy(RELEASED[NAME]), copy.deepcopy(RELEASED[NAME])
+    old["cells"].remove(cell_of(old, "wrap_angle"))
+    old["cells"].append(new_cell("wrap_angle = check.wrap_angle.use(wrap_angle)"))
+    old["metadata"]["course"]["cells"] += " " + program.fingerprint(text_of(old["cells"][-1]))
+    after, report = carried(tmp_path, old, new)
+    assert after == new
+    assert ": nothing was carried over." in report
+
+
 def test_a_new_notebook_that_cannot_be_read_is_named(tmp_path):
     older = written(tmp_path / "old", NAME, RELEASED[NAME])
     report = carry_over(older, written(tmp_path / "new", NAME, b""))

@@ -7,6 +7,7 @@ interrupts that, the student's work is in ``exercises/`` or in a folder that the
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import shutil
 import sys
@@ -29,15 +30,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Make or update the folder; return an exit code: 1 if something could not be carried over."""
     update = "--update" in (sys.argv[1:] if arguments is None else arguments)
     root = Path.cwd()
+    lines = []
     try:
+        # Printed afterwards: a pipe that is closed is no reason to call the update a failure.
         for line in prepare(root, update):
-            print(line)
+            lines.append(line)
     except (ReleaseError, OSError) as error:
+        _print(lines)
         what = "updated; it stays as it was" if update else "made"
         print(f"{FOLDER}/ could not be {what}. {error}", file=sys.stderr)
         return 1
+    _print(lines)
     origin = Origin.of(root / FOLDER)
     return 1 if update and origin and origin.pending else 0
+
+
+def _print(lines: Sequence[str]) -> None:
+    with contextlib.suppress(BrokenPipeError):
+        for line in lines:
+            print(line, flush=True)
 
 
 @dataclass

@@ -27,7 +27,7 @@ from pathlib import Path
 PROMPT = "*Type your answer here.*"
 HERE = Path(__file__).resolve().parent
 NUMBERED = "[0-9][0-9]_*.ipynb"  # how the notebooks of the course are named
-OLDER_CELLS = HERE / "older_cells.json"  # releases before 1.2.0 do not record their own cells
+OLDER_CELLS = HERE / "older_cells.json"  # of the releases that did not record their cells yet
 # Cells that may be the student's or the course's, of a file that has lost all metadata and ids:
 # with more of them than this, most are the course's, and copies of them would hide the notebook.
 MAX_DOUBTFUL_CELLS = 20
@@ -222,6 +222,12 @@ def carry_folder(
     shown = shown or str(older)
     update = Update()
     new_names = sorted(path.name for path in newer.glob(NUMBERED))
+    try:
+        os.listdir(older)
+    except OSError as error:
+        update.sentences.append(f"{shown} cannot be read: {error.strerror}.")
+        update.failed_files = [name for name in new_names if only is None or name in only]
+        return update
     copies = _copies(older, newer, new_names)
     for name in new_names:
         if only is not None and name not in only:
@@ -419,7 +425,11 @@ def _answers_without_metadata(
     place: Cell, old: Notebook, new: Notebook, places: dict[int, Cell]
 ) -> list[Cell]:
     """Return the older cells that answer an exercise though neither name nor id says so."""
-    rest = [cell for cell in old.cells if cell.number not in places and not cell.name]
+    rest = [
+        cell
+        for cell in old.cells
+        if cell.number not in places and not cell.name and fingerprint(cell.text) not in old.given
+    ]
     if place.kind == "code":
         defines = re.compile(
             rf"^(def\s+{re.escape(place.name)}\b|{re.escape(place.name)}\s*=)", re.M
