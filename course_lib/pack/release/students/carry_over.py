@@ -512,9 +512,12 @@ def _answer_remark(name: str, written: list[Cell], place: Cell) -> str:
 
 
 def _joined(cells: list[Cell]) -> str:
-    """Return the texts of some cells below one another, each text once."""
-    texts = {fingerprint(cell.text): cell.text for cell in cells}
-    return "\n\n".join(texts.values())
+    """Return the texts of some cells below one another; of copies in a row, one."""
+    texts: list[str] = []
+    for cell in cells:
+        if not texts or fingerprint(cell.text) != fingerprint(texts[-1]):
+            texts.append(cell.text)
+    return "\n\n".join(texts)
 
 
 def is_untouched(text: str, released: set[str]) -> bool:
