@@ -1,0 +1,609 @@
+"""Joint files as programs write them: what is read is by name and unit, and the rest is asked about.
+
+Each form is written as its program writes it; its comment names the source.
+"""
+
+import re
+
+import numpy as np
+import pytest
+
+from course_lib.arms import iiwa14, panda, ur5e
+from course_lib.trajectory import JointCountError, UnclearFileError, load
+from course_lib.trajectory.column_names import understand
+
+N = 5  # rows
+T = 0.02 * np.arange(N)
+SEVEN = 0.1 * np.arange(1, 8) + 0.013 * np.arange(N)[:, None]
+SIX = SEVEN[:, :6]
+SPEED = np.full((N, 7), 0.65)  # of these angles, in rad/s
+UR_NAMES = (
+    "elbow_joint shoulder_lift_joint shoulder_pan_joint wrist_1_joint wrist_2_joint wrist_3_joint"
+)
+UR_NAMES = UR_NAMES.split()
+UR_ORDER = [2, 1, 0, 3, 4, 5]  # of the alphabetical columns: pan, lift, elbow, wrists
+STAMP = 1_690_000_000  # seconds since 1970
+HALF_TURN = np.tile([-np.pi, np.pi], (7, 1))
+
+
+def numbered(form, k, first=0):
+    return [form.format(i) for i in range(first, first + k)]
+
+
+def lines(header, *blocks, by=",", comma=False):
+    """Lines of a table: a header, and rows of the blocks, each (n, k), (n,), a text, or a list of texts."""
+    rows = []
+    for i in range(N):
+        row = []
+        for block in blocks:
+            if isinstance(block, str):
+                row.append(block)
+            elif isinstance(block, list):
+                row += block
+            else:
+                row += [f"{x:.16g}" for x in np.atleast_1d(np.asarray(block)[i])]
+        if comma:
+            row = [cell.replace(".", ",") for cell in row]
+        rows.append(by.join(row))
+    return "\n".join([*([by.join(header)] if header else []), *rows]) + "\n"
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(text, name="own.csv", encoding="utf-8"):
+        (tmp_path / name).write_bytes(text.encode(encoding))
+        return tmp_path / name
+
+    return write
+
+
+def stamps():
+    return [str(STAMP * 10**9 + 20_000_000 * i) for i in range(N)]
+
+
+def with_stamps(text):
+    """Put nanoseconds since 1970 in the place of the word STAMP of each row."""
+    header, *rows = text.splitlines()
+    rows = [row.replace("STAMP", stamp) for row, stamp in zip(rows, stamps(), strict=True)]
+    return "\n".join([header, *rows]) + "\n"
+
+
+def rostopic():
+    # rostopic echo -p of sensor_msgs/JointState (ros_comm, rostopic, _str_plot_fields).
+    header = ["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id"]
+    header += numbered("field.name{}", 6) + numbered("field.position{}", 6)
+    header += numbered("field.velocity{}", 6) + numbered("field.effort{}", 6)
+    rows = lines(header, "STAMP", "7", "STAMP", "", UR_NAMES, SIX, SPEED[:, :6], 0 * SIX)
+    return with_stamps(rows)
+
+
+def ros2_csv(velocities=True):
+    # ros2 topic echo --csv (ros2cli, ros2topic, message_to_csv): no header, fields in their order.
+    nano = 20_000_000 * np.arange(N)
+    more = (SPEED[:, :6], 0 * SIX) if velocities else ()
+    return lines([], str(STAMP), nano, "base", UR_NAMES, SIX, *more)
+
+
+def rosbag_lists():
+    # A row for each message, arrays as lists in quotes (fishros/rosbag_to_csv and others).
+    header = "rosbagTimestamp,header,seq,stamp,secs,nsecs,frame_id,name,position,velocity,effort"
+    rows = [header]
+    for i, stamp in enumerate(stamps()):
+        cells = [UR_NAMES, SIX[i].round(6).tolist(), SPEED[i, :6].tolist(), []]
+        quoted = ",".join(f'"{cell}"' for cell in cells)
+        rows.append(f"{stamp},,{i},,{STAMP},{20_000_000 * i},,{quoted}")
+    return "\n".join(rows) + "\n"
+
+
+def libfranka():
+    # libfranka, franka::logToCSV: the state of n + 1 beside the command of n.
+    names = [f"state.{name}[{{}}]" for name in ("q", "q_d", "dq", "dq_d", "tau_J")]
+    header = ["duration", "success_rate"]
+    for name in names:
+        header += numbered(name, 7)
+    header += numbered("state.O_T_EE[{}]", 16) + numbered("cmd.q_d[{}]", 7)
+    pose = np.zeros((N, 16))
+    blocks = (SEVEN, SEVEN + 0.001, SPEED, SPEED, 9 * SEVEN, pose, SEVEN + 0.001)
+    return lines(header, 20 * np.arange(N), np.ones(N), *blocks)
+
+
+def sunrise():
+    # KUKA Sunrise, DataRecorder with addCurrentJointPosition and external torques.
+    header = ["% ZeitInSec", "ZeitInNanoSec"]
+    header += numbered("axisQMsr_LBR_iiwa_14_R820_1[{}]", 7)
+    header += numbered("axisTauExtMsr_LBR_iiwa_14_R820_1[{}]", 7)
+    return lines(header, str(STAMP), 20_000_000 * np.arange(N), SEVEN, 5 * SEVEN, by=" ")
+
+
+def fri():
+    # pyfri, collect_data: mp are measured and ip interpolated positions.
+    header = ["index", "time", "record_time_nsec", "tsec", "tnsec"]
+    for name in ("mp", "ip", "mt", "et"):
+        header += numbered(name + "{}", 7, 1)
+    return lines(
+        [*header, "dt"], np.arange(N), T, "7", "0", "0", SEVEN, SEVEN, SEVEN, SEVEN, "0.02"
+    )
+
+
+def rtde():
+    # Universal Robots' rtde_control_loop recorder (record.py): columns by spaces.
+    header = ["timestamp"]
+    for name in ("target_q", "target_qd", "actual_q", "actual_qd", "actual_current"):
+        header += numbered(name + "_{}", 6)
+    header += numbered("actual_TCP_pose_{}", 6)
+    speed = SPEED[:, :6]
+    return lines(header, T, SIX + 0.001, speed, SIX, speed, SIX, SIX, by=" ")
+
+
+def plotjuggler():
+    # PlotJuggler, CSV export of /joint_states.
+    header = ["__time"]
+    for kind in ("position", "velocity", "effort"):
+        header += [f"/joint_states/{name}/{kind}" for name in UR_NAMES]
+    return lines(header, STAMP + T, SIX, SPEED[:, :6], 0 * SIX)
+
+
+def robomimic():
+    # robomimic and robosuite, observations of robot0 flattened to columns.
+    header = ["time"]
+    for name in ("joint_pos", "joint_pos_cos", "joint_pos_sin", "joint_vel"):
+        header += numbered(f"robot0_{name}_{{}}", 7)
+    header += numbered("robot0_eef_pos_{}", 3) + numbered("robot0_gripper_qpos_{}", 2)
+    more = (np.cos(SEVEN), np.sin(SEVEN), SPEED, SEVEN[:, :3], SEVEN[:, :2])
+    return lines(header, T, SEVEN, *more)
+
+
+def rlbench():
+    # RLBench, Observation: joint_positions, joint_velocities, gripper_open, gripper_pose; no times.
+    header = numbered("joint_positions_{}", 7) + numbered("joint_velocities_{}", 7)
+    header += ["gripper_open", *numbered("gripper_pose_{}", 7)]
+    return lines(header, SEVEN, SPEED, "1.0", SEVEN)
+
+
+def lerobot():
+    # LeRobot, SO-101: names of motors as in its dataset's features.
+    names = ["shoulder_pan", "shoulder_lift", "elbow_flex", "wrist_flex", "wrist_roll", "gripper"]
+    header = ["timestamp", "frame_index", "episode_index", *(f"{name}.pos" for name in names)]
+    return lines(header, T, np.arange(N), "0", SIX)
+
+
+def lerobot_state():
+    # LeRobot, a table of the dataset by pandas' to_csv: lists, whose unit no column says.
+    rows = ["timestamp,frame_index,observation.state,action"]
+    for i in range(N):
+        state = " ".join(f"{x:.6f}" for x in SIX[i])
+        rows.append(f"{T[i]:.3f},{i},[{state}],[{state}]")
+    return "\n".join(rows) + "\n"
+
+
+def krc_trace():
+    # KUKA KRC trace, exported for a spreadsheet: axes in degrees, decimal commas.
+    header = ["Time [s]", *numbered("AxisPos_Act A{} [°]", 6, 1)]
+    return lines(header, T, np.rad2deg(SIX), by=";", comma=True)
+
+
+def motoman():
+    # Yaskawa Motoman in ROS (motoman_driver): names of the joints with the axis's letter.
+    header = [
+        "time(ms)",
+        "joint_1_s",
+        "joint_2_l",
+        "joint_3_u",
+        "joint_4_r",
+        "joint_5_b",
+        "joint_6_t",
+    ]
+    return lines(header, 1000 * T, SIX)
+
+
+def abb():
+    # ABB Externally Guided Motion, joint feedback: axes and one external axis that is not there.
+    header = ["Time [s]", *numbered("rax_{} [deg]", 6, 1), "eax_a"]
+    return lines(header, T, np.rad2deg(SIX), "9e+09")
+
+
+def gazebo():
+    # Gazebo's joint states by rostopic and bagpy: seconds and nanoseconds.
+    header = ["Time", "header.seq", "header.stamp.secs", "header.stamp.nsecs", "header.frame_id"]
+    header += numbered("name_{}", 7) + numbered("position_{}", 7) + numbered("velocity_{}", 7)
+    names = numbered("lbr_iiwa_joint_{}", 7, 1)
+    return lines(
+        header, STAMP + T, "1", str(STAMP), 20_000_000 * np.arange(N), "", names, SEVEN, SPEED
+    )
+
+
+def moveit_fingers():
+    # A Panda's joint states: the fingers come first by the alphabet.
+    names = ["panda_finger_joint1", "panda_finger_joint2", *numbered("panda_joint{}", 7, 1)]
+    header = ["%time", *numbered("field.name{}", 9), *numbered("field.position{}", 9)]
+    return with_stamps(lines(header, "STAMP", names, ["0.04", "0.04"], SEVEN))
+
+
+def timetable():
+    # MATLAB, writetimetable with a duration: seconds as text.
+    header = ["Time", *numbered("q{}", 7, 1)]
+    times = [f"{t:g} sec" for t in T]
+    rows = lines(header, "TIME", SEVEN).splitlines()
+    filled = [row.replace("TIME", time) for row, time in zip(rows[1:], times, strict=True)]
+    return "\n".join([rows[0], *filled]) + "\n"
+
+
+def pandas_index():
+    # pandas, DataFrame.to_csv with its row numbers in a column without title.
+    return lines(["", "time", *numbered("q{}", 7, 1)], np.arange(N), T, SEVEN)
+
+
+def kdl():
+    # Orocos KDL, JntArray beside the time, as examples print them.
+    return lines(["t", *numbered("q[{}]", 7)], T, SEVEN, by="\t")
+
+
+def long_form():
+    # pandas, melt: a row for each joint; the joints by the alphabet of their names.
+    rows = ["time_s,joint,position,velocity,effort"]
+    for i in range(N):
+        for j in range(7):
+            rows.append(f"{T[i]:.3f},joint_a{j + 1},{SEVEN[i, j]:.9f},{SPEED[i, j]},0.0")
+    return "\n".join(rows) + "\n"
+
+
+def excel_wide():
+    # Excel, "Unicode text": UTF-16, tabs, decimal commas.
+    return lines(
+        ["Zeit [ms]", *numbered("Achse {} [°]", 7, 1)],
+        1000 * T,
+        np.rad2deg(SEVEN),
+        by="\t",
+        comma=True,
+    )
+
+
+# name: (text, angles, its velocities, arguments, encoding)
+READ = {
+    "rostopic.csv": (rostopic(), SIX[:, UR_ORDER], True, {}),
+    "ros2.csv": (ros2_csv(), SIX[:, UR_ORDER], True, {}),
+    "ros2 positions.csv": (ros2_csv(False), SIX[:, UR_ORDER], False, {}),
+    "rosbag lists.csv": (rosbag_lists(), SIX[:, UR_ORDER], True, {}),
+    "libfranka.csv": (
+        libfranka(), SEVEN, True,
+        {"columns": {"q": "state.q[*]", "qd": "state.dq[*]"}, "units": {"t": "ms"}},
+    ),
+    "sunrise.txt": (sunrise(), SEVEN, False, {}),
+    "fri.csv": (fri(), SEVEN, False, {"columns": {"q": "mp*"}}),
+    "rtde.csv": (rtde(), SIX, True, {"columns": {"q": "actual_q_*", "qd": "actual_qd_*"}}),
+    "plotjuggler.csv": (plotjuggler(), SIX[:, UR_ORDER], True, {}),
+    "robomimic.csv": (robomimic(), SEVEN, True, {}),
+    "rlbench.csv": (rlbench(), SEVEN, True, {"step": 0.02}),
+    "lerobot.csv": (lerobot(), SIX[:, :5], False, {}),
+    "lerobot state.csv": (lerobot_state(), SIX, False, {"columns": {"q": "observation.state[*]"}}),
+    "krc.csv": (krc_trace(), SIX, False, {}, "cp1252"),
+    "motoman.csv": (motoman(), SIX, False, {}),
+    "abb.csv": (abb(), SIX, False, {}),
+    "gazebo.csv": (gazebo(), SEVEN, True, {}),
+    "fingers.csv": (moveit_fingers(), SEVEN, False, {}),
+    "timetable.csv": (timetable(), SEVEN, False, {}),
+    "pandas.csv": (pandas_index(), SEVEN, False, {}),
+    "kdl.txt": (kdl(), SEVEN, False, {}),
+    "long.csv": (long_form(), SEVEN, True, {}),
+    "excel.txt": (excel_wide(), SEVEN, False, {}, "utf-16"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", READ)
+def test_a_public_form_is_read_by_its_names_and_units(file, name):
+    text, q, velocities, arguments, *encoding = READ[name]
+    read = load(file(text, name, *encoding), **arguments)
+    np.testing.assert_allclose(read.q, q, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(read.t - read.t[0], T, rtol=0, atol=1e-6)
+    assert read.velocities_given == velocities
+    np.testing.assert_allclose(read.qd, SPEED[:, : q.shape[1]], rtol=0, atol=1e-4)
+
+
+# What is not clear, and the line that the message gives.
+ASKED = {
+    "libfranka.csv": (libfranka(), 'columns={"q": "state.q[*]", "qd": "state.dq[*]"}'),
+    "rtde.csv": (rtde(), 'columns={"q": "actual_q_*", "qd": "actual_qd_*"}'),
+    "fri.csv": (fri(), 'columns={"q": "mp*"}'),
+    "rlbench.csv": (rlbench(), "step=0.01"),
+    "lerobot state.csv": (lerobot_state(), 'columns={"q": "observation.state[*]"}'),
+    "two arms.csv": (
+        lines(["t", *numbered("left_joint_{}", 7, 1), *numbered("right_joint_{}", 7, 1)], T, SEVEN, SEVEN),
+        'columns={"q": "left_joint_*"}',
+    ),
+    "derivative or desired.csv": (
+        lines(["t", "q1", "q2", "q_d_1", "q_d_2"], T, SEVEN[:, :2], SEVEN[:, :2]), '"q_d_*"',
+    ),
+    "names.csv": (lines(["t", "hip_joint", "knee_joint"], T, SEVEN[:, :2]), 'joints=["hip_joint", "knee_joint"]'),
+    "degrees.csv": (lines(["Time", *numbered("J{}", 6, 1)], T, np.rad2deg(SIX)), 'units={"q": "deg"}'),
+    "px4.csv": (
+        lines(["timestamp", "position[0]", "velocity[0]"], 1e6 + 2e4 * np.arange(N), SEVEN[:, :1], SPEED[:, :1]),
+        'units={"t": "s"}, {"t": "ms"}, {"t": "us"} or {"t": "ns"}',
+    ),
+    "two clocks.csv": (lines(["time_ms", "time_s", "q1"], 1000 * T, T, SEVEN[:, :1]), 'columns={"t": "time_ms"}'),
+    "some units.csv": (lines(["t [s]", "q1 [deg]", "q2"], T, SEVEN[:, :2]), 'units={"q2": "rad"}'),
+    "no header.csv": (lines([], T, SIX), 'columns={"t": 1, "q1": 2, "q2": 3, ...}'),
+    "pandas without titles.csv": (lines(["", *numbered("{}", 7)], np.arange(N), SEVEN), 'joints=["0", "1"'),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_what_is_not_clear_is_asked_with_the_line_to_write(file, name):
+    text, line = ASKED[name]
+    with pytest.raises(UnclearFileError) as asked:
+        load(file(text, name))
+    assert line in str(asked.value)
+    assert name in str(asked.value)
+
+
+QUATERNION = np.tile([0, 0, np.sin(0.1), np.cos(0.1)], (N, 1))
+POSITION = SEVEN[:, :3]
+MATRICES = np.concatenate([np.tile(np.eye(3), (N, 1, 1)), POSITION[:, :, None]], 2).reshape(N, 12)
+NO_ANGLES = {
+    "tum.txt": (lines([], STAMP + T, POSITION, QUATERNION, by=" "), "TUM"),
+    "tum with header.txt": (
+        lines(["# timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"], T, POSITION, QUATERNION, by=" "), "pose",
+    ),
+    "kitti.txt": (lines([], MATRICES, by=" "), "KITTI"),
+    "euroc.csv": (
+        lines(
+            ["#timestamp [ns]", *(f"p_RS_R_{a} [m]" for a in "xyz"), *(f"q_RS_{a} []" for a in "wxyz")],
+            20_000_000 * np.arange(N), POSITION, QUATERNION,
+        ),
+        "pose, no joint angle",
+    ),
+    "pose topic.csv": (
+        lines(
+            ["%time", *(f"field.pose.position.{a}" for a in "xyz"), *(f"field.pose.orientation.{a}" for a in "xyzw")],
+            T, POSITION, QUATERNION,
+        ),
+        "pose, no joint angle",
+    ),
+    "tcp.csv": (lines(["timestamp", *numbered("actual_TCP_pose_{}", 6)], T, SIX), "pose, no joint angle"),
+    "torques.csv": (lines(["time", *numbered("tau_{}", 7, 1)], T, SEVEN), "torque, no joint angle"),
+    "temperatures.csv": (lines(["time", *numbered("temp{}", 7, 1)], T, SEVEN), "temperature, no joint angle"),
+    "currents.csv": (lines(["time", *numbered("actual_current_{}", 6)], T, SIX), "current, no joint angle"),
+    "accelerations.csv": (lines(["time", *numbered("qdd{}", 6, 1)], T, SIX), "acceleration, no joint angle"),
+    "pos_x.csv": (lines(["time", "pos_x", "pos_y", "pos_z"], T, POSITION), "pose, no joint angle"),
+    "px4 local.csv": (lines(["timestamp", "x", "y", "z", "vx", "vy", "vz"], 1e6 * T, SIX), "pose, no joint angle"),
+    "millimetres.csv": (lines(["t", "position_1 [mm]"], T, SEVEN[:, :1]), "has the unit mm"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NO_ANGLES)
+@pytest.mark.parametrize("limits", [None, HALF_TURN], ids=["no limits", "seven joints"])
+def test_columns_that_are_no_joint_angles_are_refused_by_name(file, name, limits):
+    text, words = NO_ANGLES[name]
+    with pytest.raises(UnclearFileError, match=re.escape(words)):
+        load(file(text, name), limits)
+
+
+def test_torques_beside_the_angles_are_left_out_and_named(file):
+    header = ["time", *numbered("q_{}", 7, 1), *numbered("tau_J_{}", 7, 1)]
+    read = load(file(lines(header, T, SEVEN, 30 * SEVEN)), HALF_TURN)
+    np.testing.assert_allclose(read.q, SEVEN)
+    assert "not used: tau_J_1, tau_J_2" in read.understood
+
+
+def test_understood_names_the_column_the_unit_and_the_range_of_each_joint(file):
+    header = ["Zeit [ms]", "Winkel 1 [°]", "Winkel 2 [°]"]
+    degrees = np.column_stack([np.linspace(-10, 20, N), np.full(N, 45.5)])
+    said = load(file(lines(header, 1000 * T, degrees))).understood.splitlines()
+    assert said[1:] == [
+        "  t: 'Zeit [ms]', ms",
+        "  q1: 'Winkel 1 [°]', deg, -10.0 to 20.0 degrees",
+        "  q2: 'Winkel 2 [°]', deg, 45.5 to 45.5 degrees",
+    ]
+
+
+def test_another_number_of_joints_is_said_as_such(file):
+    with pytest.raises(
+        JointCountError, match="this file has 6 joints, and limits are given for 7"
+    ) as wrong:
+        load(file(lines(["t", *numbered("q{}", 6, 1)], T, SIX)), iiwa14().limits)
+    assert (wrong.value.found, wrong.value.expected) == (6, 7)
+
+
+# Arguments by which the user says what is what
+# -------------------------------------------------------------------------------------------------
+
+
+def test_joints_are_put_in_the_order_that_the_user_names(file):
+    path = file(lines(["t", "knee_joint", "hip_joint"], T, SEVEN[:, :2]))
+    np.testing.assert_allclose(load(path, joints=["hip_joint", "knee_joint"]).q, SEVEN[:, [1, 0]])
+
+
+def test_joints_are_found_in_rows_of_names_too(file):
+    read = load(file(rostopic()), joints=["wrist_3_joint", "elbow_joint"])
+    np.testing.assert_allclose(read.q, SIX[:, [5, 0]])
+    np.testing.assert_allclose(read.qd, SPEED[:, :2])
+
+
+def test_a_joint_that_is_named_and_not_there_is_refused(file):
+    with pytest.raises(UnclearFileError, match="joints names 'ankle_joint', and no column"):
+        load(
+            file(lines(["t", "knee_joint"], T, SEVEN[:, :1])), joints=["knee_joint", "ankle_joint"]
+        )
+
+
+def test_columns_are_chosen_by_title_or_number(file):
+    path = file(lines(["stamp", "a", "b"], T, SEVEN[:, :2]))
+    for chosen in ({"t": "stamp", "q1": "b", "q2": "a"}, {"t": 1, "q1": 3, "q2": 2}):
+        np.testing.assert_allclose(load(path, columns=chosen).q, SEVEN[:, [1, 0]])
+
+
+def test_columns_of_a_file_without_header_are_chosen_by_number(file):
+    path = file(lines([], SEVEN[:, :2], T))
+    read = load(path, columns={"t": 3, "q1": 2, "q2": 1})
+    np.testing.assert_allclose(read.q, SEVEN[:, [1, 0]])
+    np.testing.assert_allclose(read.t, T)
+
+
+def test_seconds_and_nanoseconds_are_chosen_as_two_columns(file):
+    path = file(lines([], "3", 20_000_000 * np.arange(N), SEVEN[:, 0]))
+    np.testing.assert_allclose(load(path, columns={"t": [1, 2], "q1": 3}).t, 3 + T)
+
+
+def test_a_title_that_occurs_twice_is_chosen_by_its_number(file):
+    path = file(lines(["t", "q1", "q1"], T, SEVEN[:, :2]))
+    with pytest.raises(
+        UnclearFileError, match=r'column q1 occurs twice: columns 2 and 3 .*\n.*\n.*\n.*"q1": 2'
+    ):
+        load(path)
+    np.testing.assert_allclose(load(path, columns={"q1": 3}).q[:, 0], SEVEN[:, 1])
+
+
+def test_units_may_differ_from_joint_to_joint(file):
+    path = file(lines(["t", "q1", "q2"], T, SEVEN[:, :2]))
+    read = load(path, units={"q1": "deg", "q2": "rad"})
+    np.testing.assert_allclose(read.q, SEVEN[:, :2] * [np.pi / 180, 1])
+
+
+def test_a_unit_that_the_header_denies_is_refused(file):
+    path = file(lines(["timestamp_us", "q1"], 1e6 * T, SEVEN[:, :1]))
+    np.testing.assert_allclose(load(path).t, T)
+    with pytest.raises(
+        UnclearFileError, match="units says that t is in ms, and 'timestamp_us' says us"
+    ):
+        load(path, units={"t": "ms"})
+
+
+def test_microseconds_are_microseconds_whichever_way_they_are_said(file):
+    for title, units in (
+        ("time [us]", None),
+        ("time_us", None),
+        ("t [µs]", None),
+        ("t", {"t": "us"}),
+    ):
+        path = file(lines([title, "q1"], 1e6 * T, SEVEN[:, :1]))
+        np.testing.assert_allclose(load(path, units=units).t, T)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"joints": "q1"}, "joints must be a list"),
+        ({"joints": [1]}, "joints must be names"),
+        ({"joints": ["q1", "q1"]}, "joints must be different"),
+        ({"columns": "q1"}, "columns must be a dict"),
+        ({"columns": {"z": "q1"}}, "columns must have keys"),
+        ({"columns": {"q1": None}}, r'columns\["q1"\] must be a title or a number'),
+        ({"columns": {"q1": 9}}, r'columns\["q1"\] is 9: columns count from 1'),
+        ({"columns": {"q1": ["q1", "q2"]}}, r'columns\["q1"\] must be one column'),
+        ({"columns": {"q1": "q1", "q3": "q2"}}, "columns must name q1 to q3; q2 is missing"),
+        ({"columns": {"q": "z*"}}, r'columns\["q"\] is \'z\*\''),
+        ({"columns": {"t": ["t", "q1", "q2"]}}, r'columns\["t"\] must be one column'),
+        ({"units": {"z": "s"}}, "units must be such as"),
+        ({"units": {"t": "deg"}}, "units must be such as .*: of t it may be s, ms, us, ns"),
+        ({"units": {"q2": 1}}, "units must be such as"),
+        ({"units": "deg"}, "units must be such as"),
+    ],
+)  # fmt: skip
+def test_arguments_that_say_nothing_are_refused_by_name(file, arguments, words):
+    with pytest.raises(ValueError, match=f"^{words}"):
+        load(file(lines(["t", "q1", "q2"], T, SEVEN[:, :2])), **arguments)
+
+
+# Text
+# -------------------------------------------------------------------------------------------------
+
+WHOLE_FIRST = {
+    "semicolon.csv": "Zeit;Achse 1;Achse 2\n0;0;0\n0,5;0,6;0,1\n1;1,2;0,2\n",
+    "tab.txt": "t\tq1\tq2\n0\t0\t0\n0,5\t0,6\t0,1\n1\t1,2\t0,2\n",
+    "space.txt": "t q1 q2\n0 0 0\n0,5 0,6 0,1\n1 1,2 0,2\n",
+    "quoted.csv": 't,q1,q2\n0,0,0\n"0,5","0,6","0,1"\n1,"1,2","0,2"\n',
+    "declared.csv": "sep=;\nt;q1;q2\n0;0;0\n0,5;0,6;0,1\n1;1,2;0,2\n",
+}
+
+
+@pytest.mark.parametrize("name", WHOLE_FIRST)
+def test_a_later_row_shows_the_decimal_comma(file, name):
+    read = load(file(WHOLE_FIRST[name], name))
+    np.testing.assert_allclose(read.t, [0, 0.5, 1])
+    np.testing.assert_allclose(read.q, [[0, 0], [0.6, 0.1], [1.2, 0.2]])
+    assert ", decimal comma" in read.understood
+
+
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"]
+)
+def test_text_is_read_in_the_encodings_of_spreadsheets(file, encoding):
+    text = lines(["Zeit [s]", "Winkel 1 [°]"], T, np.full(N, 90.0), by=";", comma=True)
+    np.testing.assert_allclose(load(file(text, encoding=encoding)).q, np.pi / 2)
+
+
+BROKEN = {
+    "1.234,5 and 0,5": ("t;q1\n0,5;1.234,5\n1,0;0,5\n", "row 1, column q1 is '1.234,5', with a point"),
+    "cut off": ("t,q1,q2\n0,1,2\n1,2,3\n2,3", "row 3 has 2 columns, not 3: is the file cut off"),
+    "an empty cell": ("t,q1\n0,0.1\n1,\n", "row 2, column q1 is '', which is not a number"),
+    "a quote that does not end": ('t,q1\n0,"0.1\n1,0.2\n', "which is not a number"),
+    "a null byte": ("t,q1\n0,\0\n1,2\n", "which is not a number"),
+    "digits with underscores": ("t,q1\n0,1_0\n1,2\n", "'1_0', which is not a number"),
+    "nothing": ("", "it must hold a row of numbers"),
+    "no rows": ("t,q1\n", "it must hold a row of numbers"),
+    "no number for a time": ("t,q1\nnan,1\n1,2\n", "column t is not a finite number"),
+    "a time without end": ("t,q1\n0,1\n1e400,2\n", "column t is not a finite number"),
+    "names that change places": (
+        "t,name0,name1,position0,position1\n0,joint_1,joint_2,1,2\n0.1,joint_2,joint_1,2,1\n",
+        "the joints change their places",
+    ),
+    "a joint without a row": ("t,joint,position\n0,j1,1\n0,j2,2\n0.1,j1,1\n", "joint j2 has none"),
+    "a joint with two rows": ("t,joint,position\n0,j1,1\n0,j1,2\n0.1,j1,1\n", "which has a row before"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("damage", BROKEN)
+def test_a_broken_file_is_refused_in_a_sentence(file, damage):
+    text, words = BROKEN[damage]
+    with pytest.raises(ValueError, match=re.escape(words)):
+        load(file(text))
+
+
+def test_any_cut_of_a_file_is_read_or_refused_in_a_sentence(file):
+    refusals = []
+    for text in (rostopic(), rosbag_lists(), long_form(), krc_trace(), ros2_csv()):
+        for end in range(1, len(text), 37):
+            try:
+                load(file(text[:end]))
+            except ValueError as refused:
+                refusals.append(str(refused))
+    assert len(refusals) > 20
+    assert all(refused.startswith("own.csv") for refused in refusals)
+
+
+def test_bytes_at_random_are_refused_in_a_sentence(tmp_path):
+    rng = np.random.default_rng(7)
+    for size in (1, 2, 3, 7, 40, 999):
+        for _ in range(20):
+            (tmp_path / "own.csv").write_bytes(rng.bytes(size))
+            with pytest.raises(ValueError, match=r"^own\.csv"):
+                load(tmp_path / "own.csv")
+
+
+@pytest.mark.parametrize(
+    ("title", "expected"),
+    [
+        ("joint_s", ("position", None, None)),  # the s is no second
+        ("time_s", ("time", None, "s")),
+        ("header.stamp.nsecs", ("time", None, "ns")),
+        ("joint_1 [deg/s]", ("velocity", 1, "deg/s")),  # the unit decides
+        ("q1 (s)", ("position", 1, "?s")),
+        ("q\u0307_2", ("velocity", 2, None)),  # with a dot above
+        ("observation.state_0", ("unknown", None, None)),
+        ("wrist_1_joint", ("position", None, None)),  # the 1 is part of the name
+        ("robot0_joint_pos_3", ("position", 3, None)),
+        ("success_rate", ("status", None, None)),
+        ("q_d[2]", ("unclear", 2, None)),
+        ("joint_1_pressure", ("count", None, None)),
+        ("current_joint_pos_1", ("position", 1, None)),
+    ],
+)
+def test_a_title_is_understood(title, expected):
+    column = understand(0, title)
+    assert (column.quantity, column.number, column.unit) == expected
+
+
+def test_names_of_the_arm_from_the_library_put_its_recording_in_order(file):
+    assert load(file(rostopic()), ur5e().limits).q.shape == (N, 6)
+    shifted = SEVEN + np.array([0, 0, 0, -2, 0, 0.5, 0])
+    header = ["%time", *numbered("panda_joint{}", 7, 1)]
+    assert load(file(lines(header, T, shifted)), panda().limits).q.shape == (N, 7)
