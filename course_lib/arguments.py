@@ -1,6 +1,8 @@
 """Checks of arguments: each returns a usable value, or raises a ValueError that names the argument."""
 
+import os
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
@@ -87,6 +89,19 @@ def generator(value, name="rng"):
             f"{kind}"
         )
     return value
+
+
+def file_path(value, name="path"):
+    """Return an argument as the pathlib.Path of a file."""
+    if not isinstance(value, str | os.PathLike):
+        raise ValueError(
+            f"{name} must be a text or a pathlib.Path; it is of type {type(value).__name__}"
+        )
+    if "\0" in str(os.fspath(value)):
+        raise ValueError(f"{name} must name a file; it holds a null character: {str(value)!r:.80}")
+    if isinstance(os.fspath(value), bytes):
+        raise ValueError(f"{name} must be a text or a pathlib.Path; it is a path in bytes")
+    return Path(value)
 
 
 def broadcast(**batches):

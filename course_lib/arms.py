@@ -17,8 +17,9 @@ import numpy as np
 from course_lib.arguments import positive, read_only, real_array, refuse_first
 from course_lib.batched_arm import CHUNK, BatchedArm
 from course_lib.batching import in_chunks
-from course_lib.rigid import checked_pose, hat_se3, transform
+from course_lib.rigid import checked_pose, hat_se3, nearest_se, transform
 from course_lib.rotations import length, rot_x, rot_z
+from course_lib.urdf import ROTATING, chain
 
 _SMALL_BATCH = 50  # configurations: up to here matrix products are as fast as BatchedArm
 _IDENTITY = np.eye(4)
@@ -52,8 +53,8 @@ class DHRow:
 class SerialArm:
     """An arm of n revolute joints, which does not change: its arrays are read-only.
 
-    Make one by SerialArm.from_screws, SerialArm.from_dh, planar_arm, iiwa14, panda or ur5e. Its
-    methods take joint angles q, array_like (..., n), in radians.
+    Make one by SerialArm.from_screws, SerialArm.from_dh, SerialArm.from_urdf, planar_arm, iiwa14,
+    panda or ur5e. Its methods take joint angles q, array_like (..., n), in radians.
 
     Attributes
     ----------
@@ -63,11 +64,14 @@ class SerialArm:
         At q = 0 the pose of the frame that each joint moves, then that of the end-effector.
     limits : array (n, 2)
         Lowest and highest angle of each joint, in radians.
+    joint_names : tuple of str
+        The names of the joints as in a URDF file; empty if they have none.
     """
 
     screw_axes: np.ndarray
     home: np.ndarray
     limits: np.ndarray
+    joint_names: tuple = ()
 
     def __post_init__(self):
         for name in ("screw_axes", "home", "limits"):
@@ -154,6 +158,59 @@ class SerialArm:
         end = np.eye(4) if end is None else checked_pose(end, "end", (4, 4), batched=False)
         arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
         return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
+
+    @classmethod
+    def from_urdf(cls, path, tip=None):
+        """Return the arm in a URDF file: the chain of joints from its root link to a tip.
+
+        Parameters
+        ----------
+        path : str or pathlib.Path
+            A URDF file. A xacro file must be made one first.
+        tip : str, optional
+            The name of the link that is the end-effector. It may be left out if an arm leads to
+            only one link that has no joint after it.
+
+        Returns
+        -------
+        SerialArm
+            With the file's limits, infinite for continuous joints, and its `joint_names`. The base
+            frame is the root link's; its `frames` are those of the links that the joints move, then
+            the tip's. Fixed joints are part of the links.
+
+        Raises
+        ------
+        ValueError
+            If the file is no URDF file, its joints are no tree, the tip is not clear, or a joint on
+            the way to it slides or repeats another one. The message says what is there, and what
+            to write.
+        OSError
+            If there is no such file.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> from pathlib import Path
+        >>> path = Path(tempfile.mkdtemp()) / "swing.urdf"
+        >>> _ = path.write_text('''<robot name="swing"><link name="base"/><link name="bob"/>
+        ... <joint name="hinge" type="continuous"><parent link="base"/><child link="bob"/>
+        ... <origin xyz="0 0 2"/><axis xyz="0 1 0"/></joint></robot>''')
+        >>> arm = SerialArm.from_urdf(path)
+        >>> print(arm.joint_names, arm.screw_axes + 0.0)
+        ('hinge',) [[ 0.  1.  0. -2.  0.  0.]]
+        """
+        T, omega, frames, limits, names = np.eye(4), [], [], [], []
+        for joint in chain(path, tip):
+            T = T @ joint.origin
+            if joint.kind in ROTATING:
+                omega.append(T[:3, :3] @ joint.axis)
+                frames.append(T)
+                limits.append(joint.limits)
+                names.append(joint.name)
+        frames = np.array(frames)
+        arm = cls.from_screws(omega, frames[:, :3, 3], nearest_se(T), limits)
+        home = np.concatenate([frames, arm.home[-1:]])
+        return replace(arm, home=home, joint_names=tuple(names))
 
     @property
     def n(self):

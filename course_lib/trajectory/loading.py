@@ -7,9 +7,9 @@ from decimal import Decimal, InvalidOperation
 
 import numpy as np
 
-from course_lib.arguments import positive, real_array
+from course_lib.arguments import file_path, positive, real_array
 from course_lib.trajectory.column_names import UNITS
-from course_lib.trajectory.motion import Trajectory, checked_path
+from course_lib.trajectory.motion import Trajectory
 from course_lib.trajectory.plan import plan_of
 from course_lib.trajectory.refusals import JointCountError, UnclearFileError, unclear
 from course_lib.trajectory.text_table import read_table
@@ -153,7 +153,7 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
 
 
 def _table_file(path, name):
-    path = checked_path(path, name)
+    path = file_path(path, name)
     if path.suffix.lower() not in _SUFFIXES:
         raise ValueError(
             f"{name} must name a {', '.join(_SUFFIXES[:-1])} or {_SUFFIXES[-1]} file; it is "

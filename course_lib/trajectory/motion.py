@@ -1,12 +1,10 @@
 """What a joint trajectory is, and how it is written to a file."""
 
-import os
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from course_lib.arguments import real_array
+from course_lib.arguments import file_path, real_array
 
 
 @dataclass(frozen=True)
@@ -45,6 +43,7 @@ def save(path, trajectory):
     Examples
     --------
     >>> import tempfile
+    >>> from pathlib import Path
     >>> path = Path(tempfile.mkdtemp()) / "made.csv"
     >>> save(path, Trajectory(np.array([0.0, 1]), np.array([[1.0], [2]]), np.array([[1.0], [1]])))
     >>> print(path.read_text().splitlines()[0])
@@ -54,7 +53,7 @@ def save(path, trajectory):
     joints = range(1, q.shape[1] + 1)
     header = ",".join(["t", *(f"q{i}" for i in joints), *(f"qd{i}" for i in joints)])
     table = np.column_stack([t, q, qd])
-    np.savetxt(checked_path(path), table, fmt="%.10f", delimiter=",", header=header, comments="")
+    np.savetxt(file_path(path), table, fmt="%.10f", delimiter=",", header=header, comments="")
 
 
 def checked_trajectory(trajectory):
@@ -72,14 +71,3 @@ def checked_trajectory(trajectory):
             f"and {qd.shape}"
         )
     return t, q, qd
-
-
-def checked_path(path, name="path"):
-    """Return an argument as a pathlib.Path, or refuse it."""
-    if not isinstance(path, str | os.PathLike):
-        raise ValueError(
-            f"{name} must be a text or a pathlib.Path; it is of type {type(path).__name__}"
-        )
-    if "\0" in os.fspath(path):
-        raise ValueError(f"{name} must name a file; it holds a null character: {str(path)!r:.80}")
-    return Path(path)
