@@ -64,6 +64,34 @@ def run_with(path, velocities=None, step=None):
     return space, told
 
 
+def load_cell(lines, written):
+    """Run the cell that loads the file, with lines of it replaced: {line: another}, and return its names."""
+    cells = {cell.id: cell for cell in nbformat.read(NOTEBOOK, 4).cells}
+    source = cells["trajectory-load"].source
+    for line, other in lines.items():
+        assert source.count(line) == 1, line
+        source = source.replace(line, other)
+    source = source.replace("TRAJECTORY = SHIPPED\n", f"TRAJECTORY = {str(written)!r}\n", 1)
+    space = {
+        "trajectory": trajectory,
+        "np": np,
+        "arm": ARM,
+        "first_bad_row": None,
+        "check": Unchecked,
+    }
+    exec(compile(source, "trajectory-load", "exec"), space)
+    return space
+
+
+class Unchecked:
+    """The part of `check` that the cell uses."""
+
+    class first_bad_row:
+        @staticmethod
+        def use(answer):
+            return lambda t, q, limits: -1
+
+
 def film_of(told):
     (film,) = (alt for alt, _ in told if alt.startswith("Moving picture"))
     return film
@@ -116,3 +144,76 @@ def test_a_file_beyond_the_limits_is_refused_and_the_course_s_own_is_shown(tmp_p
     )
     assert space["shipped"]
     assert len(told) > 5
+
+
+def a_few_rows(header, k):
+    rows = [
+        ",".join([f"{0.1 * i:.1f}", *[f"{0.01 * j + 0.02 * i:.3f}" for j in range(k)]])
+        for i in range(4)
+    ]
+    return "\n".join([header, *rows]) + "\n"
+
+
+JOINT_NAMES = [f"part_{letter}" for letter in "abcdefg"]
+ANSWERS = {
+    "joints": (
+        a_few_rows("t," + ",".join(JOINT_NAMES), 7),
+        'joints=["part_a", "part_b",',
+        {"JOINTS = None": f"JOINTS = {JOINT_NAMES}"},
+    ),
+    "columns": (
+        a_few_rows("t," + ",".join([f"actual_q_{i}" for i in range(7)] + [f"target_q_{i}" for i in range(7)]), 14),
+        'columns={"q": "actual_q_*"}',
+        {"COLUMNS = None": 'COLUMNS = {"q": "actual_q_*"}'},
+    ),
+    "units": (
+        a_few_rows("t," + ",".join(f"q{i + 1}" for i in range(7)), 7).replace("0.1,", "100,").replace("0.2,", "200,")
+        .replace("0.3,", "300,"),
+        'units={"t": "s"}',
+        {"UNITS = None": 'UNITS = {"t": "ms"}'},
+    ),
+    "step": (
+        a_few_rows("row," + ",".join(f"q{i + 1}" for i in range(7)), 7),
+        "step=0.01",
+        {"VELOCITIES = STEP = None": "VELOCITIES, STEP = None, 0.1"},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("question", ANSWERS)
+def test_the_cell_has_a_line_for_each_answer(question, tmp_path, capsys):
+    text, asked, lines = ANSWERS[question]
+    (tmp_path / "own.csv").write_text(text)
+    with contextlib.chdir(NOTEBOOK.parent):
+        assert load_cell({}, tmp_path / "own.csv")["shipped"]
+        said = capsys.readouterr().out
+        assert said.startswith("not clear: own.csv")
+        assert asked in said
+        space = load_cell(lines, tmp_path / "own.csv")
+    assert not space["shipped"]
+    np.testing.assert_allclose(space["motion"].q[:, 6], 0.06 + 0.02 * np.arange(4))
+    np.testing.assert_allclose(space["motion"].t, 0.1 * np.arange(4))
+
+
+def test_a_file_of_six_joints_is_refused_with_both_numbers(tmp_path, capsys):
+    (tmp_path / "own.csv").write_text(a_few_rows("t," + ",".join(f"q{i + 1}" for i in range(6)), 6))
+    with contextlib.chdir(NOTEBOOK.parent):
+        assert load_cell({}, tmp_path / "own.csv")["shipped"]
+    assert "this file has 6 joints, the iiwa 7" in capsys.readouterr().out
+
+
+def test_the_cell_says_which_column_each_joint_came_from(tmp_path, capsys):
+    (tmp_path / "own.csv").write_text(
+        a_few_rows("t," + ",".join(f"lbr_joint_{i}" for i in range(7)), 7)
+    )
+    with contextlib.chdir(NOTEBOOK.parent):
+        load_cell({}, tmp_path / "own.csv")
+    said = capsys.readouterr().out
+    assert "q7: 'lbr_joint_6', no unit in the header, 3.4 to 6.9 degrees" in said
+    assert "times and velocities: no disagreement" in said
+
+
+def test_a_file_that_is_not_there_is_said_in_a_line(tmp_path, capsys):
+    with contextlib.chdir(NOTEBOOK.parent):
+        assert load_cell({}, tmp_path / "none.csv")["shipped"]
+    assert "refused: " in capsys.readouterr().out

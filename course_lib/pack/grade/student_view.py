@@ -113,7 +113,7 @@ def contents(checks, forbidden):
     files |= {
         f"data/{path.name}": path.read_bytes()
         for path in DATA.glob("*")
-        if path.suffix in (".csv", ".json")
+        if path.suffix in (".csv", ".json", ".urdf")
     }
     files["course_lib/checks/__init__.py"] = CHECKS
     files |= {

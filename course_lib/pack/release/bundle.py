@@ -70,6 +70,7 @@ def _read_by(notebooks, root, pages):
         *root.glob("notebooks/*.md"),
         *root.glob("notebooks/data/*.csv"),
         *root.glob("notebooks/data/*.json"),
+        *root.glob("notebooks/data/*.urdf"),
     ]
     asked = [path.relative_to(root / "notebooks").as_posix() for path in beside]
     return [
