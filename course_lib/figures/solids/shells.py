@@ -4,6 +4,8 @@ A shell is a list of Parts in the base frame at q = 0. Body 0 stands on the floo
 body i. All lengths are shares of the arm's own, so that a shell fits its kinematic model.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from course_lib.arms import iiwa14, panda, ur5e
@@ -20,13 +22,17 @@ from course_lib.figures.solids.model import (
 )
 
 _X, _Y, _Z = np.eye(3)
+_SAME_AXES = 1e-6  # metres and parts of a unit vector: files give six decimals or more
 
 
 def shell(arm):
     """Return the Parts of an arm's bodies; the arm is recognized by its screw axes."""
-    for known, parts in ((iiwa14, _iiwa), (panda, _panda), (ur5e, _ur5e)):
-        if np.array_equal(known().screw_axes, arm.screw_axes):
-            return parts(arm)
+    for known, parts in ((iiwa14(), _iiwa), (panda(), _panda), (ur5e(), _ur5e)):
+        if known.screw_axes.shape != arm.screw_axes.shape:
+            continue
+        if np.allclose(known.screw_axes, arm.screw_axes, rtol=0, atol=_SAME_AXES):
+            # The same arm may come from a table or a file, whose frames lie elsewhere on the axes.
+            return parts(replace(known, home=np.concatenate([known.home[:-1], arm.home[-1:]])))
     return _of_screws(arm)
 
 
