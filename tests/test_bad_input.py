@@ -264,6 +264,7 @@ THETA = RNG.uniform([0, -1.5], [2.9, 1.5], (100, 2))
 XY, _ = planar_forward(THETA)
 RULES = ik.pose_error, lambda J, e, distance: np.einsum("kij,ki->kj", J, e) / 9, lambda q: q
 LIMITS = np.array([[-1.0, 1], [-2, 2]])
+DATA = Path(__file__).parents[1] / "notebooks/data"
 POINTS = {"src": FIVE, "dst": FIVE + 1, "weights": np.ones(5)}
 OF_ARM = {"arm": PANDA, "targets": PANDA.fk(Q)[None], "q0": Q + 0.1, "steps": 4}
 JACOBIANS = ("space_jacobian", "body_jacobian", "geometric_jacobian", "position_jacobian")
@@ -341,6 +342,20 @@ MORE = {
     ),
     "quadratic_terms": (cells.quadratic_terms, {"xy": XY}),
     "load": (trajectory.load, {"path": Path(__file__), "limits": LIMITS}),
+    "load_chosen": (
+        trajectory.load,
+        {
+            "path": DATA / "iiwa_trajectory.csv",
+            "step": 0.1,
+            "units": {"q": "rad"},
+            "joints": ["q1", "q2"],
+            "columns": {"q": "q*", "qd": "qd*"},
+        },
+    ),
+    "from_urdf": (
+        lambda tip: SerialArm.from_urdf(DATA / "ur5e.urdf", tip),
+        {"tip": "flange"},
+    ),
     "disagreement": (
         trajectory.disagreement,
         {"trajectory": trajectory.Trajectory(Q[5:], FIVE[:2], FIVE[:2])},

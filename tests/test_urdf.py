@@ -9,6 +9,7 @@ from helpers import close
 from course_lib import ik
 from course_lib.arms import DHRow, SerialArm, iiwa14, panda, ur5e
 from course_lib.figures import alive, jog, reach
+from course_lib.figures.solids import Model, shell
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, rot_x, rot_y, rot_z
 
@@ -306,3 +307,8 @@ def test_the_toys_take_the_arm(file):
         q = np.full(arm.n, 0.4)
         assert f"An arm with {arm.n} joints" in jog(arm, q=q).alt
         assert f"An arm with {arm.n} joints" in alive(reach(arm, arm.fk(q), q=q)).alt
+
+
+def test_a_known_arm_from_a_file_is_drawn_in_its_own_shape():
+    shapes = [Model.of(shell(arm)).vertices for arm in (ur5e(), SerialArm.from_urdf(SHIPPED))]
+    close(*shapes, 1e-12)
