@@ -1,13 +1,21 @@
 """The kit for charts, and what a notebook stores of a plotly figure."""
 
+import base64
 import json
 import subprocess
 import sys
+from io import BytesIO
+from pathlib import Path
 
+import matplotlib.image
+import nbformat
 import numpy as np
 import plotly.graph_objects as go
 import pytest
-from helpers import ALT, shown
+from bs4 import BeautifulSoup
+from helpers import ALT, shown, unavailable
+from playwright.sync_api import expect
+from site_visits import Visit
 
 from course_lib.figures import charts, show
 from course_lib.figures.charts import ColourScale
@@ -15,6 +23,8 @@ from course_lib.figures.stored_chart import PLOTLY, stored
 from course_lib.figures.style import COLOURS
 from course_lib.lessons.decomposition_ik import figures as nb6
 from course_lib.lessons.subproblems_damped_ik import figures as nb3
+from course_lib.pack import notebooks
+from course_lib.pack.site.build import build
 
 METRES = {"xlabel": "x (m)", "ylabel": "y (m)"}
 ERROR = ColourScale("error (cm)", low=0, high=10)
@@ -268,7 +278,7 @@ def test_all_samples_are_in_the_chart_with_their_cells():
     fig = nb6.samples(xy, cell, np.zeros(2), np.ones(2), 5).fig
     (dots,) = fig.data
     assert dots.type == "scattergl"
-    np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), xy, atol=5.1e-5)
+    np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), xy, rtol=0, atol=5.1e-4)
     in_first = (cell == cell[0]).all(axis=1).sum()
     assert dots.customdata[0] == [*cell[0], in_first]
 
@@ -290,3 +300,159 @@ def test_bars_of_one_name_in_two_panels_have_one_colour():
     first, second = fig.data
     assert first.marker.color == second.marker.color
     assert (first.showlegend, second.showlegend) == (True, False)
+
+
+# ---- charts as stored in the notebooks ----
+
+ROOT = Path(__file__).parents[1]
+STORED = [
+    (path.stem, cell.id, output)
+    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+    for cell in nbformat.read(path, as_version=4).cells
+    for output in cell.get("outputs", [])
+    if PLOTLY in output.get("data", {})
+]
+
+
+def test_there_are_charts_in_the_notebooks():
+    assert {"03_subproblems_damped_ik", "06_decomposition_ik"} <= {name for name, *_ in STORED}
+
+
+@pytest.mark.parametrize(("notebook", "cell", "output"), STORED, ids=lambda part: str(part)[:20])
+def test_each_chart_in_the_notebooks_has_its_picture_and_its_words(notebook, cell, output):
+    picture = matplotlib.image.imread(BytesIO(base64.b64decode(output.data["image/png"])))
+    metadata = output.metadata["image/png"]
+    assert picture.shape[1] == pytest.approx(1.5 * metadata["width"], abs=1)
+    assert picture.shape[0] == pytest.approx(1.5 * metadata["height"], abs=1)
+    assert np.ptp(picture[..., :3]) > 0.5, "it is not empty"
+    assert len(metadata["alt"]) > 50
+    assert output.data["text/plain"] == metadata["alt"]
+
+
+def test_nbconvert_keeps_the_words_of_charts_and_plots(tmp_path):
+    if not (Path(sys.prefix) / "share/jupyter/nbconvert/templates/lab_with_alt").exists():
+        unavailable("the course is not installed in this environment")
+    path = ROOT / "notebooks/06_decomposition_ik.ipynb"
+    command = [
+        sys.executable,
+        "-m",
+        "jupyter",
+        "nbconvert",
+        "--to",
+        "html",
+        "--output-dir",
+        tmp_path,
+    ]
+    subprocess.run([*command, path], check=True, capture_output=True)
+    page = BeautifulSoup((tmp_path / f"{path.stem}.html").read_text(), "html.parser")
+    words = [image["alt"] for image in page.select(".jp-OutputArea-output img")]
+    assert len(words) > 10
+    assert not [alt for alt in words if "No description" in alt or len(alt) < 50]
+
+
+# ---- in a browser ----
+
+HOVER = """box => {
+  const { x, y, width, height } = box.querySelector(".nsewdrag").getBoundingClientRect();
+  return [x, y, width, height];
+}"""
+LETTERS = """box => Math.min(...[...box.querySelectorAll(".chart-live text")]
+  .filter((text) => text.textContent).map((text) => parseFloat(getComputedStyle(text).fontSize)))"""
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """A page with a curve whose values are known, and with ten charts by WebGL."""
+    folder = tmp_path_factory.mktemp("charts")
+    source = (
+        "import numpy as np\nfrom course_lib.figures import charts, show\n"
+        "x = np.arange(11.0)\n"
+        "fig = charts.panels(xlabel='time (s)', ylabel='height (m)')\n"
+        "charts.add_line(fig, x, x**2 / 10, 'a ball', markers=True)\n"
+        "show(fig, alt='A curve that rises as a parabola does, to 10 m.')"
+    )
+    many = (
+        "for k in range(10):\n"
+        "    fig = charts.panels(xlabel='x (m)', ylabel='y (m)', equal=True)\n"
+        "    charts.add_points(fig, *np.random.default_rng(k).normal(size=(2, 3000)), 'dots')\n"
+        "    show(fig, alt=f'Three thousand dots that are scattered about, {k}.')"
+    )
+    cells = [nbformat.v4.new_markdown_cell("# Charts")]
+    cells += [nbformat.v4.new_code_cell(text, id=f"c{i}") for i, text in enumerate((source, many))]
+    book = folder / "notebooks" / "01_charts.ipynb"
+    book.parent.mkdir()
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), book)
+    notebooks.refresh(book)
+    build(book.parent, folder / "html")
+    return folder / "html" / "01_charts.html"
+
+
+def drawn(visit, number=0):
+    """Scroll to a chart; return its box when it is drawn."""
+    box = visit.page.locator(".chart-figure").nth(number)
+    box.scroll_into_view_if_needed()
+    visit.page.wait_for_function("box => box.matches('.drawn')", arg=box.element_handle())
+    return box
+
+
+@pytest.mark.tools("browser")
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_on_a_page_from_a_file_the_pointer_shows_the_value_of_the_data(page, browser, theme):
+    with Visit(browser, page, theme=theme) as visit:
+        box = drawn(visit)
+        x, y, *_ = box.evaluate(HOVER)
+        shown_by = visit.page.evaluate(
+            "box => { const { _fullLayout: { xaxis, yaxis } } = box.querySelector('.chart-live');"
+            " return [xaxis.c2p(5), yaxis.c2p(2.5)]; }",
+            box.element_handle(),
+        )
+        visit.page.mouse.move(x + shown_by[0] - 1, y + shown_by[1])
+        visit.page.mouse.move(x + shown_by[0], y + shown_by[1])
+        label = box.locator(".hoverlayer .hovertext")
+        expect(label).to_contain_text("time: 5 s")
+        expect(label).to_contain_text("height: 2.5 m")
+        assert box.get_attribute("role") == "group"
+        assert "parabola" in box.get_attribute("aria-label")
+        assert [url for url in visit.requests if not url.startswith("file:")] == []
+        assert len([url for url in visit.requests if "plotly.min.js" in url]) == 1
+        assert visit.complaints == []
+
+
+@pytest.mark.tools("browser")
+def test_on_a_phone_letters_stay_readable_and_nothing_leaves_the_page(page, browser):
+    with Visit(browser, page, width=390) as visit:
+        box = drawn(visit)
+        assert box.evaluate(LETTERS) >= 10
+        assert visit.page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+@pytest.mark.tools("browser")
+def test_the_keyboard_opens_a_table_with_all_that_hover_says(page, browser):
+    with Visit(browser, page) as visit:
+        numbers = visit.page.locator(".chart-numbers").first
+        numbers.locator("summary").focus()
+        visit.page.keyboard.press("Enter")
+        rows = numbers.locator("tr").all_inner_texts()
+        assert rows[0].split("\t") == ["time", "height"]
+        assert rows[6].split("\t") == ["5 s", "2.5 m"]
+        assert len(rows) == 12
+
+
+@pytest.mark.tools("browser")
+def test_charts_far_from_the_window_are_let_go(page, browser):
+    with Visit(browser, page) as visit:
+        for number in range(11):
+            drawn(visit, number)
+        first = visit.page.locator(".chart-figure").first.element_handle()
+        visit.page.wait_for_function("box => !box.matches('.drawn')", arg=first)
+        drawn(visit, 0)
+        assert visit.complaints == []
+
+
+@pytest.mark.tools("browser")
+def test_without_plotlys_script_the_picture_stays(page, browser):
+    with Visit(browser, page, without="plotly.min.js") as visit:
+        box = visit.page.locator(".chart-figure").first
+        box.scroll_into_view_if_needed()
+        expect(box.locator(".chart-still")).to_be_visible()
+        assert "drawn" not in box.get_attribute("class")
