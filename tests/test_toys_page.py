@@ -693,38 +693,6 @@ def test_the_picture_keeps_its_height_when_the_joint_angles_are_opened(visit, na
     assert heights[1:] == heights[:1] * 2
 
 
-HEIGHT = "(box) => box.querySelector('.course-toy').offsetHeight"
-CHANGING = [  # ranges after which a toy says more, or shows fewer lines
-    ("gimbals", {"Pitch (middle ring)": 90}),
-    ("axis", {"Angle": 0}),
-    ("belt", {"Rotate the box": 720}),
-    ("circles_toy", {"From k₁ to p₁": 0, "From k₂ to p₂": 0}),
-    (
-        "circles_toy",
-        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 0, "From k₂ to p₂": 70},
-    ),
-    ("eight", {"Rotate about z": 90}),
-    ("eight", {"Rotate about y": 120, "Rotate about x": 60}),
-]
-
-
-@pytest.mark.parametrize(("name", "values"), CHANGING)
-@pytest.mark.parametrize("wide", [True, False], ids=["desktop", "phone"])
-def test_the_height_of_a_toy_stays_whatever_it_says(visit, phone, name, values, wide):
-    here = visit if wide else phone
-    box = figure_of(here, name)
-    at_first = {label: box.get_by_label(label, exact=True).input_value() for label in values}
-    before, words = box.evaluate(HEIGHT), box.locator(".controls").inner_text()
-    for label, value in values.items():
-        put(box, label, value)
-    here.page.evaluate(SETTLED, 200)
-    changed, after = box.locator(".controls").inner_text(), box.evaluate(HEIGHT)
-    for label, value in at_first.items():
-        put(box, label, value)
-    assert changed != words
-    assert after == before
-
-
 def test_every_toy_is_accessible(visit, phone):
     assert violations(visit, within=".course-toy") == []
     assert violations(phone, within=".course-toy") == []
@@ -778,6 +746,39 @@ def test_the_library_follows_each_of_several_solutions_while_the_target_moves(vi
     assert "8 solutions" in box.inner_text()
     assert box.locator(".numbers > div").count() == 8
     assert "from the target" not in box.locator(".numbers").inner_text(), "all eight reach it"
+
+
+# After the test above: a solution that was out of reach is not always met again.
+HEIGHT = "(box) => box.querySelector('.course-toy').offsetHeight"
+CHANGING = [  # ranges after which a toy says more, or shows fewer lines
+    ("gimbals", {"Pitch (middle ring)": 90}),
+    ("axis", {"Angle": 0}),
+    ("belt", {"Rotate the box": 720}),
+    ("circles_toy", {"From k₁ to p₁": 0, "From k₂ to p₂": 0}),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 0, "From k₂ to p₂": 70},
+    ),
+    ("eight", {"Rotate about z": 90}),
+    ("eight", {"Rotate about y": 120, "Rotate about x": 60}),
+]
+
+
+@pytest.mark.parametrize(("name", "values"), CHANGING)
+@pytest.mark.parametrize("wide", [True, False], ids=["desktop", "phone"])
+def test_the_height_of_a_toy_stays_whatever_it_says(visit, phone, name, values, wide):
+    here = visit if wide else phone
+    box = figure_of(here, name)
+    at_first = {label: box.get_by_label(label, exact=True).input_value() for label in values}
+    before, words = box.evaluate(HEIGHT), box.locator(".controls").inner_text()
+    for label, value in values.items():
+        put(box, label, value)
+    here.page.evaluate(SETTLED, 200)
+    changed, after = box.locator(".controls").inner_text(), box.evaluate(HEIGHT)
+    for label, value in at_first.items():
+        put(box, label, value)
+    assert changed != words
+    assert after == before
 
 
 # ---- a film ----
