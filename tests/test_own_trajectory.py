@@ -72,24 +72,9 @@ def load_cell(lines, written):
         assert source.count(line) == 1, line
         source = source.replace(line, other)
     source = source.replace("TRAJECTORY = SHIPPED\n", f"TRAJECTORY = {str(written)!r}\n", 1)
-    space = {
-        "trajectory": trajectory,
-        "np": np,
-        "arm": ARM,
-        "first_bad_row": None,
-        "check": Unchecked,
-    }
+    space = {"trajectory": trajectory, "np": np, "arm": ARM}
     exec(compile(source, "trajectory-load", "exec"), space)
     return space
-
-
-class Unchecked:
-    """The part of `check` that the cell uses."""
-
-    class first_bad_row:
-        @staticmethod
-        def use(answer):
-            return lambda t, q, limits: -1
 
 
 def film_of(told):

@@ -10,7 +10,7 @@ import numpy as np
 from course_lib.arguments import file_path, positive, real_array
 from course_lib.trajectory.column_names import UNITS
 from course_lib.trajectory.motion import Trajectory
-from course_lib.trajectory.plan import plan_of
+from course_lib.trajectory.planning import plan_of
 from course_lib.trajectory.refusals import JointCountError, UnclearFileError, unclear
 from course_lib.trajectory.text_table import read_table
 
@@ -21,6 +21,7 @@ _SLOW = 1.0  # seconds between samples, from which times without a unit are aske
 # Seconds since 1970 in the years 2000 to 2100: a time in no unit that, in one of these units, falls
 # there, is in that unit. ROS counts nanoseconds since 1970, others micro- or milliseconds.
 _SINCE_1970 = (9.4e8, 4.2e9)
+_UNITS_IN_WORDS = {"t": "times", "q": "angles", "qd": "angular velocities"}
 _FILE_UNITS = {"t": ("time",), "q": ("angle",), "qd": ("rate", "angle")}
 
 
@@ -242,16 +243,18 @@ def _with_unit(table, column, key, unit, chosen):
 
 def _refuse_wrong_units(table, columns, kind):
     """Refuse columns whose unit in the header is none of their quantity."""
-    what = {"t": "a time", "q": "an angle", "qd": "an angular velocity"}[kind]
-    unit = {"t": "s", "q": "rad", "qd": "rad/s"}[kind]
+    what, kinds = _UNITS_IN_WORDS[kind], _FILE_UNITS[kind]
+    known = ", ".join(name for name, (unit_kind, _) in UNITS.items() if unit_kind in kinds)
     for number, column in enumerate(columns, 1):
         if column.unit and column.unit.startswith("?"):
             key = kind if kind == "t" else f"{kind}{number}"
             raise unclear(
                 table,
-                f"{column.title!r} has the unit {column.unit[1:]}, which is none of {what}.",
+                f"{column.title!r} has the unit {column.unit[1:]}. The units of {what} that are "
+                f"known here are {known}.",
                 columns,
-                f'If it is in {unit} nevertheless, write units={{"{key}": "{unit}"}}.',
+                f"If it is in one of these nevertheless, write it, for example "
+                f'units={{"{key}": "{known.split(",")[0]}"}}.',
             )
 
 
