@@ -127,7 +127,8 @@ def contents(checks, forbidden):
     for path in [*(PACKAGE / "figures").rglob("*.py"), *drawing, *exercises_beside]:
         files[f"course_lib/{path.relative_to(PACKAGE).as_posix()}"] = quiet
     judging = [path for path in lessons.glob("*/check.py")]
-    mathematics = [*PACKAGE.glob("*.py"), *lessons.glob("*.py"), *lessons.glob("*/*.py")]
+    mathematics = [*PACKAGE.glob("*.py"), *PACKAGE.glob("trajectory/*.py")]
+    mathematics += [*lessons.glob("*.py"), *lessons.glob("*/*.py")]
     for path in mathematics:
         if path in drawing or path in judging:
             continue

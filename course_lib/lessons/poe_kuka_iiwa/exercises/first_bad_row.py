@@ -117,7 +117,7 @@ EXERCISE = Exercise(
         "np.argmax of an array of True and False is the position of the first True; ask first "
         "whether there is any.",
     ),
-    forbidden=("course_lib.trajectory.load",),
+    forbidden=("course_lib.trajectory.loading.load",),
 )
 
 

@@ -71,7 +71,7 @@ EXERCISE = Exercise(
     cases=lambda rng: [()],
     returns=_read,
     library=lambda: (_SCREWS, _M),
-    forbidden=("course_lib.arms.ur5e",),
+    forbidden=("course_lib.arms.ur5e", "course_lib.urdf.chain"),
     properties=(
         Property(
             "the axes have the directions of the arrows in the drawing, of length one",
