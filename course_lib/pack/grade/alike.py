@@ -97,8 +97,8 @@ def earlier_works(folder, platform=""):
 def _ours():
     """Return ({name: source} of the library and the solutions, the sources of what students are given)."""
     library = {
-        f"{PACKAGE.name}/{path.name}": [path.read_text(encoding="utf-8")]
-        for path in PACKAGE.glob("*.py")
+        f"{PACKAGE.name}/{path.relative_to(PACKAGE).as_posix()}": [path.read_text(encoding="utf-8")]
+        for path in [*PACKAGE.glob("*.py"), *PACKAGE.glob("trajectory/*.py")]
     }
     given = []
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
