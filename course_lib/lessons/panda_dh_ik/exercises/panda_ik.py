@@ -20,7 +20,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared import (
     frames,
 )
 from course_lib.rigid import inverse, transform
-from course_lib.rotations import exp_so3, length, log_so3
+from course_lib.rotations import exp_so3, length, log_so3, rot_z
 
 # metres and radians; a little more than asked for, because the student's sums round otherwise
 _REACHED = 1.001e-6
@@ -75,23 +75,51 @@ _ABOUT_READY = READY + 0.1 * np.array(
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
 
+# Symmetries of the arm, by which each case is replaced by another one of the same difficulty, so
+# that a table of answers computed at home answers none. A rotation of target and start about the
+# axis of joint 1 adds an angle to joint 1, and a rotation of the flange about its own axis adds one
+# to joint 7: all steps of an iteration stay the same, but for the limits of these two joints, which
+# the angles added keep away from. A reflection in the plane of the arm negates the joints whose
+# axes lie in that plane; their limits are symmetric.
+_MAX_ADDED = 0.4  # rad; with more, the starts would differ in their distance from the limits
+_MIRROR = np.diag([1.0, -1.0, 1.0, 1.0])
+_MIRRORED = np.array([-1, 1, -1, 1, -1, 1, -1])
+
+
+def _moved(rng, T_target, q0, q_target):
+    """Return another case of the same difficulty.
+
+    q_target: joint angles that reach the target; joints 1 and 7 stay within their limits for them.
+    """
+    room = np.minimum(HIGH - np.abs(q_target) - 0.005, _MAX_ADDED).clip(0)
+    added = rng.uniform(-room[0], room[0]), rng.uniform(-room[6], room[6])
+    q0 = q0 + added[0] * np.eye(7)[0] + added[1] * np.eye(7)[6]
+    T = transform(rot_z(added[0]), np.zeros(3)) @ inverse(T_W0) @ T_target
+    T = T @ transform(rot_z(added[1]), np.zeros(3))
+    if rng.random() < 0.5:
+        T, q0 = _MIRROR @ T @ _MIRROR, _MIRRORED * q0
+    return T_W0 @ T, q0
+
+
 def _cases(rng):
-    here = flange(READY)
+    at_ready = flange(READY)
     # Who stops too early answers q0: by the larger half of the error, or by its largest number.
     errors = ([0, 1.3e-6, 0], [9e-7, 0, 9e-7]), (3 * [6e-7], 3 * [6e-7])
-    moved = transform(here[:3, :3], here[:3, 3] - [0.03, 0.02, 0.04])
-    rotated = transform(exp_so3([0.1, 0.2, -0.3]) @ here[:3, :3], here[:3, 3])
-    return [
-        (flange(READY + 0.03 * rng.choice([-1, 1], 7)), READY),
-        (here, READY),
-        *((flange(q), q) for q in (_BEYOND, _OUTSIDE)),
-        *((here @ transform(exp_so3(w), p), READY) for w, p in errors),
-        *((T, READY) for T in (flange(_ABOUT_READY), moved, rotated)),
-        (flange(_ABOUT_LOW_DOWN), _LOW_DOWN),
-        *((flange(q), np.clip(q - 0.2, LOW, HIGH)) for q in _AT_A_LIMIT),
-        *((flange(q), READY) for q in _HARD),
-        (transform(here[:3, :3], [3.0, 0.13, 0.6]), READY),
+    shifted = transform(at_ready[:3, :3], at_ready[:3, 3] - [0.03, 0.02, 0.04])
+    rotated = transform(exp_so3([0.1, 0.2, -0.3]) @ at_ready[:3, :3], at_ready[:3, 3])
+    reached = [  # start and joint angles that reach the target
+        (READY, READY + 0.03 * rng.choice([-1, 1], 7)),
+        (READY, READY),
+        *((q, q) for q in (_BEYOND, _OUTSIDE)),
+        (READY, _ABOUT_READY),
+        (_LOW_DOWN, _ABOUT_LOW_DOWN),
+        *((np.clip(q - 0.2, LOW, HIGH), q) for q in _AT_A_LIMIT),
+        *((READY, q) for q in _HARD),
     ]
+    poses = [at_ready @ transform(exp_so3(w), p) for w, p in errors]
+    poses += [shifted, rotated, transform(at_ready[:3, :3], [3.0, 0.13, 0.6])]
+    cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
+    return cases[:4] + [_moved(rng, T, READY, READY) for T in poses] + cases[4:]
 
 
 @remembered
