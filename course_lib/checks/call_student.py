@@ -5,30 +5,37 @@ claim, which another process judges.
 """
 
 import contextlib
-import dis
 import functools
 import importlib
 import io
 import json
 import linecache
-import signal
 import sys
-import threading
 import types
 import warnings
+from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
 import numpy as np
 
 from course_lib.checks.adapters import ADAPTERS
+from course_lib.checks.clock import cpu_clock
+from course_lib.checks.right_ones import namespace_of, right_ones, written_function
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-_MOST_CALLS = 5_000  # of one candidate, by a test
-_MOST_WARNING = 300  # letters of a warning or an error's message
+_MOST_CALLS = 5_000  # of one candidate, by a test; the tasks say so
+_MAX_WARNING = 300  # letters of a warning or an error's message
+_MODULES_OF_CHECKS = ("course_lib.lessons.", "course_lib.checks.")
+_ENDS_ALL = ("TimeUp", "NotAllowed", "KeyboardInterrupt")  # errors after which no case is asked
 
 
-def reply(function, questions, consult=None, instead=None):
+def reply(
+    function: Callable | None,
+    questions: str,
+    consult: Callable[[str], str] | None = None,
+    instead: Mapping[str, Sequence[str]] | None = None,
+) -> str:
     """Return the answers to some questions, as JSON text.
 
     Parameters
@@ -42,63 +49,55 @@ def reply(function, questions, consult=None, instead=None):
     consult : callable, optional
         Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed
         only for exercises in which the student writes a test, and with `instead`.
-    instead : dict, optional
+    instead : mapping, optional
         {name: names of its arguments} of functions of the notebook in whose place the process that
-        judges answers.
+        judges answers, whatever name the function is called by.
 
     Returns
     -------
     str
-        JSON text of {"answers": a list with a dict for each case, "calls": [names of functions of
-        the notebook that the function uses], "refused": [names of functions that are not allowed
-        and were called in this process, in the cells too]}. The keys of an answer are among "value"
-        (what came back, see wire.py), "changed" (positions of the arguments changed in place),
-        "warning" (the text of the first one), and "error" ({"type", "message", "line", "source",
-        "cell"}; the line is one of the student's own code, "cell" names the function in whose cell
-        it stands, if not in this function's).
+        JSON text of {"answers": a list with a dict for each case, "refused": [names of functions
+        that are not allowed and were called in this process, in the cells too]}. The keys of an
+        answer are among "value" (what came back, see wire.py), "changed" (positions of the
+        arguments changed in place), "warning" (the text of the first one), and "error" ({"type",
+        "message", "line", "source", "cell"}; the line is one of the student's own code, "cell"
+        names the function in whose cell it stands, if not in this function's).
 
     Examples
     --------
     >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1, "through": "", "names": ["x"],
     ...     "exercise": ""}
     >>> answers = json.loads(reply(np.sqrt, write(questions)))["answers"]
-    >>> [from_json(answer["value"]) for answer in answers]
+    >>> [read(json.dumps(answer["value"])) for answer in answers]
     [np.float64(1.0), np.float64(2.0)]
     """
     asked = read(questions)
     cases = asked["cases"]
     if function is None:
-        return json.dumps(
-            {
-                "answers": [_error("NotImplementedError", "")] * len(cases),
-                "calls": [],
-                "refused": [],
-            }
-        )
+        answers = [_error("NotImplementedError", "")] * len(cases)
+        return json.dumps({"answers": answers, "refused": []})
     through, names = ADAPTERS[asked["through"]], asked["names"]
-    own = getattr(function, "__globals__", {})
-    own.update(
-        {name: _StandIn(name, consult, arguments) for name, arguments in (instead or {}).items()}
-    )
-    answers, last = [], _error("TimeUp", _too_long(asked["seconds"]))
-    taken_away = _taken_away(asked["forbidden"], function, asked["exercise"])
-    with contextlib.suppress(TimeUp), _quiet(), _put_back(), taken_away as refused:
-        with _clock(asked["seconds"]) as start_again:
-            for case in cases:
-                if any(isinstance(argument, Candidate) for argument in case):
-                    start_again()  # a test has its time for each candidate, as in grading
-                answers.append(refused or _answer(function, case, through, names, consult))
-                if answers[-1].get("error", {}).get("type") in (
-                    "TimeUp",
-                    "NotAllowed",
-                    "KeyboardInterrupt",
-                ):
-                    last = answers[-1]
-                    break
+    stand_ins = {
+        name: _StandIn(name, consult, arguments) for name, arguments in (instead or {}).items()
+    }
+    too_long = f"more than {asked['seconds']} seconds of computing"
+    answers, last = [], _error("TimeUp", too_long)
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(contextlib.suppress(TimeUp))
+        stack.enter_context(_quiet())
+        stack.enter_context(_put_back())
+        stack.enter_context(right_ones(namespace_of(function), stand_ins))
+        refused = stack.enter_context(_taken_away(asked["forbidden"], function, asked["exercise"]))
+        start_again = stack.enter_context(cpu_clock(asked["seconds"], TimeUp, too_long))
+        for case in cases:
+            if any(isinstance(argument, Candidate) for argument in case):
+                start_again()  # a test has its time for each candidate, as in grading
+            answers.append(refused or _answer(function, case, through, names, consult))
+            if answers[-1].get("error", {}).get("type") in _ENDS_ALL:
+                last = answers[-1]
+                break
     answers += [last] * (len(cases) - len(answers))  # the other cases would end in the same way
-    return json.dumps(
-        {"answers": answers, "calls": functions_used(function), "refused": sorted(NotAllowed.met)}
-    )
+    return json.dumps({"answers": answers, "refused": sorted(NotAllowed.met)})
 
 
 def _answer(function, case, through, names, consult):
@@ -108,7 +107,7 @@ def _answer(function, case, through, names, consult):
             warnings.simplefilter("default")
             value = through(function, names, arguments)
         answer = {"value": to_json(value), "changed": _changed(case, arguments)}
-        return answer | ({"warning": str(caught[0].message)[:_MOST_WARNING]} if caught else {})
+        return answer | ({"warning": str(caught[0].message)[:_MAX_WARNING]} if caught else {})
     except NotPlain as kind:
         return _error("NotPlain", str(kind))
     except (
@@ -126,7 +125,7 @@ def _error(kind, message, line=None, source="", cell=""):
 def _text(raised):
     """Return the text of an exception. The student's class may define it, so this can fail."""
     try:
-        return str(raised)[:_MOST_WARNING]
+        return str(raised)[:_MAX_WARNING]
     except BaseException:
         return "its text cannot be shown"
 
@@ -165,84 +164,14 @@ def _as_it_was(before, argument):
     return True  # numbers, texts and stand-ins cannot change
 
 
-class _StandIn:
-    """Stands for a candidate: passes its arguments to the process that judges, and returns the answer.
-
-    In this process all candidates look alike. Only their answers differ. names: those of the
-    arguments if it stands for another exercise's function, which may be called with keywords.
-    """
-
-    __slots__ = ("_calls", "_consult", "_names", "_number")
-
-    def __init__(self, number, consult, names=()):
-        self._number, self._consult, self._names, self._calls = number, consult, names, 0
-
-    def __call__(self, *arguments, **named):
-        self._calls += 1
-        if self._calls > _MOST_CALLS and not self._names:
-            raise TimeUp(f"more than {_MOST_CALLS:,} calls of the function that it tests")
-        arguments += tuple(
-            named.pop(name) for name in self._names[len(arguments) :] if name in named
-        )
-        if named:
-            raise TypeError(f"there is no argument {next(iter(named))}")
-        request = json.dumps(
-            {"candidate": self._number, "arguments": [to_json(a) for a in arguments]}
-        )
-        answer = json.loads(self._consult(request))
-        if "error" in answer:
-            raise ValueError(str(answer["error"]))
-        return from_json(answer["value"])
-
-
-def functions_used(function):
-    """Return the names of the functions of its own notebook that a function calls, and those that they call.
-
-    Parameters
-    ----------
-    function : callable
-
-    Returns
-    -------
-    list of str
-        A hundred at most.
-    """
-    own, found, waiting = (
-        getattr(function, "__globals__", None),
-        [],
-        [getattr(function, "__code__", None)],
-    )
-    while waiting:
-        code = waiting.pop()
-        if not isinstance(code, types.CodeType):
-            continue
-        waiting += [constant for constant in code.co_consts if isinstance(constant, types.CodeType)]
-        reads = (
-            step
-            for step in dis.get_instructions(code)
-            if step.opname in ("LOAD_GLOBAL", "LOAD_NAME")
-        )
-        for name in (
-            step.argval for step in reads
-        ):  # not co_names: they hold attributes, as of rigid.exp_se2, as well
-            used = own.get(name)
-            if (
-                isinstance(used, types.FunctionType)
-                and used.__globals__ is own
-                and name not in found
-            ):
-                found.append(name)
-                waiting.append(used.__code__)
-    return found[:100]
-
-
 def _students_line(raised, function):
     """Return (number, text, cell) of the last line that ran in the notebook, whose globals are the function's.
 
     cell: the name of the function whose cell contains that line, or "" if it is the function's own
     cell.
     """
-    own = getattr(function, "__globals__", None)
+    written = written_function(function)
+    own = written.__globals__ if written else None
     number, source, cell, step = None, "", "", raised.__traceback__
     while step is not None:
         code = step.tb_frame.f_code
@@ -251,7 +180,7 @@ def _students_line(raised, function):
                 step.tb_lineno,
                 linecache.getline(code.co_filename, step.tb_lineno).strip()[:200],
             )
-            elsewhere = code.co_filename != function.__code__.co_filename
+            elsewhere = code.co_filename != written.__code__.co_filename
             cell = (cell if code.co_name.startswith("<") else code.co_name) if elsewhere else ""
         step = step.tb_next
     return number, source, cell
@@ -270,40 +199,50 @@ class NotAllowed(BaseException):
     met: the names of all forbidden functions called in this process.
     """
 
-    met: ClassVar = set()
+    met: ClassVar[set[str]] = set()
 
-    def __init__(self, name):
+    def __init__(self, name: str):
         super().__init__(name)
         self.met.add(name)
 
 
-def _too_long(seconds):
-    return f"more than {seconds} seconds of computing"
+class _StandIn:
+    """Stands for a candidate or a right function: passes its arguments on, and returns the answer.
 
-
-@contextlib.contextmanager
-def _clock(seconds):
-    """Raise TimeUp in the main thread after so many CPU seconds, and each second from then on.
-
-    Yields a function that starts the clock again.
+    Parameters
+    ----------
+    number : int or str
+        The number of a candidate, or the name of an exercise. All candidates look alike to the
+        process that calls them. Only their answers differ.
+    consult : callable
+        Asks the process that judges: takes and returns JSON text.
+    names : sequence of str
+        Of the arguments of an exercise's function, which may be called with keywords.
     """
 
-    def ring(signum, frame):
-        raise TimeUp(_too_long(seconds))
+    __slots__ = ("_calls", "_consult", "_names", "_number")
 
-    if (
-        not hasattr(signal, "setitimer")
-        or threading.current_thread() is not threading.main_thread()
-    ):
-        yield lambda: None  # no such clock (Windows): the student can interrupt the kernel
-        return
-    earlier = signal.signal(signal.SIGPROF, ring)
-    try:
-        signal.setitimer(signal.ITIMER_PROF, seconds, 1)
-        yield lambda: signal.setitimer(signal.ITIMER_PROF, seconds, 1)
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-        signal.signal(signal.SIGPROF, earlier)
+    def __init__(self, number: int | str, consult: Callable, names: Sequence[str] = ()):
+        self._number, self._consult, self._names = number, consult, tuple(names)
+        self._calls = 0
+
+    def __call__(self, *arguments, **named):
+        self._calls += 1
+        if self._calls > _MOST_CALLS and not self._names:
+            raise TimeUp(f"more than {_MOST_CALLS:,} calls of the function that it tests")
+        further = self._names[len(arguments) :]
+        arguments += tuple(named.pop(name) for name in further if name in named)
+        if named:
+            raise TypeError(f"there is no argument {next(iter(named))}")
+        values = [to_json(argument) for argument in arguments]
+        answer = json.loads(
+            self._consult(json.dumps({"candidate": self._number, "arguments": values}))
+        )
+        if "refused" in answer:
+            raise NotAllowed(str(answer["refused"]))
+        if "error" in answer:
+            raise ValueError(str(answer["error"]))
+        return from_json(answer["value"])
 
 
 @contextlib.contextmanager
@@ -345,10 +284,10 @@ def _taken_away(names, function, exercise):
     """Replace the functions with these dotted names in the library and in the student's notebook.
 
     So are the objects in the notebook of a class with such a name: an arm made in another cell does
-    its work as well; the exercise's own check, which has the library's function; and what its `use`
-    returned in another cell. Yields the answer to every question if the student's function is
-    itself one of them, else None. This is a deterrent: a pasted copy of the library's code is not
-    recognized.
+    its work as well; the checks that have one of these functions, or are the exercise's own; and
+    what their `use` returned in another cell. Yields the answer to every question if the student's
+    function is itself one of them, else None. This is a deterrent: a pasted copy of the library's
+    code is not recognized.
     """
     things = {}
     for name in names:
@@ -356,20 +295,19 @@ def _taken_away(names, function, exercise):
         thing = getattr(importlib.import_module(module), attribute)
         things[id(thing)] = thing, name, ("course_lib", module)
     refused = _error("NotAllowed", things[id(function)][1]) if id(function) in things else None
-    own = getattr(function, "__globals__", {})
+    own = namespace_of(function)
     for value in list(own.values()):
         if id(type(value)) in things:
             things[id(value)] = value, things[id(type(value))][1], ("course_lib",)
-    for check in [
-        vars(each).get(exercise) for each in own.values() if isinstance(each, types.ModuleType)
-    ]:
-        if hasattr(check, "library"):
-            things[id(check)] = check, f"check.{exercise}", ("course_lib",)
-            partials = [each for each in own.values() if isinstance(each, functools.partial)]
-            used = [each for each in partials if each.func is check.library]
-            things |= {
-                id(each): (each, f"the library's {exercise}", ("course_lib",)) for each in used
-            }
+    partials = [value for value in own.values() if isinstance(value, functools.partial)]
+    for name, check in _checks(own):
+        library = getattr(check, "library", None)
+        if library is None or (name != exercise and id(library) not in things):
+            continue
+        things[id(check)] = check, f"check.{name}", ("course_lib",)
+        for used in partials:
+            if used.func is library:
+                things[id(used)] = used, f"the library's {name}", ("course_lib",)
     packages = tuple(sorted({package for *_, where in things.values() for package in where}))
     spaces = [(key, vars(sys.modules[key])) for key in _inside(packages, tuple(sys.modules))]
     put_back = []
@@ -388,6 +326,14 @@ def _taken_away(names, function, exercise):
     finally:
         for space, key, thing in put_back:
             space[key] = thing
+
+
+def _checks(own):
+    """Yield (name, check) of all checks in the modules of checks that a notebook has imported."""
+    for module in list(own.values()):
+        name = getattr(module, "__name__", "") if isinstance(module, types.ModuleType) else ""
+        if name.startswith(_MODULES_OF_CHECKS):
+            yield from ((key, value) for key, value in vars(module).items() if key[:1] != "_")
 
 
 @functools.lru_cache(maxsize=16)

@@ -110,6 +110,9 @@ class Exercise:
         they point to.
     alike : callable
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
+    builds_on : tuple of str
+        Exercises of the same notebook that the task tells to call, although it excludes the
+        library's versions of them.
     broken : callable, optional
         If the task is to find a bug: a function that answers as the broken code does, None
         included.
@@ -141,6 +144,7 @@ class Exercise:
     hints: tuple[str, ...]
     library: Callable | None = None
     forbidden: tuple[str, ...] = ()
+    builds_on: tuple[str, ...] = ()
     through: str = ""
     errors: tuple[tuple[str, str, Mistake], ...] = ()
     alike: Callable = same
@@ -288,11 +292,11 @@ class Verdict:
         A remark on a right answer.
     credit : int
         The points of a wrong answer.
-    calls : tuple of str
-        The names of the notebook's functions that the answer uses, as the student's process reports
-        them.
     blames : str
         The name of another exercise that the answer calls and that is not right yet.
+    instead : tuple of str
+        The names of the exercises that the answer calls and that are not right, so that right
+        functions stood in their place.
     """
 
     exercise: Exercise
@@ -303,8 +307,8 @@ class Verdict:
     answer: object = None
     note: str = ""
     credit: int = 0
-    calls: tuple[str, ...] = ()
     blames: str = ""
+    instead: tuple[str, ...] = ()
 
     @property
     def points(self):
@@ -313,14 +317,24 @@ class Verdict:
 
 
 class Here:
-    """A student's function in this process, for the checks in the notebook."""
+    """A student's function in this process, for the checks in the notebook.
 
-    def __init__(self, function):
-        self.function = function
+    Parameters
+    ----------
+    function : callable
+    right_ones : RightOnes, optional
+        Answers in place of other functions of the notebook.
+    """
+
+    def __init__(self, function, right_ones=None):
+        self.function, self.right_ones = function, right_ones
 
     def reply(self, questions, consult=None):
         """Return the answers to some questions; see call_student.reply."""
-        return call_student.reply(self.function, questions, consult)
+        if self.right_ones is None:
+            return call_student.reply(self.function, questions, consult)
+        answer = self.right_ones.answering(consult)
+        return call_student.reply(self.function, questions, answer, self.right_ones.arguments)
 
 
 def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
@@ -358,7 +372,6 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
         answers = [_claim(answer, exercise.arguments) for answer in claims["answers"]]
         if len(answers) != len(cases):
             raise NotPlain("not one answer for each case")
-        calls = tuple(str(name)[:100] for name in claims["calls"][:100])
     except (
         ValueError,
         LookupError,
@@ -369,7 +382,7 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     ) as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
     with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
-        return replace(exercise.verdict(cases, answers), calls=calls)
+        return exercise.verdict(cases, answers)
 
 
 def review(exercise, student):

@@ -13,9 +13,10 @@ import resource
 import signal
 import sys
 import tempfile
-import threading
 import warnings
+from collections.abc import Iterator
 
+from course_lib.checks.clock import cpu_clock
 from course_lib.pack.grade.confine import die_with_parent
 
 CPU_SECONDS = (
@@ -39,25 +40,10 @@ class CpuDeadline(BaseException):
 
 
 @contextlib.contextmanager
-def cpu_deadline(seconds):
-    """Raise CpuDeadline in the block once it has used so many seconds of processor time.
-
-    It has no effect outside the main thread, where Python runs no signal handlers.
-    """
-
-    def ring(signum, frame):
-        raise CpuDeadline(f"more than {seconds} seconds of computing")
-
-    if threading.current_thread() is not threading.main_thread():
+def cpu_deadline(seconds: float) -> Iterator[None]:
+    """Raise CpuDeadline in the block once it has used so many seconds of processor time; see clock.py."""
+    with cpu_clock(seconds, CpuDeadline, f"more than {seconds} seconds of computing"):
         yield
-        return
-    earlier = signal.signal(signal.SIGPROF, ring)
-    signal.setitimer(signal.ITIMER_PROF, seconds, 1)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-        signal.signal(signal.SIGPROF, earlier)
 
 
 class Bounded:

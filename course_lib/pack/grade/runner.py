@@ -5,6 +5,8 @@ it. It reads one JSON object with the cells, and runs them. Then it reads reques
 ...} until the end, and answers each in a child process, so that a crash in one answer affects no
 other. While the whole notebook runs, it says so at each of its checks, and answers requests about
 the function that is checked, until one asks nothing.
+
+What a cell, or an answer, asks of a function that only the checks have is passed on to the grader.
 """
 
 import ast
@@ -16,14 +18,21 @@ import linecache
 import os
 import random
 import resource
+import select
 import shutil
 import signal
 import sys
 import threading
 import types
+from collections.abc import Callable
+
+PATIENCE = 20  # seconds in which a child reads an answer
+TOO_LONG = "its answer is too long"
+TOO_OFTEN = "it calls the functions that it tests too often"
+NOT_READING = "it does not read what the functions that it calls answer"
 
 
-def main():
+def main() -> None:
     """Run the cells, then answer requests until the input ends."""
     course, settings = sys.argv[1], json.loads(sys.argv[2])
     sys.path[:0] = [course, *settings["packages"]]
@@ -37,43 +46,80 @@ def main():
     importlib.import_module(
         "numpy.random"
     )  # numpy does so when it is first used: in each child process, again
-
-    from course_lib import checks
-    from course_lib.checks import call_student
-
-    runner = os.getpid()
-
-    def say(**message):
-        write(replies, json.dumps(message).encode() + b"\n")
-
-    def tell(name, text):
-        """Return a candidate's answer from the grader, for a student's test; None after too many calls."""
-        say(exercise=name, call=text)
-        return json.loads(requests.readline())["answer"]
-
-    def serve(find):
-        """Answer requests about the functions that find(name) returns, until one asks nothing."""
-        while (line := requests.readline()) and "ask" in (asked := json.loads(line)):
-            answer = functools.partial(
-                call_student.reply, find(asked["ask"]), asked["questions"], instead=asked["instead"]
-            )
-            say(
-                exercise=asked["ask"],
-                **in_a_child(asked, answer, functools.partial(tell, asked["ask"])),
-            )
-
-    def checked(name, function):
-        """Let the grader ask now: what is right at its check counts, whatever a later cell does."""
-        if os.getpid() == runner and threading.current_thread() is threading.main_thread():
-            say(checked=name)
-            serve({name: function}.get)
-
-    order = json.loads(requests.readline())
-    checks.checked = checked
+    conversation = Conversation(requests, replies)
+    order = conversation.read()
+    begin_all_random_numbers_alike()
     run = whole if order["whole"] else needed_only
-    space = run(order["cells"], order["names"], {tuple(place) for place in order["without"]}, say)
-    say(ran=True)
-    serve(space.get)
+    left_out = {tuple(place) for place in order["without"]}
+    space = run(order["cells"], order["names"], left_out, conversation.say)
+    conversation.say(ran=True)
+    conversation.serve(space.get)
+
+
+class Conversation:
+    """What this process and the grader tell each other, in lines of JSON."""
+
+    def __init__(self, requests, replies):
+        self._requests, self._replies, self._process = requests, replies, os.getpid()
+        self._checks = importlib.import_module("course_lib.checks")
+        self._call_student = importlib.import_module("course_lib.checks.call_student")
+        self._checks.checked = self.checked
+        self._checks.asking = self.ask_library
+
+    def say(self, **message) -> None:
+        """Write a line to the grader."""
+        write(self._replies, json.dumps(message).encode() + b"\n")
+
+    def read(self) -> dict:
+        """Read a line from the grader; {} if there is none."""
+        line = self._requests.readline()
+        return json.loads(line) if line else {}
+
+    def serve(self, find: Callable) -> None:
+        """Answer requests about the functions that find(name) returns, until one asks nothing."""
+        while "ask" in (asked := self.read()):
+            function, name = find(asked["ask"]), asked["ask"]
+            answer = functools.partial(
+                self._call_student.reply, function, asked["questions"], instead=asked["instead"]
+            )
+            pass_on = functools.partial(self._pass_on, name)
+            self.say(exercise=name, **in_a_child(asked, answer, self._checks, pass_on))
+
+    def checked(self, name: str, function: Callable) -> None:
+        """Let the grader ask now: what is right at its check counts, whatever a later cell does."""
+        if self._in_charge():
+            self.say(checked=name)
+            self.serve({name: function}.get)
+
+    def ask_library(self, text: str) -> str:
+        """Return what the grader answers to a cell that calls a function of the checks."""
+        if not self._in_charge():
+            raise RuntimeError("only a cell itself, or an answer, can call a function of a check")
+        self.say(library=text)
+        return self.read().get("answer") or json.dumps({"error": TOO_OFTEN})
+
+    def _pass_on(self, name, text):
+        """Return what the grader answers to a call in an exercise's answer; None after too many."""
+        self.say(exercise=name, call=text)
+        return self.read().get("answer")
+
+    def _in_charge(self):
+        in_main_thread = threading.current_thread() is threading.main_thread()
+        return os.getpid() == self._process and in_main_thread
+
+
+def begin_all_random_numbers_alike() -> None:
+    """Let random numbers begin alike, so that the same file gets the same grade.
+
+    numpy's default_rng() begins with bytes that it gets from the operating system, and so does
+    random.SystemRandom.
+    """
+    source = random.Random(0)
+    random.seed(0)
+    numpy_random = sys.modules["numpy.random"]
+    numpy_random.seed(0)
+    numpy_random.bit_generator.randbits = source.getrandbits
+    os.urandom = random._urandom = source.randbytes
 
 
 # ---- cells ----
@@ -96,7 +142,8 @@ def whole(sources, names, without, say):
             continue
         say(running=[number, 0])
         with contextlib.suppress(BaseException):
-            shell.run_cell(source, store_history=True)
+            result = shell.run_cell(source, store_history=True)
+            note_missing(result.error_before_exec or result.error_in_exec, say)
     return shell.user_ns
 
 
@@ -114,37 +161,45 @@ def needed_only(sources, names, without, say):
     for one in needed(statements(sources), names):
         if (one.cell, one.tree.lineno) not in without:
             say(running=[one.cell, one.tree.lineno])
-            with contextlib.suppress(BaseException):
+            try:
                 exec(compile(ast.Module([one.tree], []), f"<cell {one.cell}>", "exec"), space)
+            except BaseException as error:  # also those that students derive from BaseException
+                note_missing(error, say)
     return space
+
+
+def note_missing(error: object, say: Callable) -> None:
+    """Tell the name of a module that an import did not find."""
+    if isinstance(error, ModuleNotFoundError) and isinstance(error.name, str):
+        say(missing=error.name)
 
 
 # ---- answers ----
 
 
-def in_a_child(asked, answer, tell):
+def in_a_child(asked: dict, answer: Callable, checks: types.ModuleType, pass_on: Callable) -> dict:
     """Return {"reply": text} from a child process, or {"ended": why}.
 
-    Calls of candidates are passed on to `tell`.
+    Calls of candidates, and of functions of the checks, are passed on.
     """
-    there, here = os.pipe()
-    answers_there, answers_here = os.pipe()
+    from_child, to_parent = os.pipe()
+    from_parent, to_child = os.pipe()
     try:
         child = os.fork()
     except OSError as error:
         return {"ended": f"no process for it could be made, {error}"}
     if child == 0:
-        speak(here, answers_there, asked, answer)
-    os.close(here)
-    os.close(answers_there)
-    os.set_blocking(answers_here, False)
-    text, reason = listen(there, answers_here, asked, tell)
+        answer_and_end(to_parent, from_parent, asked, answer, checks)
+    os.close(to_parent)
+    os.close(from_parent)
+    os.set_blocking(to_child, False)
+    text, reason = read_reply(from_child, to_child, asked["reply"], pass_on)
     with contextlib.suppress(OSError):
         os.killpg(child, signal.SIGKILL)
     with contextlib.suppress(OSError):
         os.kill(child, signal.SIGKILL)
-    os.close(there)
-    os.close(answers_here)
+    os.close(from_child)
+    os.close(to_child)
     _, status, usage = os.wait4(child, 0)
     if text.endswith("\n"):
         return {"reply": text[:-1]}
@@ -152,53 +207,62 @@ def in_a_child(asked, answer, tell):
     return {"ended": reason, "status": os.waitstatus_to_exitcode(status), "computed": computed}
 
 
-def listen(there, answers_here, asked, tell):
+def read_reply(from_child: int, to_child: int, max_bytes: int, pass_on: Callable):
     """Read lines from the child: calls, which begin with ?, then its reply.
 
-    Return the reply and why it was cut.
+    Return the reply and why it was cut. Only the reply is bounded by max_bytes, and each call by
+    itself: a test may call its candidates some thousand times.
     """
-    buffer, length = b"", 0
+    buffer = b""
     while True:
-        data = os.read(there, 1 << 20)
-        buffer, length = buffer + data, length + len(data)
+        data = os.read(from_child, 1 << 20)
+        buffer += data
         while buffer.startswith(b"?") and b"\n" in buffer:
             call, _, buffer = buffer.partition(b"\n")
-            found = tell(call[1:].decode(errors="replace"))
-            if found is None:
-                return "", "it calls the functions that it tests too often"
-            try:
-                os.write(answers_here, found.encode() + b"\n")
-            except OSError:
-                return "", "it does not read what the functions that it tests answer"
-        if not data or buffer.endswith(b"\n") or length > asked["reply"]:
-            return buffer.decode(errors="replace"), "its answer is too long" if length > asked[
-                "reply"
-            ] else ""
+            answer = pass_on(call[1:].decode(errors="replace"))
+            if answer is None:
+                return "", TOO_OFTEN
+            if not write_in_time(to_child, answer.encode() + b"\n"):
+                return "", NOT_READING
+        too_long = len(buffer) > max_bytes
+        if not data or buffer.endswith(b"\n") or too_long:
+            return buffer.decode(errors="replace"), TOO_LONG if too_long else ""
 
 
-def speak(pipe, answers, asked, answer):
+def write_in_time(pipe: int, data: bytes) -> bool:
+    """Write all of the data to a pipe that may be full; return whether it was read in time."""
+    while data:
+        try:
+            data = data[os.write(pipe, data) :]
+        except BlockingIOError:
+            if not select.select([], [pipe], [], PATIENCE)[1]:
+                return False
+        except OSError:
+            return False
+    return True
+
+
+def answer_and_end(to_parent, from_parent, asked, answer, checks) -> None:
     """In the child process: answer, and end this process in any case."""
     try:
         os.setpgid(0, 0)
         used = resource.getrusage(resource.RUSAGE_SELF)
-        most = int(used.ru_utime + used.ru_stime + asked["cpu"])
-        resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
-        random.seed(0)
-        sys.modules["numpy.random"].seed(
-            0
-        )  # the same grade for the same file, even if it draws random numbers
-        hear = os.fdopen(answers, "rb")
+        max_seconds = int(used.ru_utime + used.ru_stime + asked["cpu"])
+        resource.setrlimit(resource.RLIMIT_CPU, (max_seconds, max_seconds + 1))
+        begin_all_random_numbers_alike()
+        lines = os.fdopen(from_parent, "rb")
 
         def consult(text):
-            write(pipe, b"?" + text.encode() + b"\n")
-            return hear.readline().decode()
+            write(to_parent, b"?" + text.encode() + b"\n")
+            return lines.readline().decode()
 
-        write(pipe, answer(consult).encode() + b"\n")
+        checks.asking = consult
+        write(to_parent, answer(consult).encode() + b"\n")
     finally:
         os._exit(0)
 
 
-def write(pipe, data):
+def write(pipe: int, data: bytes) -> None:
     """Write all of the data to a pipe."""
     while data:
         data = data[os.write(pipe, data) :]

@@ -12,9 +12,11 @@ import importlib.util
 import marshal
 from pathlib import Path
 
+from course_lib.checks.follow_through import library_name
+
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
-ASKING = ("call_student.py", "wire.py", "adapters.py")
+ASKING = ("call_student.py", "right_ones.py", "clock.py", "wire.py", "adapters.py")
 SCRIPTS = ("runner.py", "statements.py", "confine.py")
 DRAWING = (
     "figures",
@@ -43,14 +45,19 @@ def {name}(*arguments, **named):
 
 QUIET = '''"""In the place of the checks and figures: nothing is judged or drawn here."""
 
+import functools
 import importlib
 
+import numpy as np
+
 from course_lib import checks
+from course_lib.checks.call_student import _StandIn
 
 
 class Quiet:
-    def __init__(self, name="", library=""):
-        self.name, self.library = name, library
+    def __init__(self, name="", library="", arguments=()):
+        self.name, self._dotted = name, library
+        self._asking = _StandIn(f"check.{{name}}", checks.ask_library, arguments)
 
     def __call__(self, *arguments, **named):
         if self.name and arguments and callable(arguments[0]):
@@ -67,15 +74,35 @@ class Quiet:
             raise AttributeError(name)
         return self
 
+    @property
+    def library(self):
+        """The library's function; where the checks have it, a function that asks them."""
+        module, _, name = self._dotted.rpartition(".")
+        return getattr(importlib.import_module(module), name) if module else self._asking
+
     def use(self, students):
         """Return the library's function if this process has it, so that a wrong answer affects no other exercise."""
-        module, _, name = self.library.rpartition(".")
-        found = getattr(importlib.import_module(module), name) if module else students
-        return students if getattr(found, "taken_away", False) else found
+        if self._dotted and not getattr(self.library, "taken_away", False):
+            used = functools.partial(self.library)
+            used.whose = "the library's"
+        else:
+            used = functools.partial(_in_arrays, students)
+            used.whose = "yours"
+        return used
+
+
+def _in_arrays(students, *arguments, **named):
+    answer = students(*arguments, **named)
+    if not isinstance(answer, (list, tuple)):
+        return answer
+    try:
+        return np.array(answer)
+    except ValueError:
+        return tuple(np.array(part) for part in answer)
 
 
 LIBRARY = {library!r}
-globals().update({{name: Quiet(name, dotted) for name, dotted in LIBRARY.items()}})
+globals().update({{name: Quiet(name, *about) for name, about in LIBRARY.items()}})
 
 
 def __getattr__(name):
@@ -87,19 +114,12 @@ def __getattr__(name):
 CHECKS = b'''
 def checked(name, function):
     """What happens at a check of the notebook; see runner.py."""
+
+
+def ask_library(text):
+    """Return what a right function that the checks have answers to a call, both as JSON text."""
+    return asking(text)
 '''
-
-
-def dotted_name(function):
-    """Return the dotted name of a function of the library; "" for a function that the checks define."""
-    module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
-    own = (
-        module.startswith("course_lib.checks")
-        or ".exercises." in module
-        or not module.startswith("course_lib.")
-        or "." in name
-    )
-    return "" if own or name.startswith("<") else f"{module}.{name}"
 
 
 def contents(checks, forbidden):
@@ -137,7 +157,10 @@ def contents(checks, forbidden):
         dotted = frozenset(name for name in forbidden if name.startswith(f"{module}."))
         files[f"course_lib/{place.as_posix()}"] = without(path, dotted)
     for package, exercises in checks.items():
-        library = {exercise.name: dotted_name(exercise.library) for exercise in exercises}
+        library = {
+            exercise.name: (library_name(exercise.library), exercise.arguments)
+            for exercise in exercises
+        }
         stand_in = QUIET.format(library=library).encode()
         files[f"course_lib/lessons/{package}/check.py"] = stand_in
         files[f"course_lib/checks/{package}.py"] = stand_in

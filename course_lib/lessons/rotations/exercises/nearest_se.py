@@ -65,4 +65,5 @@ EXERCISE = Exercise(
         "Start from np.eye(len(T)); put nearest_so of the block and the translation into it.",
     ),
     forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
+    builds_on=("nearest_so",),
 )
