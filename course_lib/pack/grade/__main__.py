@@ -26,6 +26,7 @@ from course_lib.pack.grade.isolation import NONE
 from course_lib.pack.grade.jobs import ROOT, Processes, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.results import points_offered
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
@@ -99,7 +100,8 @@ def _grade(chosen, grade):
             pool = Cluster(chosen.cluster, hidden, chosen.isolation)
         else:
             pool = _here(chosen, grade or Grader(hidden, chosen.isolation))
-        outcomes = grade_all(submissions, output / "results", seed, pool)
+        offered = None if grade else points_offered()  # tests grade exercises of their own
+        outcomes = grade_all(submissions, output / "results", seed, pool, offered)
         _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
         counting = {
             (each.path, each.member): each for each, result in outcomes if "state" not in result

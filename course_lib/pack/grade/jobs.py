@@ -5,6 +5,8 @@ import functools
 import hashlib
 import json
 import os
+from collections.abc import Mapping
+from dataclasses import dataclass
 from multiprocessing.connection import wait
 from pathlib import Path
 
@@ -13,8 +15,10 @@ from tqdm import tqdm
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.bounded import Bounded, OutOfBounds
 from course_lib.pack.grade.collect import Refused, read
+from course_lib.pack.grade.results import NotAResult, read_json, validated
 
 ROOT = Path(__file__).parents[3]
+MAX_BAD_RESULTS = 2  # of one submission, which then is given up
 
 
 # ---- files of results ----
@@ -46,11 +50,17 @@ def result_name(submission, content, seed):
     return hashlib.sha256("\n".join(parts).encode()).hexdigest() + ".json"
 
 
-def stored(path):
-    """Return the result in a file, or None if there is no complete one."""
+def stored(path: Path, offered: Mapping | None = None) -> dict | None:
+    """Return the result in a file, or None if there is no usable one, which is then said.
+
+    offered: {notebook: {exercise: points}}, see results.validated.
+    """
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        return validated(read_json(path.read_bytes()), offered)
+    except FileNotFoundError:
+        return None
+    except (OSError, NotAResult) as problem:
+        tqdm.write(f"{path} holds no usable result, because {problem}. It is graded again.")
         return None
 
 
@@ -66,25 +76,34 @@ def ungraded_result(submission, reason, state):
 # ---- the work ----
 
 
-def grade_all(submissions, results, seed, pool):
+def grade_all(submissions, results, seed, pool, offered=None):
     """Return each submission with its result, in the same order; stored results are not computed again.
 
-    results: the folder of stored results. pool: what grades, such as Processes.
+    Parameters
+    ----------
+    submissions : list of Submission
+    results : Path
+        The folder of stored results.
+    seed : int
+    pool : object
+        What grades, such as Processes.
+    offered : mapping, optional
+        {notebook: {exercise: points}}: a result that has others is not used.
     """
     done = {}
     with (
         tqdm(total=len(submissions), desc="grading", unit="notebook") as bar,
         contextlib.closing(pool),
     ):
-        for submission, result in _results(submissions, results, seed, pool):
+        for submission, result in _results(submissions, results, seed, pool, offered):
             done[submission] = result
             bar.update()
     return [(submission, done[submission]) for submission in submissions]
 
 
-def _results(submissions, results, seed, pool):
+def _results(submissions, results, seed, pool, offered):
     """Yield each submission with its result as soon as that is there."""
-    begun = {}  # the path of a result: the submissions, of equal content, that wait for it
+    begun = {}  # {path of a result: Begun}
     for submission in submissions:
         try:
             content = read(submission)
@@ -95,31 +114,63 @@ def _results(submissions, results, seed, pool):
             continue
         path = results / result_name(submission, content, seed)
         if path in begun:
-            begun[path].append(submission)
-        elif (kept := stored(path)) is not None:
+            begun[path].waiting.append(submission)
+        elif (kept := stored(path, offered)) is not None:
             yield submission, kept
         else:
             while not pool.room():
-                yield from _finished(pool, begun)
+                yield from _finished(pool, begun, offered)
             pool.begin(path, content, submission.notebook, seed)
-            begun[path] = [submission]
+            begun[path] = Begun(content, seed, [submission])
     while begun:
-        yield from _finished(pool, begun)
+        yield from _finished(pool, begun, offered)
 
 
-def _finished(pool, begun):
+@dataclass
+class Begun:
+    """A submission that is graded.
+
+    waiting: the submissions of equal content that wait for its result. bad: how many results came
+    that were none.
+    """
+
+    content: bytes
+    seed: int
+    waiting: list
+    bad: int = 0
+
+
+def _finished(pool, begun: dict, offered):
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
-    Those that failed are not kept: the next run tries them again.
+    A result that is none is named with its worker, and the submission is graded once more, by
+    another worker if there is one. Those that failed are not kept: the next run tries them again.
     """
     for path, outcome in pool.finished():
-        if "value" in outcome:
-            write_atomically(path, json.dumps(outcome["value"], sort_keys=True, indent=1))
-        for each in begun.pop(path):
-            yield (
-                each,
-                outcome.get("value") or ungraded_result(each, outcome["failed"], "not graded"),
-            )
+        try:
+            result, why = _result_in(outcome, offered)
+        except NotAResult as problem:
+            work, worker = begun[path], outcome.get("worker", "this machine")
+            name = work.waiting[0].place
+            tqdm.write(f"{name}: {worker} returned no usable result, because {problem}.")
+            work.bad += 1
+            if work.bad < MAX_BAD_RESULTS:
+                pool.begin(path, work.content, work.waiting[0].notebook, work.seed)
+                continue
+            result, why = None, f"It could not be graded: no usable result came, because {problem}."
+        if result is not None:
+            write_atomically(path, json.dumps(result, sort_keys=True, indent=1))
+        for submission in begun.pop(path).waiting:
+            yield submission, result or ungraded_result(submission, why, "not graded")
+
+
+def _result_in(outcome: dict, offered) -> tuple[dict | None, str]:
+    """Return the result in an outcome and "", or None and why there is none."""
+    if "unusable" in outcome:
+        raise NotAResult(outcome["unusable"])
+    if "value" in outcome:
+        return validated(outcome["value"], offered), ""
+    return None, str(outcome["failed"])
 
 
 class Processes:

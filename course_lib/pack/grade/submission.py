@@ -16,6 +16,7 @@ writes, a name that is made by exec, the function that was defined when its chec
 """
 
 import functools
+import hashlib
 import json
 import re
 import time
@@ -222,7 +223,8 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
         return result_of(notebook, release, None, [problem], {}, cells)
     limits = limits or Limits()
     start = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), isolate=wanted)
-    run = Run(notebook_file.code(cells), limits, seed, course.exercises, start)
+    sources, cases_seed = notebook_file.code(cells), seed_of(text, seed)
+    run = Run(sources, limits, cases_seed, course.exercises, start)
     outcomes = ask_all(run)
     follow_through(run, outcomes)
     _explain_missing(run, outcomes)
@@ -233,6 +235,16 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     if ERROR in (outcome.verdict.state for outcome in outcomes.values()):
         problems += [NOT_HANDED_IN.format(name) for name in _modules_missing(run)]
     return result_of(notebook, release, course, problems, outcomes, cells)
+
+
+def seed_of(content: bytes, seed: int) -> int:
+    """Return the seed of the cases of one file, which depends on its content.
+
+    So the feedback to one hand-in says nothing of the cases of the next, nor of another student's,
+    and the same file always gets the same cases.
+    """
+    digest = hashlib.sha256(f"{seed}\n".encode() + content).digest()
+    return int.from_bytes(digest[:8], "big")
 
 
 @dataclass(frozen=True)
