@@ -1,10 +1,12 @@
 """Grading on the workers of a Dask cluster: real schedulers and workers, in processes of their own."""
 
+import json
 import os
 import signal
 import subprocess
 import sys
 import threading
+from collections import Counter
 from contextlib import ExitStack, suppress
 from pathlib import Path
 
@@ -15,7 +17,7 @@ from grade_stand_in import hand_in, wait_for
 from hostile.build import answers, book
 
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.cluster import Order
+from course_lib.pack.grade.cluster import Cluster, Order, Task
 
 STAND_IN = Path(__file__).with_name("grade_stand_in.py")
 SEED = "48151623421"
@@ -154,6 +156,12 @@ def test_workers_that_are_killed_old_late_or_without_bubblewrap(
     assert SEED not in "".join(path.read_text() for path in tmp_path.glob("*.log"))
 
 
+@pytest.fixture
+def any_exercises(monkeypatch):
+    """The stand-in's exercises are not the course's."""
+    monkeypatch.setattr("course_lib.pack.grade.__main__.points_offered", lambda: None)
+
+
 def fill(place, **orders):
     """Write submissions of five students, each with a log of its own gradings.
 
@@ -172,7 +180,7 @@ def graded(place):
 
 
 def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_graded_once(
-    dask, tmp_path, capsys
+    dask, tmp_path, capsys, any_exercises
 ):
     fill(tmp_path, b={"do": "end"}, d={"do": "raise"})
     address = dask().address
@@ -192,7 +200,9 @@ def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_gra
     assert SEED not in f"{worker.log.read_text()} {Order(SEED.encode())} {[Order(SEED.encode())]}"
 
 
-def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(dask, tmp_path, capsys):
+def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(
+    dask, tmp_path, capsys, any_exercises
+):
     fill(tmp_path, c={"seconds": 600})
     scheduler = dask()
     worker = dask(scheduler.address, "--no-nanny", "--preload", str(STAND_IN))
@@ -240,3 +250,119 @@ def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(
     assert (
         "Grading stopped. CLUSTER=tls//x: the scheduler does not answer" in capsys.readouterr().err
     )
+
+
+# ---- workers whose answers are not what they should be ----
+
+GOOD = {"notebook": "01_rotations", "release": "", "problems": [], "questions": [], "exercises": []}
+ROW = {"exercise": "a", "points": 1, "of": 2, "state": "right", "message": "", "more": False}
+
+
+def with_row(**changed):
+    return json.dumps({"value": GOOD | {"exercises": [ROW | changed]}})
+
+
+# What a bad worker answers to each submission: a word for "sleep", or the text of its answer.
+BAD_ANSWERS = {
+    "a million points": with_row(points=1_000_000),
+    "negative points": with_row(points=-1),
+    "points that are no number": '{"value": ' + json.dumps(GOOD)[:-1] + ', "more": NaN}}',
+    "no points": json.dumps({"value": GOOD | {"exercises": [{"exercise": "a"}]}}),
+    "textual points": with_row(points="2"),
+    "an empty value": '{"value": {}}',
+    "a null value": '{"value": null}',
+    "a listed value": '{"value": [1]}',
+    "a number": "7",
+    "nothing known": '{"neither": 1}',
+    "no JSON": "{",
+    "no text": None,
+    "very much": '"' + "x" * 60_000_000 + '"',
+    "a refusal with control characters": json.dumps({"unfit": "\x1b[2J no\r\n" * 50}),
+    "a reason that is a list": '{"failed": [1]}',
+}
+BAD_WORKER = """
+import json
+from course_lib.pack.grade import cluster
+
+ANSWER = {answer!r}
+
+def carry_out(order):
+    asked = json.loads(order.partition(b"\\n")[0])
+    return json.dumps({{"fit": True}}) if asked["notebook"] is None else ANSWER
+
+def dask_setup(worker):
+    cluster.carry_out = carry_out
+"""
+
+
+@pytest.mark.parametrize("kind", BAD_ANSWERS)
+def test_what_a_bad_worker_answers_is_named_and_graded_by_another(kind, any_exercises, capsys):
+    """Without a real cluster: the answers alone."""
+    cluster = Cluster.__new__(Cluster)
+    cluster._fit, cluster._unfit, cluster._avoided = {"bad", "good"}, {}, {}
+    cluster._workers, cluster._tasks, cluster._again = {"bad": 1, "good": 1}, {}, []
+    cluster._bad = Counter()
+    task = Task("path", Order(b"x"), worker="bad")
+    outcomes = list(cluster._answered(task, Answered(BAD_ANSWERS[kind])))
+    if "refusal" in kind:
+        assert (outcomes, cluster._again, cluster._fit) == ([], [task], {"good"})
+        assert "\x1b" not in capsys.readouterr().out
+        return
+    ((path, outcome),) = outcomes
+    assert path == "path"
+    assert outcome.get("unusable"), outcome
+    assert outcome["worker"] == "the worker bad"
+    assert cluster._free("path") == "good"
+
+
+class Answered:
+    """A future of Dask's that is done."""
+
+    status = "finished"
+
+    def __init__(self, answer):
+        self._answer = answer
+
+    def result(self, timeout):
+        return self._answer
+
+
+def test_beside_a_worker_with_too_many_points_a_class_is_graded_by_the_other(
+    dask, tmp_path, capsys, any_exercises
+):
+    fill(tmp_path)
+    bad = tmp_path / "bad.py"
+    bad.write_text(BAD_WORKER.format(answer=BAD_ANSWERS["a million points"]))
+    address = dask().address
+    dask(address, "--no-nanny", "--preload", str(bad))
+    dask(address, "--no-nanny", "--preload", str(STAND_IN))
+    run = Run(tmp_path, address)
+    run.join()
+    assert run.code == 0
+    lines = (tmp_path / "out/grades.csv").read_text().splitlines()
+    assert sum("exercise_0,2,2,right" in line for line in lines) == 5
+    assert not any("not graded" in line for line in lines)
+    assert "a has 1e+06 points of 2" in capsys.readouterr().out
+
+
+def test_a_worker_that_is_silent_is_given_up_and_its_submission_graded_by_another(
+    dask, tmp_path, capsys, monkeypatch, any_exercises
+):
+    monkeypatch.setattr("course_lib.pack.grade.cluster.MAX_SILENT", 3)
+    fill(tmp_path)
+    silent = tmp_path / "silent.py"
+    silent.write_text(
+        BAD_WORKER.format(answer="")
+        .replace("else ANSWER", "else time.sleep(600)")
+        .replace("import json", "import json, time")
+    )
+    address = dask().address
+    asleep = dask(address, "--no-nanny", "--preload", str(silent))
+    dask(address, "--no-nanny", "--preload", str(STAND_IN))
+    run = Run(tmp_path, address)
+    run.join(120)
+    asleep.kill()
+    assert run.code == 0
+    lines = (tmp_path / "out/grades.csv").read_text().splitlines()
+    assert sum("exercise_0,2,2,right" in line for line in lines) == 5
+    assert "it said nothing for 3 seconds" in capsys.readouterr().out

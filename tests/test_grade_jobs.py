@@ -15,6 +15,7 @@ from grade_stand_in import TABLES, grade, hand_in, wait_for
 
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.notebook_file import UNREADABLE
+from course_lib.pack.grade.results import NotAResult, validated
 
 ROOT = Path(__file__).parents[1]
 
@@ -156,6 +157,77 @@ def written(folder):
         path for path in folder.rglob("*") if path.is_file() and path.name not in ("seed", ".lock")
     ]
     return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+
+
+# ---- results that are none ----
+
+ROW = {"exercise": "a", "points": 1, "of": 2, "state": "right", "message": "", "more": False}
+GOOD = {
+    "notebook": "01_rotations",
+    "release": "",
+    "problems": [],
+    "questions": [],
+    "exercises": [ROW],
+}
+NO_RESULTS = {
+    "empty": {},
+    "null": None,
+    "a list": [GOOD],
+    "a number": 7,
+    "a million points": GOOD | {"exercises": [ROW | {"points": 1_000_000}]},
+    "textual points": GOOD | {"exercises": [ROW | {"points": "1"}]},
+    "points that are true": GOOD | {"exercises": [ROW | {"points": True}]},
+    "infinite points": GOOD | {"exercises": [ROW | {"points": float("inf"), "of": float("inf")}]},
+    "no points": GOOD | {"exercises": [{"exercise": "a"}]},
+    "no notebook": {key: value for key, value in GOOD.items() if key != "notebook"},
+    "a state that is none": GOOD | {"exercises": [ROW | {"state": "perfect"}]},
+    "problems that are no texts": GOOD | {"problems": [7]},
+}
+
+
+def test_a_result_as_graded_is_one():
+    assert validated(GOOD, {"01_rotations": {"a": 2}}) is GOOD
+
+
+@pytest.mark.parametrize("kind", NO_RESULTS)
+def test_what_is_no_result_is_refused(kind):
+    with pytest.raises(NotAResult):
+        validated(NO_RESULTS[kind])
+
+
+@pytest.mark.parametrize("offered", [{"01_rotations": {"b": 2}}, {"01_rotations": {"a": 3}}, {}])
+def test_a_result_of_other_exercises_or_points_than_the_course_s_is_refused(offered):
+    with pytest.raises(NotAResult, match="are not the course's"):
+        validated(GOOD, offered)
+
+
+@pytest.mark.parametrize("kind", NO_RESULTS)
+def test_a_stored_file_that_holds_no_result_is_named_and_graded_again(place, capsys, kind):
+    fill(place, 2)
+    run(place, "--jobs", "1")
+    first = tables(place)
+    one, *_ = sorted((place / "out/results").iterdir())
+    one.write_text(json.dumps(NO_RESULTS[kind]))
+    assert run(place, "--jobs", "1") == 0
+    assert calls(place) == 3
+    assert tables(place) == first
+    assert f"{one} holds no usable result" in capsys.readouterr().out
+
+
+def test_a_grader_that_returns_no_result_costs_its_submission_two_tries_and_no_other_one(
+    place, capsys
+):
+    def bad(content, notebook, seed):
+        result = grade(content, notebook, seed)
+        return result if json.loads(content)["points"][1] else {"value": 1}
+
+    fill(place, 3)
+    assert run(place, "--jobs", "1", grade=bad) == 0
+    grades = (place / "out/grades.csv").read_text()
+    assert grades.count("It could not be graded: no usable result came, because") == 1
+    assert grades.count("exercise_0,2,2,right") == 2
+    assert calls(place) == 4
+    assert "s0_01_rotations.ipynb: this machine returned no usable" in capsys.readouterr().out
 
 
 # ---- what fails ----

@@ -8,6 +8,7 @@ threads whose locks a fork would copy.
 """
 
 import functools
+import itertools
 import json
 import queue
 import signal
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
@@ -22,19 +24,29 @@ from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 
 import dask
-from distributed import Client
+from distributed import Client, get_worker
 from tqdm import tqdm
 
 from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.bounded import Bounded
 from course_lib.pack.grade.confine import die_with_parent
 from course_lib.pack.grade.jobs import course_hash, outcome
+from course_lib.pack.grade.results import NotAResult, printable, read_json, validated
 from course_lib.pack.grade.submission import Grader
 
-MOST_ENDED = 3  # workers that ended while they graded a submission, which then is given up
+MAX_ENDED = 3  # workers that ended while they graded a submission, which then is given up
+MAX_BAD = 3  # unusable results of one worker, which then gets no more submissions
 PATIENCE = 600  # seconds without a worker that can grade
+UNFIT_PATIENCE = 60  # the same, if there are workers and none of them can grade
+MAX_SILENT = 180  # seconds in which a worker that grades says nothing; it is then given up
+BEAT = 15  # seconds between two signs of life of a worker that grades
 LOOK = 1  # seconds between two looks at the workers
 ARRIVES = 30  # seconds that a result may take from its worker
+TOPIC = "course-grading"  # of the signs of life
+
+
+# What a worker may answer, and of which type that is.
+KINDS = {"value": object, "failed": str, "unfit": str, "fit": bool}
 
 
 class Order(bytes):
@@ -58,15 +70,18 @@ class Task:
 
     A worker that cannot would end.
 
-    path: of the result; None if it asks whether the worker can grade. ended: how many workers ended
-    that had it.
+    path: of the result; None if it asks whether the worker can grade. number: by which the worker
+    gives signs of life. ended: how many workers ended that had it. heard: when the worker last gave
+    a sign of life.
     """
 
     path: object = None
     order: Order | None = None
+    number: int = 0
     worker: str = ""
     ended: int = 0
     future: object = None
+    heard: float = 0.0
 
 
 class Cluster:
@@ -82,6 +97,8 @@ class Cluster:
         self._fit, self._unfit = set(), {}  # {address: why it cannot grade}
         self._tasks, self._again = {}, []  # {key of its future: Task}, and Tasks to be sent
         self._answers = queue.SimpleQueue()  # futures
+        self._heard, self._numbers = {}, itertools.count(1)  # {number of a task: when}
+        self._avoided, self._bad = {}, Counter()  # {path: workers}, {worker: unusable results}
         self._looked, self._last_fit = 0.0, time.monotonic()
         dask.config.set(
             {"distributed.admin.large-graph-warning-threshold": "1 GB"}
@@ -92,6 +109,7 @@ class Cluster:
             raise GradingStopped(
                 f"CLUSTER={address}: the scheduler does not answer: {error}."
             ) from None
+        self._client.subscribe_topic(TOPIC, self._hear)
         print(f"The workers of {address} grade, also those that join later.", flush=True)
 
     def room(self):
@@ -100,7 +118,7 @@ class Cluster:
 
     def begin(self, path, content, notebook, seed):
         """Send a submission to a worker."""
-        self._again.append(Task(path, self._order(content, notebook, seed)))
+        self._again.append(self._task(path, content, notebook, seed))
         self._send()
 
     def finished(self):
@@ -119,24 +137,39 @@ class Cluster:
         with suppress(OSError):
             self._client.close(timeout=2)
 
-    def _order(self, content=b"", notebook=None, seed=None):
-        head = self._about | {"notebook": notebook, "seed": seed}
-        return Order(json.dumps(head).encode() + b"\n" + content)
+    def _task(self, path=None, content=b"", notebook=None, seed=None):
+        """Return a Task with an order; without a path it asks whether the worker can grade."""
+        number = next(self._numbers)
+        head = self._about | {"notebook": notebook, "seed": seed, "number": number}
+        return Task(path, Order(json.dumps(head).encode() + b"\n" + content), number)
 
-    def _free(self):
-        """Return the worker with most free threads, or None."""
+    def _free(self, path=None):
+        """Return the worker with most free threads, or None; one that failed at this path last."""
         free = {worker: self._workers[worker] for worker in self._fit}
         for task in self._tasks.values():
             free[task.worker] = free.get(task.worker, 0) - 1
-        best = max(free, key=free.get, default=None)
-        return best if best and free[best] > 0 else None
+        free = {worker: count for worker, count in free.items() if count > 0}
+        others = free.keys() - self._avoided.get(path, set())
+        if not others and self._fit - self._avoided.get(path, set()):
+            return None  # another worker can grade it, and is busy
+        return max(others or free, key=free.get, default=None)
 
     def _send(self):
-        while self._again and (worker := self._free()):
-            self._give(self._again.pop(), worker)
+        waiting, self._again = self._again, []
+        for task in reversed(waiting):
+            if worker := self._free(task.path):
+                self._give(task, worker)
+            else:
+                self._again.insert(0, task)
+
+    def _hear(self, event):
+        """Note a sign of life; called by the client's own thread."""
+        number = event[1].get("number") if isinstance(event[1], dict) else None
+        if isinstance(number, int):
+            self._heard[number] = time.monotonic()
 
     def _give(self, task, worker):
-        task.worker = worker
+        task.worker, task.heard = worker, time.monotonic()
         work = (carry_out, task.order) if task.order else (import_module, carry_out.__module__)
         task.future = self._client.submit(*work, workers=[worker], pure=False)
         self._tasks[task.future.key] = task
@@ -156,16 +189,22 @@ class Cluster:
             self._give(Task(), worker)
         self._workers, self._fit = workers, self._fit & workers.keys()
         for key, task in list(self._tasks.items()):
+            task.heard = max(task.heard, self._heard.get(task.number, 0))
             if task.worker not in workers:
-                yield from self._ended(self._tasks.pop(key))
+                yield from self._ended(self._tasks.pop(key), "ended")
+            elif now - task.heard > MAX_SILENT:
+                task.future.cancel()
+                self._refuse(task.worker, f"it said nothing for {MAX_SILENT} seconds.")
+                yield from self._ended(self._tasks.pop(key), "is silent")
+        patience = min(PATIENCE, UNFIT_PATIENCE) if workers else PATIENCE
         if self._fit:
             self._last_fit = now
-        elif now - self._last_fit > PATIENCE and workers.keys() <= self._unfit.keys():
+        elif now - self._last_fit > patience and workers.keys() <= self._unfit.keys():
             reasons = "".join(
                 f" {worker}: {reason}" for worker, reason in [*self._unfit.items()][:5]
             )
             raise GradingStopped(
-                f"No worker of {self._address} could grade for {PATIENCE} seconds.{reasons}"
+                f"No worker of {self._address} could grade for {patience} seconds.{reasons}"
             )
 
     def _answered(self, task, future):
@@ -173,49 +212,85 @@ class Cluster:
         if future.status == "cancelled":
             raise self._lost()
         if not task.order and future.status == "finished":
-            self._give(Task(order=self._order()), task.worker)
+            self._give(self._task(), task.worker)
             return
         try:
-            found = json.loads(future.result(timeout=ARRIVES))
+            answer = _answer(future.result(timeout=ARRIVES))
+        except NotAResult as problem:
+            answer = {"unusable": str(problem)}
         except (
             Exception
         ) as error:  # for example, the worker ended before it could pass on what it had found
-            why = " ".join(f"{type(error).__name__}: {error}".split())
-            found = (
-                None if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
+            why = printable(f"{type(error).__name__}: {error}")
+            answer = (
+                {} if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
             )
-        if not found and not task.path:
-            found = {"unfit": "the process in which it grades ended."}
-        if not found:
-            yield from self._ended(task)
-        elif "unfit" in found:
-            self._fit.discard(task.worker)
-            self._unfit[task.worker] = found["unfit"]
-            tqdm.write(f"The worker {task.worker} grades nothing: {found['unfit']}")
+        if not task.path and not answer:
+            answer = {"unfit": "the process in which it grades ended."}
+        if not task.path and "unusable" in answer:
+            answer = {
+                "unfit": f"it does not answer as this course does, because {answer['unusable']}."
+            }
+        if not answer:
+            yield from self._ended(task, "ended")
+        elif "unfit" in answer:
+            self._refuse(task.worker, printable(answer["unfit"]))
             self._again += [task] if task.path else []
         elif task.path:
-            yield task.path, found
+            yield from self._graded(task, answer)
         else:
             self._fit.add(task.worker)
 
-    def _ended(self, task):
+    def _graded(self, task, answer):
+        """Yield (path, outcome) of what a worker has graded, with its name; see outcome() in jobs.py.
+
+        Whether it is a usable result is for grade_all to say. If not, that comes back by begin().
+        """
+        self._avoided.setdefault(task.path, set()).add(task.worker)
+        try:
+            if "value" in answer:
+                validated(answer["value"])
+        except NotAResult as problem:
+            answer = {"unusable": str(problem)}
+        if "unusable" in answer:
+            self._bad[task.worker] += 1
+            if self._bad[task.worker] == MAX_BAD:
+                self._refuse(task.worker, f"{MAX_BAD} of its results were not usable.")
+        yield task.path, answer | {"worker": f"the worker {task.worker}"}
+
+    def _refuse(self, worker, why):
+        """Give a worker no more submissions."""
+        self._fit.discard(worker)
+        self._unfit[worker] = why
+        tqdm.write(f"The worker {worker} grades nothing: {why}")
+
+    def _ended(self, task, how):
         """Give the submission of a worker that ended to another one, or give it up and yield (path, outcome)."""
         task.ended += 1
-        if task.path and task.ended < MOST_ENDED:
-            tqdm.write(f"The worker {task.worker} ended: its submission goes to another.")
+        if task.path and task.ended < MAX_ENDED:
+            tqdm.write(f"The worker {task.worker} {how}: its submission goes to another.")
             self._again.append(task)
         elif task.path:
-            yield (
-                task.path,
-                {
-                    "failed": (
-                        f"It could not be graded: {MOST_ENDED} workers ended while they graded it."
-                    )
-                },
-            )
+            why = f"{MAX_ENDED} workers ended while they graded it"
+            yield task.path, {"failed": f"It could not be graded: {why}."}
 
     def _lost(self):
         return GradingStopped(f"The connection to {self._address} was lost. {KEPT}")
+
+
+def _answer(text: object) -> dict:
+    """Return what a worker answered; {} if the process that graded ended. Raises NotAResult."""
+    if not isinstance(text, str):
+        raise NotAResult(f"it is of type {type(text).__name__}")
+    answer = read_json(text)
+    if answer is None:
+        return {}
+    if not isinstance(answer, dict) or len(answer) != 1 or not answer.keys() <= KINDS.keys():
+        raise NotAResult("it is neither a result nor a reason why there is none")
+    (kind, value), *_ = answer.items()
+    if not isinstance(value, KINDS[kind]):
+        raise NotAResult(f"its {kind} is of type {type(value).__name__}")
+    return {kind: printable(value) if kind == "failed" else value}
 
 
 # ---- on a worker ----
@@ -232,6 +307,9 @@ def carry_out(order):
         there.close()
     try:
         PLACE.pipe.send_bytes(order)
+        number = json.loads(order.partition(b"\n")[0])["number"]
+        while not PLACE.pipe.poll(BEAT):
+            get_worker().log_event(TOPIC, {"number": number})
         return PLACE.pipe.recv_bytes().decode()
     except (EOFError, OSError):
         PLACE.process.kill()
