@@ -18,7 +18,10 @@ from pathlib import Path
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.visible import DEVICES, LIBRARIES, PYTHON, mounts, packages
 
+ALONE = ("-P", "-s")  # as -I, but PYTHONHASHSEED is read; the environment is ours
 NONE = "none"  # what ISOLATION= may be
+# {folder: the part of the scratch space that it may hold}
+WRITABLE = {"/scratch": 1, "/tmp": 4, "/dev/shm": 8}
 FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
 HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
 submissions and the grades, and use the network. Bubblewrap {problem}. Ubuntu since 24.04 also needs `sudo sysctl -w
@@ -126,7 +129,7 @@ def start_unisolated(course, limits):
         "packages": sys.path,
         "apart": False,
     }
-    return [sys.executable, "-I", str(course / "runner.py"), str(course), json.dumps(settings)]
+    return [sys.executable, *ALONE, str(course / "runner.py"), str(course), json.dumps(settings)]
 
 
 def start(course, limits, hidden=()):
@@ -145,13 +148,9 @@ def start(course, limits, hidden=()):
         "packages": packages(),
         "apart": True,
     }
-    rooms = (
-        ("/scratch", limits["scratch"]),
-        ("/tmp", limits["scratch"] // 4),
-        ("/dev/shm", limits["scratch"] // 8),
-    )
+    rooms = [(path, limits["scratch"] // part) for path, part in WRITABLE.items()]
     shown, covered = mounts(hidden)
-    command = [PYTHON, "-I", "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
+    command = [PYTHON, *ALONE, "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
     return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]
 
 
@@ -162,6 +161,7 @@ def environment(scratch=""):
     """
     found = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR"), scratch or "/scratch")
     found |= {"USER": "student", "LANG": "C.UTF-8", "MPLBACKEND": "Agg"}
+    found |= {"PYTHONHASHSEED": "0"}  # a set of texts has the same order in each run
     found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     return found if scratch else found | {"LD_LIBRARY_PATH": LIBRARIES}
 

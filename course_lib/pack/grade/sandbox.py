@@ -52,6 +52,8 @@ class Limits:
     files: int = 256
     file: int = 64 * 10**6
     scratch: int = 128 * 10**6
+    names: int = 20_000  # of files and folders in the scratch space: each takes 1 kB of the machine
+    sockets: int = 64  # of all processes together: each may hold 200 kB of the machine's memory
     reply: int = 8_000_000  # of one reply; the longest right one has about two million
 
 
@@ -183,6 +185,8 @@ class Sandbox:
                 self._excess = f"more than {self._limits.processes} processes"
             elif memory > self._limits.everything:
                 self._excess = f"memory ran out; it may use {self._limits.everything // 10**9} GB"
+            elif self._isolated:
+                self._excess = self._taken_beside_memory()
             if self._excess:
                 return self._kill()
 
@@ -206,6 +210,19 @@ class Sandbox:
             self.looks + 1,
         )
         return len(processes), memory
+
+    def _taken_beside_memory(self):
+        """Return what the sandbox takes too much of that neither bytes nor processes show, or ""."""
+        for process in self._processes()[WATCHERS - 1 :]:
+            names = _names_in_use(process.pid)
+            if names is None:
+                continue  # it ended, or is not yet in its own file system
+            if names > self._limits.names:
+                return f"more than {self._limits.names:,} files and folders"
+            if _sockets_in_use(process.pid) > self._limits.sockets:
+                return f"more than {self._limits.sockets} sockets"
+            return ""  # all processes share one file system and one network
+        return ""
 
     def _kill(self):
         with contextlib.suppress(OSError):
@@ -314,6 +331,31 @@ def _delay(number):
         ):
             total += int(file.read().split()[1])
     return total / 1e9
+
+
+def _names_in_use(number):
+    """Return how many files and folders there are in the file systems that a submission can write to.
+
+    number: of one of its processes. None if that cannot be seen.
+    """
+    count = 0
+    for path in isolation.WRITABLE:
+        try:
+            space = os.statvfs(f"/proc/{number}/root{path}")
+        except OSError:
+            return None
+        count += space.f_files - space.f_ffree
+    return count
+
+
+def _sockets_in_use(number):
+    """Return how many sockets there are in the network of a process; 0 if that cannot be seen."""
+    try:
+        lines = Path(f"/proc/{number}/net/sockstat").read_text().splitlines()
+    except OSError:
+        return 0
+    used = [line.split()[-1] for line in lines if line.startswith("sockets: used")]
+    return int(used[0]) if used and used[0].isdigit() else 0
 
 
 def remove_old_folders():
