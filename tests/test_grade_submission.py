@@ -212,6 +212,217 @@ def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it
     assert "What should hold" in rows["nearest_se"]["message"]
 
 
+# How nearest_se may call nearest_so, which is wrong.
+WRONG_SO = "def nearest_so(M):\n    return 3.0"
+WAYS = {
+    "an alias inside the cell": (
+        "",
+        "nearest_rotation = nearest_so\n",
+        "nearest_rotation(T[:-1, :-1])",
+    ),
+    "a cache": (
+        "import functools\n",
+        "cached = functools.lru_cache(lambda text: 0)\n"
+        "kept = functools.lru_cache(nearest_so)\ndel nearest_so\n"
+        "class Key(np.ndarray):\n    __hash__ = object.__hash__\n",
+        "kept(T[:-1, :-1].view(Key))",
+    ),
+    "a partial": (
+        "import functools\n",
+        "part = functools.partial(nearest_so)\n",
+        "part(M=T[:-1, :-1])",
+    ),
+    "a default argument": ("", "def use(M, f=nearest_so):\n    return f(M)\n", "use(T[:-1, :-1])"),
+    "a dictionary": ("", "tools = {'so': nearest_so}\n", "tools['so'](T[:-1, :-1])"),
+}
+OBJECTS = {
+    "an object with __call__": (
+        "class Nearest:\n    def __call__(self, M):\n        return 3.0\nnearest_so = Nearest()\n",
+        CALLS,
+    ),
+    "an object with __call__ under another name": (
+        "class Nearest:\n    def __call__(self, M):\n        return 3.0\nnearest_so = Nearest()\n",
+        "mine = nearest_so\n" + CALLS.replace("nearest_so(M=", "mine("),
+    ),
+    "a function under lru_cache": (
+        "import functools\n@functools.lru_cache\ndef nearest_so(M):\n    return 3.0\n",
+        CALLS.replace("nearest_so(M=T[:-1, :-1])", "nearest_so(Key(T[:-1, :-1].tolist()))")
+        + "\nclass Key(list):\n    __hash__ = object.__hash__\n",
+    ),
+    "a function that is a partial": (
+        "import functools\ndef shared(kind, M):\n    return 3.0\n"
+        "nearest_so = functools.partial(shared, 'so')\n",
+        "mine = nearest_so\n" + CALLS.replace("nearest_so(M=", "mine("),
+    ),
+    "a method": (
+        WRONG_SO,
+        CALLS.replace("def nearest_se(T", "class Repair:\n  def __call__(self, T").replace(
+            "\n    ", "\n        "
+        )
+        + "\nnearest_se = Repair()\n",
+    ),
+    "a bound method": (
+        WRONG_SO,
+        CALLS.replace("def nearest_se(T", "class Repair:\n  def repair(self, T").replace(
+            "\n    ", "\n        "
+        )
+        + "\nnearest_se = Repair().repair\n",
+    ),
+}
+
+
+def nearest_se_of(few, *cells):
+    rows = {row["exercise"]: row for row in grade(book(few[0], *cells), NAME, SEED)["exercises"]}
+    assert rows["nearest_so"]["points"] == 0
+    return rows["nearest_se"]
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_the_calls_of_a_function_are_found_whatever_it_is_called_by(few, way):
+    imports, before, call = WAYS[way]
+    source = CALLS.replace("nearest_so(M=T[:-1, :-1])", call)
+    row = nearest_se_of(few, WRONG_SO, imports + before + source)
+    assert (row["points"], row["instead"]) == (2, ["nearest_so"]), row
+
+
+@pytest.mark.parametrize("kind", OBJECTS)
+def test_the_calls_of_and_by_any_object_are_found(few, kind):
+    row = nearest_se_of(few, *OBJECTS[kind])
+    assert (row["points"], row["instead"]) == (2, ["nearest_so"]), row
+
+
+IN_A_CIRCLE = (
+    "def nearest_se(T):\n    fixed = np.eye(len(T))\n    fixed[:-1, :-1] = nearest_so(T[:-1, :-1])\n"
+    "    fixed[:-1, -1] = T[:-1, -1]\n    return fixed",
+    "def nearest_so(M):\n    T = np.eye(len(M) + 1)\n    T[:-1, :-1] = M\n"
+    "    return nearest_se(T)[:-1, :-1]",
+)
+
+
+def test_functions_that_call_each_other_in_a_circle_earn_nothing(few):
+    result = grade(book(few[0], *IN_A_CIRCLE), NAME, SEED)
+    assert points(result) == 0
+    assert "call each other in a circle" in messages(result)["nearest_se"]
+
+
+def test_a_call_that_the_task_excludes_earns_nothing(few):
+    result = grade(book(few[0], IN_A_CIRCLE[1], STUB.replace("so", "se")), NAME, SEED)
+    row = next(row for row in result["exercises"] if row["exercise"] == "nearest_so")
+    assert (row["points"], row["state"]) == (0, "wrong"), row
+    assert "It looks as if nearest_se is called." in row["message"]
+
+
+# ---- what leaves by the feedback ----
+
+WRITES_ITS_CASES = {
+    "the text of an error": "raise ValueError(text)",
+    "the text of numpy's error": "np.linalg.inv(np.zeros((1, 1))) if text is None else int(text)",
+    "the name of an error": "raise type('E' + text.encode().hex(), (Exception,), {})()",
+    "a warning": "warnings.warn(text); return rightly(M)",
+    "a text": "return text",
+    "the name of a type": "return type('E' + text.encode().hex(), (), {})()",
+    "a missing key": "return {}[text]",
+}
+
+
+@pytest.mark.parametrize("way", WRITES_ITS_CASES)
+def test_a_text_of_the_student_s_carries_no_case_into_the_feedback(few, way):
+    right = answer(few, "nearest_so").replace("def nearest_so", "def rightly")
+    source = (
+        f"import warnings\n{right}\ndef nearest_so(M):\n    text = 'secret' + str(M.tolist())\n"
+        f"    {WRITES_ITS_CASES[way]}"
+    )
+    row = next(
+        row
+        for row in grade(book(few[0], source), NAME, SEED)["exercises"]
+        if row["exercise"] == "nearest_so"
+    )
+    own_text = row["message"].partition("\nFor M = ")[0].replace(source, "")
+    assert not re.search(r"\d\.\d{4}", own_text), row["message"]
+    assert "secret".encode().hex() not in own_text, row["message"]
+
+
+def test_another_file_gets_other_cases_with_the_same_seed():
+    assert submission.seed_of(b"one", SEED) == submission.seed_of(b"one", SEED)
+    assert submission.seed_of(b"one", SEED) != submission.seed_of(b"two", SEED)
+    assert submission.seed_of(b"one", SEED) != submission.seed_of(b"one", SEED + 1)
+
+
+def test_an_answer_that_is_random_gets_the_same_message_in_each_run(few):
+    guess = (
+        "import time, secrets\ndef nearest_so(M):\n"
+        "    return np.eye(len(M)) * (2 + time.perf_counter_ns() % 1000 / 7 + secrets.randbelow(9))"
+    )
+    rows = [grade(book(few[0], guess), NAME, SEED)["exercises"] for _ in range(2)]
+    assert rows[0] == rows[1]
+    row = next(row for row in rows[0] if row["exercise"] == "nearest_so")
+    assert "R^T R = I" in row["message"]
+    assert "differ from one time to the next" in row["message"]
+
+
+# ---- what the checks offer, and what is not there ----
+
+
+def test_what_a_check_offers_of_another_exercise_is_there_when_graded(few):
+    uses = (
+        "def nearest_se(T):\n    fixed = np.eye(len(T))\n"
+        "    fixed[:-1, :-1] = check.nearest_so.library(T[:-1, :-1])\n"
+        "    fixed[:-1, -1] = T[:-1, -1]\n    return fixed"
+    )
+    offered = "def nearest_so(M):\n    return check.nearest_so.library(M)"
+    result = grade(book(few[0], uses, offered), NAME, SEED)
+    assert states(result)["nearest_so"] == "wrong"
+    assert states(result)["nearest_se"] == "wrong", "its task excludes the library's nearest_so"
+    assert "nearest_so is called" in messages(result)["nearest_se"]
+
+
+def test_a_function_that_only_the_checks_have_answers_in_grading(solutions):
+    name = "06_decomposition_ik"
+    first, *rest = solutions(name)
+    right = next(source for source in rest if "def approximation_error(" in source)
+    asks = "table = check.split_branches.library(np.array([[0.1, 0.2], [0.1, -0.2], [0.3, 0.4]]))\n"
+    inside = right.replace("def approximation_error(", "def own_error(")
+    inside += (
+        "\n\ndef approximation_error(*arguments):\n    assert len(table)\n"
+        "    check.split_branches.library(np.array([[0.1, 0.2], [0.1, -0.2]]))\n"
+        "    return own_error(*arguments)\n"
+    )
+    result = grade(book(first, asks, inside), name, SEED)
+    assert states(result)["approximation_error"] == "right", messages(result)
+
+
+OWN_MODULES = {
+    "from": "from my_rotations import nearest_so",
+    "all": "from my_rotations import *",
+    "the module": "import my_rotations\ndef nearest_so(M):\n    return my_rotations.nearest_so(M)",
+    "run": "%run my_rotations.py",
+}
+
+
+@pytest.mark.parametrize("way", OWN_MODULES)
+def test_a_module_of_the_student_s_own_is_named_in_the_message_and_to_the_instructor(few, way):
+    result = grade(book(few[0], OWN_MODULES[way]), NAME, SEED)
+    assert states(result)["nearest_so"] == "error in your code"
+    assert "my_rotations" in messages(result)["nearest_so"]
+    assert any("my_rotations" in problem for problem in result["problems"]), result["problems"]
+
+
+FORMER = "import numpy as np\nfrom course_lib import rigid, rotations\nfrom course_lib.checks import rotations as check"
+PRESENT = "import numpy as np\nfrom course_lib import rigid, rotations\nfrom course_lib.lessons.rotations import check, figures"
+
+
+@pytest.mark.parametrize("imports", [FORMER, PRESENT], ids=["former", "present"])
+def test_notebooks_of_both_layouts_of_the_course_are_graded(few, imports):
+    checked = [f"check.{e.name}({e.name})" for e in submission.courses()[NAME].exercises]
+    uses = "used = check.nearest_so.use(nearest_so)\nused(np.eye(2)), check.progress()"
+    assert points(grade(book(imports, *few[1], *checked, uses), NAME, SEED)) == FULL
+
+
+def test_a_cell_that_assigns_to_the_name_of_the_checks_costs_nothing(few):
+    result = grade(book(few[0], "check = 3", *few[1], "check.nearest_so(nearest_so)"), NAME, SEED)
+    assert points(result) == FULL
+
+
 def test_metadata_and_stored_outputs_earn_no_points_and_what_is_not_python_is_an_error(few):
     about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
     said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]

@@ -1,11 +1,16 @@
 """The checks in a notebook: one message for each answer, hints in steps, predictions and progress."""
 
+import contextlib
+import ctypes
 import functools
 import html
 import importlib
 import itertools
 import os
+import sys
 import textwrap
+import types
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,10 +22,14 @@ from course_lib.checks.exercise import (
     WRONG,
     Here,
     Verdict,
+    judge,
+    no_answer,
     review,
-    with_blame,
 )
+from course_lib.checks.follow_through import RightOnes, in_circles, is_excluded
 from course_lib.checks.naming import attempt, predict, same
+from course_lib.checks.own_files import own_files
+from course_lib.checks.right_ones import namespace_of
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit
 # light and dark themes.
@@ -66,6 +75,7 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     names = {check.exercise.name: check for check in checks}
     asked = {prediction.name: Predict(prediction) for prediction in predictions}
     progress = Progress(checks, list(asked.values()), stop)
+    _keep_the_name(module)
     return names | asked | {"CHECKS": checks, "progress": progress}
 
 
@@ -110,8 +120,11 @@ class Check:
         """
         if more or not callable(function):
             self.verdict = Verdict(self.exercise, ERROR, self._how_to_call(function))
+        elif files := _files_not_handed_in(function):
+            self.verdict = Verdict(self.exercise, ERROR, self._not_in_the_notebook(files))
         else:
-            self.verdict = self._judged(function)
+            with _native_output_dropped():
+                self.verdict = self._judged(function)
         text = describe(self.verdict)
         if "NBGRADER_EXECUTION" in os.environ and self.verdict.state != RIGHT:
             raise AssertionError(text)
@@ -119,17 +132,58 @@ class Check:
 
     def _judged(self, function):
         verdict = review(self.exercise, Here(function))
-        if verdict.state in (WRONG, ERROR) and verdict.calls:
-            own = function.__globals__
-            others = [
-                s.exercise
-                for s in self.siblings
-                if s is not self and s.exercise.name in verdict.calls
-            ]
-            verdict = with_blame(
-                verdict, (review(other, Here(own[other.name])) for other in others)
-            )
+        waits = verdict.state == NOT_ATTEMPTED and verdict.reason
+        if verdict.state not in (WRONG, ERROR) and not waits:
+            return verdict
+        if namespace_of(function):
+            return self._with_right_ones(function, verdict)
         return verdict
+
+    def _with_right_ones(self, function, verdict):
+        """Return the Verdict with right functions in place of the wrong ones that the function calls.
+
+        As in grading, no mark is given to functions that call each other in a circle, nor for a
+        call that the task excludes.
+        """
+        own = namespace_of(function)
+        called = self._called(self.exercise, function)
+        unfinished = [check.exercise for check in self.siblings if check.exercise.name in called]
+        unfinished = [other for other in unfinished if not _is_right(other, own.get(other.name))]
+        if not unfinished:
+            return verdict
+        for other in unfinished:
+            if is_excluded(self.exercise, other):
+                refused = no_answer(self.exercise, None, "NotAllowed", other.name)
+                return replace(refused, case=None)
+        calls, waiting = {self.exercise.name: called}, list(unfinished)
+        while waiting:
+            other = waiting.pop()
+            if other.name not in calls and callable(own.get(other.name)):
+                calls[other.name] = self._called(other, own[other.name])
+                names = calls[other.name]
+                waiting += [s.exercise for s in self.siblings if s.exercise.name in names]
+        circle = in_circles(calls).get(self.exercise.name)
+        if circle:
+            names = " and ".join([self.exercise.name, *circle])
+            return Verdict(self.exercise, ERROR, f"Your {names} call each other in a circle.")
+        again = review(self.exercise, Here(function, RightOnes(self.exercise, unfinished)))
+        if again.state in (RIGHT, WRONG):
+            return replace(again, instead=tuple(other.name for other in unfinished))
+        return replace(verdict, blames=unfinished[0].name)
+
+    def _called(self, exercise, function):
+        """Return the names of the exercises of this notebook that a function calls, found by running it."""
+        others = [check.exercise for check in self.siblings if check.exercise is not exercise]
+        right_ones = RightOnes(exercise, others)
+        judge(exercise, Here(function, right_ones))
+        return right_ones.called
+
+    def _not_in_the_notebook(self, files):
+        named = " and ".join(files)
+        return (
+            f"{self.exercise.name} uses {named}, a file of your own. Only this notebook is handed "
+            f"in, so what stands in that file will not count. Copy it into a cell."
+        )
 
     def _how_to_call(self, function):
         name = self.exercise.name
@@ -158,16 +212,94 @@ class Check:
         `whose`, "yours" or "the library's"; the student's function then returns arrays instead of
         lists.
         """
-        mine = self.verdict.state == RIGHT
+        mine = self.verdict.state == RIGHT and not self.verdict.instead
         used = _giving_arrays(function) if mine else functools.partial(self.library)
         used.whose = "yours" if mine else "the library's"
+        if self.verdict.state in (WRONG, ERROR) and callable(function):
+            used.attempt = function  # what is wrong with it can be seen in a picture
         until = "" if mine else ", until yours passes its check"
+        if self.verdict.instead:
+            until = f", until {_listed(self.verdict.instead)}, which yours calls, passes its check"
         _show(
             f"{self.exercise.name} from here on: {used.whose}{until}",
             _MARKS[NOT_ATTEMPTED][1],
             "course-use",
         )
         return used
+
+
+def _is_right(exercise, function):
+    return callable(function) and review(exercise, Here(function)).state == RIGHT
+
+
+def _files_not_handed_in(function):
+    """Return the files of the student's own that a function needs, in a notebook; else []."""
+    return own_files(function) if _shell() is not None else []
+
+
+def _shell():
+    """Return IPython's shell; None outside a notebook."""
+    ipython = sys.modules.get("IPython")
+    return ipython.get_ipython() if ipython else None
+
+
+@contextlib.contextmanager
+def _native_output_dropped():
+    """Discard what libraries write past Python, such as LAPACK on numbers that are not finite."""
+    try:
+        kept = {number: os.dup(number) for number in (1, 2)}
+    except OSError:  # no such output is open
+        yield
+        return
+    _flush()
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        for number in kept:
+            os.dup2(nowhere, number)
+        yield
+    finally:
+        _flush()
+        for number, copy in kept.items():
+            os.dup2(copy, number)
+            os.close(copy)
+        os.close(nowhere)
+
+
+def _flush():
+    """Write out what Python and the C library still hold back, so that it goes where it was meant to go."""
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(Exception):
+            stream.flush()
+    with contextlib.suppress(Exception):  # on Windows the C library has no such name
+        ctypes.CDLL(None).fflush(None)
+
+
+def _keep_the_name(module):
+    """Give the name `check` back to the checks after a cell that assigned to it, and say so."""
+    shell, checks = _shell(), sys.modules.get(module)
+    if shell is None or checks is None:
+        return
+    was_theirs = False
+
+    def after(result):
+        nonlocal was_theirs
+        value = shell.user_ns.get("check")
+        if value is checks:
+            was_theirs = True
+        elif was_theirs and "check" in shell.user_ns and not isinstance(value, types.ModuleType):
+            shell.user_ns["check"] = checks
+            _show(
+                "! This cell assigns to the name `check`, by which the notebook's checks are "
+                "called. The name stands for the checks again. Choose another name for your "
+                f"{type(value).__name__}, such as `checked`, and run the cell once more.",
+                _MARKS[ERROR][1],
+            )
+
+    shell.events.register("post_run_cell", after)
+
+
+def _listed(names):
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _giving_arrays(function):
@@ -301,6 +433,10 @@ def _said(verdict):
     exercise, mark = verdict.exercise, _MARKS[verdict.state][0]
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""
+        if verdict.instead:
+            others = _listed(verdict.instead)
+            each = "a right one" if len(verdict.instead) == 1 else "right ones"
+            note += f"; it calls your {others}, not right yet, and was judged with {each} instead"
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
     if verdict.state == NOT_ATTEMPTED:
         return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
@@ -315,6 +451,11 @@ def _said(verdict):
         f"{mark} {exercise.name}: "
         + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)
     ]
+    if verdict.instead:
+        for name in verdict.instead:
+            lines.append(f"Your {name}, which it calls, is not right yet.")
+        ones = "a right one" if len(verdict.instead) == 1 else "right ones"
+        lines.append(f"So it was judged with {ones} instead.")
     if verdict.blames:
         lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
         lines.append(f"Correct {verdict.blames} first, then run this check again.")

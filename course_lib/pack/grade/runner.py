@@ -144,6 +144,7 @@ def whole(sources, names, without, say):
         with contextlib.suppress(BaseException):
             result = shell.run_cell(source, store_history=True)
             note_missing(result.error_before_exec or result.error_in_exec, say)
+        keep_the_name_of_the_checks(shell.user_ns)
     return shell.user_ns
 
 
@@ -166,6 +167,15 @@ def needed_only(sources, names, without, say):
             except BaseException as error:  # also those that students derive from BaseException
                 note_missing(error, say)
     return space
+
+
+def keep_the_name_of_the_checks(space: dict) -> None:
+    """Give the name `check` back to the checks after a cell that assigned to it, as the notebook does."""
+    checks = space.get("check")
+    if isinstance(checks, types.ModuleType):
+        space["__checks__"] = checks
+    elif "__checks__" in space:
+        space["check"] = space["__checks__"]
 
 
 def note_missing(error: object, say: Callable) -> None:

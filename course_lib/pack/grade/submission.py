@@ -386,7 +386,8 @@ def _with_right_ones(run, exercises, whole, instead) -> dict[str, Outcome]:
     outcomes = attempt(run, exercises, _all_forbidden(exercises), whole, instead)
     for exercise in exercises:
         outcome = outcomes[exercise.name]
-        if outcome.hindered and outcome.called and not run.over():
+        may_be_better = outcome.too_late or (outcome.hindered and outcome.called)
+        if may_be_better and not run.over():
             forbidden = frozenset(exercise.forbidden)
             outcomes |= attempt(run, [exercise], forbidden, whole, instead)
     return outcomes

@@ -1,0 +1,287 @@
+"""Answers that call wrong functions, judged with right ones in their place in the notebook, as in grading."""
+
+import functools
+import sys
+import textwrap
+import types
+
+import numpy as np
+import pytest
+from toy_exercises import DOUBLE, NEAREST_SO
+
+from course_lib.arms import panda
+from course_lib.checks import notebook
+from course_lib.checks.exercise import ERROR, RIGHT, WRONG
+from course_lib.checks.follow_through import in_circles
+from course_lib.checks.notebook import Check, _native_output_dropped
+from course_lib.checks.own_files import own_files
+from course_lib.checks.right_ones import RIGHT_ONES, namespace_of, right_ones
+from course_lib.figures.toys.arms import jog
+
+RIGHT_SO = """
+def nearest_so(M):
+    U, _, Vt = np.linalg.svd(double(M))
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    return U @ Vt
+"""
+WRONG_DOUBLES = {
+    "wrong": "def double(x):\n    return 0 * x\n",
+    "unwritten": "def double(x):\n    raise NotImplementedError('Write double here.')\n",
+    "missing": "",
+}
+
+
+@pytest.fixture
+def shown(monkeypatch):
+    texts = []
+    monkeypatch.setattr(notebook, "_show", lambda text, *rest, **named: texts.append(text))
+    return texts
+
+
+def checked(source, **changed):
+    """Run a cell and check nearest_so, which may call double; return its Check and the cell's names."""
+    space = {"np": np}
+    exec(source, space)
+    checks = [Check(DOUBLE), Check(NEAREST_SO)]
+    for check in checks:
+        check.siblings = checks
+        for key, value in changed.get(check.exercise.name, {}).items():
+            object.__setattr__(check.exercise, key, value)
+    checks[1](space["nearest_so"])
+    return checks[1], space
+
+
+@pytest.mark.parametrize("unfinished", WRONG_DOUBLES)
+def test_a_right_answer_below_a_wrong_one_gets_its_tick_and_says_what_it_calls(unfinished, shown):
+    check, space = checked(WRONG_DOUBLES[unfinished] + RIGHT_SO)
+    assert check.verdict.state == RIGHT
+    assert check.verdict.points == 3
+    (line,) = shown[-1].splitlines()
+    assert line.startswith("✓ nearest_so: right, 3 of 3 points; it calls your double, not right")
+    assert RIGHT_ONES not in space
+    assert ("double" in space) == (unfinished != "missing"), "what was replaced is put back"
+
+
+def test_use_gives_the_library_s_as_long_as_the_answer_calls_a_wrong_one(shown):
+    check, space = checked(WRONG_DOUBLES["wrong"] + RIGHT_SO)
+    used = check.use(space["nearest_so"])
+    assert used.whose == "the library's"
+    assert "until double, which yours calls, passes its check" in shown[-1]
+    assert np.allclose(used(2 * np.eye(3)), np.eye(3))
+
+
+def test_an_answer_that_is_wrong_itself_is_judged_with_a_right_one_below(shown):
+    check, _ = checked(
+        WRONG_DOUBLES["wrong"] + RIGHT_SO.replace("    U[:, -1] *=", "    U[:, -1] +=")
+    )
+    assert check.verdict.state == WRONG
+    assert check.verdict.instead == ("double",)
+    assert "Your double, which it calls, is not right yet." in shown[-1]
+
+
+CIRCLE = """
+def double(x):
+    return nearest_so(x) * 2
+
+def nearest_so(M):
+    return double(M) / 2
+"""
+
+
+def test_functions_in_a_circle_get_no_tick(shown):
+    check, _ = checked(CIRCLE)
+    assert check.verdict.state == ERROR
+    assert "nearest_so and double call each other in a circle" in shown[-1]
+
+
+def test_a_call_that_the_task_excludes_gets_no_tick(shown, monkeypatch):
+    monkeypatch.setattr(notebook, "is_excluded", lambda exercise, other: True)
+    check, _ = checked(WRONG_DOUBLES["wrong"] + RIGHT_SO)
+    assert check.verdict.state == WRONG
+    assert "It looks as if double is called." in shown[-1]
+
+
+@pytest.mark.parametrize(
+    ("calls", "circles"),
+    [
+        ({"a": ["b"], "b": ["c"], "c": ["a"]}, {"a", "b", "c"}),
+        ({"a": ["b"], "b": ["c"], "c": []}, set()),
+        ({"a": ["b", "c"], "b": ["a"], "c": []}, {"a", "b"}),
+        ({"a": ["b"], "b": ["b"]}, {"b"}),
+    ],
+)
+def test_circles_of_calls_are_found(calls, circles):
+    assert set(in_circles(calls)) == circles
+
+
+FORMS = """
+import functools
+
+def plain(x): return "wrong"
+alias = plain
+
+@functools.lru_cache
+def cached(x): return "wrong"
+cached(1)
+
+class Form:
+    def __init__(self, name): self.name = name
+    def __call__(self, x): return "wrong"
+    def method(self, x): return "wrong"
+
+thing, other = Form("thing"), Form("other")
+thing_alias, other_method = thing, other.method
+method = thing.method
+method_alias = thing.method
+part = functools.partial(lambda kind, x: "wrong", "kind")
+part_alias = part
+
+def decorated(function):
+    def inside(*arguments): return function(*arguments)
+    return inside
+
+@decorated
+def closure(x): return "wrong"
+closure_alias = closure
+"""
+NAMES = ("plain", "cached", "thing", "method", "part", "closure", "missing")
+
+
+def test_a_right_one_answers_whatever_a_function_is_called_by_and_is_gone_afterwards():
+    space = {}
+    exec(FORMS, space)
+    before = dict(space)
+    called = (*NAMES, "alias", "thing_alias", "method_alias", "part_alias", "closure_alias")
+    with right_ones(space, dict.fromkeys(NAMES, lambda x: "right")):
+        assert {name: space[name](1) for name in called} == dict.fromkeys(called, "right")
+        assert space["other"](1) == space["other_method"](1) == "wrong", "only this object"
+    assert space == before
+    assert {space[name](1) for name in called if name in space} == {"wrong"}
+
+
+@pytest.mark.parametrize("function", [len, np.linalg.svd, functools.partial(np.add, 1)])
+def test_a_function_that_nobody_wrote_in_the_notebook_has_no_names_of_it(function):
+    assert namespace_of(function) == {}
+
+
+# ---- what is not handed in ----
+
+
+@pytest.fixture
+def beside(tmp_path, monkeypatch):
+    (tmp_path / "my_tools.py").write_text(
+        "def helper(x):\n    return x\n\ndef double(x):\n    return 2 * x\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    yield tmp_path
+    sys.modules.pop("my_tools", None)
+
+
+USES = {
+    "from": "from my_tools import double",
+    "all": "from my_tools import *",
+    "the module": "import my_tools\ndef double(x):\n    return my_tools.double(x)",
+    "a helper": "from my_tools import helper\ndef double(x):\n    return helper(x) * 2",
+    "a helper's helper": (
+        "from my_tools import helper\ndef step(x):\n    return helper(x) * 2\n"
+        "def double(x):\n    return step(x)"
+    ),
+}
+
+
+@pytest.mark.parametrize("way", USES)
+def test_a_file_beside_the_notebook_that_an_answer_uses_is_found(beside, way):
+    space = {"In": []}
+    exec(USES[way], space)
+    assert own_files(space["double"]) == ["my_tools.py"]
+
+
+def test_a_file_that_a_cell_writes_is_part_of_the_notebook(beside):
+    space = {"In": ["", "%%writefile my_tools.py\ndef helper(x): return x"]}
+    exec(USES["a helper"], space)
+    assert own_files(space["double"]) == []
+
+
+def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
+    space = {"np": np, "In": []}
+    exec(
+        "from course_lib import rotations\ndef double(x):\n    return np.linalg.norm(x) + rotations.hat(x)",
+        space,
+    )
+    assert own_files(space["double"]) == []
+
+
+def test_the_check_says_at_once_that_a_file_beside_the_notebook_does_not_count(
+    beside, monkeypatch, shown
+):
+    space = {"In": []}
+    exec(USES["from"], space)
+    monkeypatch.setattr(notebook, "_shell", lambda: object())
+    check = Check(DOUBLE)
+    check(space["double"])
+    assert check.verdict.state == ERROR
+    assert "double uses my_tools.py, a file of your own. Only this notebook is handed" in shown[-1]
+
+
+# ---- the name of the checks ----
+
+
+class Shell:
+    """As much of IPython's shell as is needed here."""
+
+    def __init__(self):
+        self.user_ns, self._after, self.events = {}, [], self
+
+    def register(self, event, function):
+        assert event == "post_run_cell"
+        self._after.append(function)
+
+    def run(self, source):
+        exec(textwrap.dedent(source), self.user_ns)
+        for function in self._after:
+            function(None)
+
+
+def test_a_cell_that_assigns_to_the_name_of_the_checks_is_told_so(monkeypatch, shown):
+    shell, module = Shell(), types.ModuleType("own_checks")
+    monkeypatch.setattr(notebook, "_shell", lambda: shell)
+    monkeypatch.setitem(sys.modules, "own_checks", module)
+    shell.run("check = 'before the checks'")
+    notebook._keep_the_name("own_checks")
+    shell.run("import own_checks as check")
+    assert shown == []
+    shell.run("check = 1 < 2")
+    assert "This cell assigns to the name `check`" in shown[-1]
+    assert shell.user_ns["check"] is module
+
+
+# ---- what libraries write past Python ----
+
+
+def test_what_lapack_writes_does_not_reach_a_student(capfd):
+    def svd_of_nothing():
+        try:
+            np.linalg.svd(np.full((6, 7), np.inf))
+        except np.linalg.LinAlgError:
+            pass
+
+    with _native_output_dropped():
+        svd_of_nothing()
+    assert capfd.readouterr() == ("", "")
+    print("afterwards")
+    assert capfd.readouterr().out == "afterwards\n"
+
+
+# ---- a wrong answer in a picture ----
+
+
+def test_a_wrong_forward_kinematics_moves_the_arm_of_a_toy(shown):
+    arm = panda()
+    check = Check(DOUBLE)
+    check(lambda q: arm.fk(0 * q))
+    used = check.use(lambda q: arm.fk(0 * q))
+    assert used.whose == "the library's"
+    toy = jog(arm, used, q=arm.limits.mean(1))
+    answer = toy.answer({"q": list(arm.limits.mean(1) + 0.3)})
+    assert answer["whose"] == "your function"
+    assert answer["gap"] > 0.01
