@@ -1,5 +1,6 @@
 """Answers that call wrong functions, judged with right ones in their place in the notebook, as in grading."""
 
+import contextlib
 import functools
 import sys
 import textwrap
@@ -260,10 +261,8 @@ def test_a_cell_that_assigns_to_the_name_of_the_checks_is_told_so(monkeypatch, s
 
 def test_what_lapack_writes_does_not_reach_a_student(capfd):
     def svd_of_nothing():
-        try:
+        with contextlib.suppress(np.linalg.LinAlgError):
             np.linalg.svd(np.full((6, 7), np.inf))
-        except np.linalg.LinAlgError:
-            pass
 
     with _native_output_dropped():
         svd_of_nothing()

@@ -10,7 +10,7 @@ import time
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
-from course_lib.pack.grade import submission
+from course_lib.pack.grade import runner, submission
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
 from course_lib.pack.grade.submission import grade
@@ -88,6 +88,34 @@ def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed():
 )
 def test_a_search_for_names_in_a_text_of_any_kind_ends(unit):
     call_bounded(defines, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=5)
+
+
+# ---- calls of candidates ----
+
+
+def test_the_calls_of_a_test_do_not_count_as_its_answer():
+    """A test may call its candidates some thousand times, which is more text than any answer has."""
+    from_child, to_parent = os.pipe()
+    from_parent, to_child = os.pipe()
+    os.set_blocking(to_child, False)
+    os.write(to_parent, (b"?" + b"x" * 1000 + b"\n") * 20 + b"the reply\n")
+    passed_on = []
+    text, reason = runner.read_reply(
+        from_child, to_child, 5_000, lambda call: passed_on.append(call) or "answered"
+    )
+    assert (text, reason, len(passed_on)) == ("the reply\n", "", 20)
+    assert os.read(from_parent, 1 << 16) == b"answered\n" * 20
+    for pipe in (from_child, to_parent, from_parent, to_child):
+        os.close(pipe)
+
+
+def test_an_answer_that_is_too_long_is_cut_all_the_same():
+    from_child, to_parent = os.pipe()
+    os.write(to_parent, b"x" * 20_000)
+    _, reason = runner.read_reply(from_child, to_parent, 5_000, None)
+    assert reason == runner.TOO_LONG
+    os.close(from_child)
+    os.close(to_parent)
 
 
 # ---- claims ----
