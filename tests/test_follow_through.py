@@ -192,19 +192,20 @@ USES = {
 
 @pytest.mark.parametrize("way", USES)
 def test_a_file_beside_the_notebook_that_an_answer_uses_is_found(beside, way):
-    space = {"In": []}
+    space = {}
     exec(USES[way], space)
     assert own_files(space["double"]) == ["my_tools.py"]
 
 
 def test_a_file_that_a_cell_writes_is_part_of_the_notebook(beside):
-    space = {"In": ["", "%%writefile my_tools.py\ndef helper(x): return x"]}
+    space = {}
     exec(USES["a helper"], space)
-    assert own_files(space["double"]) == []
+    cells = ["", "%%writefile my_tools.py\ndef helper(x): return x"]
+    assert own_files(space["double"], cells) == []
 
 
 def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
-    space = {"np": np, "In": []}
+    space = {"np": np}
     exec(
         "from course_lib import rotations\ndef double(x):\n    return np.linalg.norm(x) + rotations.hat(x)",
         space,
@@ -215,7 +216,7 @@ def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
 def test_the_check_says_at_once_that_a_file_beside_the_notebook_does_not_count(
     beside, monkeypatch, shown
 ):
-    space = {"In": []}
+    space = {}
     exec(USES["from"], space)
     monkeypatch.setattr(notebook, "_shell", lambda: object())
     check = Check(DOUBLE)

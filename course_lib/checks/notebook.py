@@ -234,7 +234,11 @@ def _is_right(exercise, function):
 
 def _files_not_handed_in(function):
     """Return the files of the student's own that a function needs, in a notebook; else []."""
-    return own_files(function) if _shell() is not None else []
+    shell = _shell()
+    if shell is None:
+        return []
+    history = getattr(shell, "history_manager", None)
+    return own_files(function, getattr(history, "input_hist_raw", ()))
 
 
 def _shell():

@@ -4,17 +4,17 @@ import re
 import sys
 import tempfile
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from course_lib.checks.right_ones import namespace_of, written_function
+from course_lib.checks.right_ones import written_function
 
 PACKAGE = Path(__file__).parents[1]
 MAX_FUNCTIONS = 300  # that are looked at
 WRITES = re.compile(r"^%%(?:writefile|file)\s+(?:-a\s+)?(\S+)")
 
 
-def own_files(function: Callable) -> list[str]:
+def own_files(function: Callable, cells: Iterable[str] = ()) -> list[str]:
     """Return the names of the Python files beside the notebook that a function uses.
 
     A file that a cell of this session has written by %%writefile is part of the notebook.
@@ -22,9 +22,10 @@ def own_files(function: Callable) -> list[str]:
     Parameters
     ----------
     function : callable
+    cells : iterable of str
+        The sources of the cells that ran in this session.
     """
-    cells = namespace_of(function).get("In") or vars(sys.modules["__main__"]).get("In") or []
-    written = {match[1] for match in map(WRITES.match, map(str, cells)) if match}
+    written = {match[1] for match in map(WRITES.match, cells) if match}
     paths, waiting, seen = set(), [written_function(function)], set()
     while waiting and len(seen) < MAX_FUNCTIONS:
         current = waiting.pop()
