@@ -24,7 +24,7 @@ CPU_SECONDS = (
 )
 CLOCK_SECONDS = 4 * 3600  # far longer than the bounds of everything inside: it ends only what hangs
 MEMORY = 3 * 10**9  # of address space, in addition to that at the start of the process
-LARGEST_RESULT = 50_000_000  # bytes
+MAX_RESULT = 50_000_000  # bytes
 FORK = multiprocessing.get_context("fork")  # the course is loaded once, before
 
 
@@ -86,7 +86,7 @@ class Bounded:
         """
         outcome = {}
         with contextlib.suppress(EOFError, OSError):  # it ended, or wrote too much
-            outcome = json.loads(self.pipe.recv_bytes(LARGEST_RESULT))
+            outcome = json.loads(self.pipe.recv_bytes(MAX_RESULT))
         self.end()
         if "full" in outcome:
             raise OSError(*outcome["full"])

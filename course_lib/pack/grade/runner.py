@@ -125,7 +125,7 @@ def begin_all_random_numbers_alike() -> None:
 # ---- cells ----
 
 
-def whole(sources, names, without, say):
+def whole(sources: list[str], names: list[str], without: set[tuple], say: Callable) -> dict:
     """Run the cells as Jupyter does, but continue after errors; return their namespace."""
     from IPython.core.interactiveshell import InteractiveShell
     from IPython.utils.text import SList
@@ -148,7 +148,7 @@ def whole(sources, names, without, say):
     return shell.user_ns
 
 
-def needed_only(sources, names, without, say):
+def needed_only(sources: list[str], names: list[str], without: set[tuple], say: Callable) -> dict:
     """Run only the statements that the functions of these names need, whatever fails; return their namespace."""
     from statements import needed, statements
 

@@ -12,6 +12,7 @@ import functools
 import re
 import symtable
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 RUNS_ITS_CELL = (
@@ -22,7 +23,7 @@ RUNS_ITS_CELL = (
     "python",
     "python3",
 )  # cell magics around plain Python
-MOST_TRANSFORMED = 100_000  # characters of a cell that IPython reads once for each of its magics
+MAX_TRANSFORMED = 100_000  # characters of a cell that IPython reads once for each of its magics
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 SCOPES = (*FUNCTIONS, ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 IMPORTS = (ast.Import, ast.ImportFrom)
@@ -44,7 +45,7 @@ class Statement:
     changes: set = field(default_factory=set)
 
 
-def statements(sources):
+def statements(sources: Sequence[str]) -> list[Statement]:
     """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
     found = [
         _looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)
@@ -53,7 +54,16 @@ def statements(sources):
     return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
 
 
-def needed(found, names):
+def stubs_only(sources: Sequence[str]) -> set[str]:
+    """Return the names of the functions that a notebook defines, but has not begun to write."""
+    stubs, written = set(), set()
+    for statement in statements(sources):
+        names = stubs if is_stub(statement.tree) else written
+        names |= statement.binds
+    return stubs - written
+
+
+def needed(found: Sequence[Statement], names: Sequence[str]) -> list[Statement]:
     """Return the Statements that functions of these names need: those that affect what they read.
 
     A function reads names when it is called, so the search begins before the statement that
@@ -82,9 +92,9 @@ def needed(found, names):
 
 
 @functools.lru_cache(maxsize=1000)
-def plain(source):
+def plain(source: str) -> str:
     """Return a cell as Python: itself if it is, else what IPython makes of its magics, commands and prompts."""
-    if tree_of(source) is not None or len(source) > MOST_TRANSFORMED:
+    if tree_of(source) is not None or len(source) > MAX_TRANSFORMED:
         return source
     from IPython.core.inputtransformer2 import (
         TransformerManager,
@@ -103,7 +113,7 @@ def plain(source):
         return source
 
 
-def tree_of(source):
+def tree_of(source: str) -> ast.Module | None:
     """Return the ast of a text; None if it is not Python."""
     try:
         return ast.parse(source)
@@ -111,13 +121,13 @@ def tree_of(source):
         return None
 
 
-def parsed(source):
+def parsed(source: str) -> list[ast.stmt]:
     """Return the statements of a cell; none if the cell is not valid Python."""
     tree = tree_of(plain(source))
     return tree.body if tree else []
 
 
-def no_python(sources, name):
+def no_python(sources: Sequence[str], name: str) -> str:
     """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell."""
     for number, source in enumerate(sources, 1):
         if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
@@ -134,7 +144,7 @@ def no_python(sources, name):
     return ""
 
 
-def is_stub(tree):
+def is_stub(tree: ast.stmt) -> bool:
     """Return whether a statement is a function that only raises NotImplementedError."""
     if not isinstance(tree, ast.FunctionDef):
         return False

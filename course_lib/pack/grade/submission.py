@@ -52,7 +52,7 @@ from course_lib.pack.grade.result import message_of, result_of
 from course_lib.pack.grade.result import row_of as _row  # noqa: F401, tests look at one row
 from course_lib.pack.grade.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow
-from course_lib.pack.grade.statements import no_python
+from course_lib.pack.grade.statements import no_python, stubs_only
 from course_lib.pack.grade.student_view import contents
 
 JUDGING_SECONDS = (
@@ -341,9 +341,11 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
     """
     wrong = [e for e in run.exercises if outcomes[e.name].verdict.state != RIGHT]
     instead = {e.name: [other for other in wrong if other is not e] for e in wrong}
+    stubs = stubs_only(run.sources)
+    asked = [e for e in wrong if e.name not in stubs and _is_named(run, e)]
     judged_again = {}
     for whole in (False, True):
-        exercises = [e for e in wrong if outcomes[e.name].whole == whole and _may_call(run, e)]
+        exercises = [e for e in asked if outcomes[e.name].whole == whole]
         if exercises and len(wrong) > 1 and not run.over():
             judged_again |= _with_right_ones(run, exercises, whole, instead)
     calls = {name: outcome.called for name, outcome in judged_again.items()}
@@ -376,8 +378,8 @@ def _refusals(outcome: Outcome) -> list[str]:
     return [f"{name} is called" for name in outcome.called]
 
 
-def _may_call(run: Run, exercise: Exercise) -> bool:
-    """Return whether the notebook defines the function at all, so that it may call others."""
+def _is_named(run: Run, exercise: Exercise) -> bool:
+    """Return whether the notebook names the function at all, so that it may call others."""
     return any(exercise.name in source for source in run.sources)
 
 
