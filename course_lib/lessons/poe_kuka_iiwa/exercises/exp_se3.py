@@ -11,6 +11,9 @@ from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, hat, length
 
 _NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the series
+# Down to the angle of the given lines, at each power of ten and between: where somebody uses the
+# series too far, or a formula that loses its digits, its error shows at one of these.
+_ANGLES_DOWN = (0.3, 0.1, 0.03, 1e-2, 3e-3, 9e-4, 4e-4, 1e-4, 3e-5, 1.1e-5, 1e-5, 3e-6)
 
 
 def _cases(rng):
@@ -23,13 +26,16 @@ def _cases(rng):
         (Z, np.array([1.0, 2, 3])),
     ]
     named += [(quarter * axis, still) for axis in (X, Y, Z)]
-    for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, 9e-4, 1e-5, 1.2e-8, 1e-9, 1e-12):
+    named += [(quarter * axis, other) for axis, other in ((X, Y), (Y, Z), (-Z, Y))]
+    for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, *_ANGLES_DOWN, 1.2e-8, 1e-9, 1e-12):
         n, along = unit(rng), rng.uniform(0.5, 1)
         across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
         named.append((angle * n, across / np.linalg.norm(across) + along * n))
-    named += [(2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
+    # v is so large that the error of the series, a^2 / 6 of v, shows from 2.9e-4 rad on.
+    named += [(2.9e-4 * X, 1000 * Y), (2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
     named += [(still, X), (still, np.array([1.0, 2, 3])), (1e-170 * n, n + 1), (still, still)]
-    return [(np.concatenate(twist),) for twist in named]
+    whole = [np.array([0, 0, 1, 1, 2, 3]), np.array([-2, 1, 0, 0, 3, 1])]
+    return [(twist,) for twist in (*map(np.concatenate, named), *whole)]
 
 
 def _angle(twist):
@@ -38,6 +44,12 @@ def _angle(twist):
 
 def _is_small(twist):
     return _NO_ANGLE < _angle(twist) < _SMALL
+
+
+def _is_across(twist):
+    """Return whether v is perpendicular to omega, in a twist that the given lines do not answer."""
+    along = abs(twist[:3] @ twist[3:])
+    return _angle(twist) >= _GIVEN and twist[3:].any() and along < 1e-12
 
 
 def _p_is_right(T, twist):
@@ -63,6 +75,18 @@ def _keeps_digits(T, twist):
     return abs((T[COLUMN] - right) @ aside) <= allowed
 
 
+def _p_mistake(T, twist):
+    """Return what is said of a p that no known mistake explains: nothing if p is nearly right."""
+    off = np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max()
+    return _NOT_THERE if off > 0.01 * np.abs(twist[3:]).max() else None
+
+
+_NOT_THERE = Mistake(
+    "p is not where the origin arrives",
+    "The part of v along omega moves the origin all the way, the rest along an arc. "
+    "Which term is which?",
+)
+
 EXERCISE = Exercise(
     name="exp_se3",
     points=3,
@@ -76,17 +100,20 @@ EXERCISE = Exercise(
             "the upper left 3x3 block is the rotation by |omega| about omega",
             lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
             says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
+        ),
+        Property(
+            "p is at the end of an arc if v is perpendicular to omega",
+            _p_is_right,
+            says=_p_off,
+            where=_is_across,
+            mistake=_p_mistake,
             points=1,
         ),
         Property(
             "p is where the origin arrives after unit time with the constant twist, T' = [V] T",
             _p_is_right,
             says=_p_off,
-            mistake=Mistake(
-                "p is not where the origin arrives",
-                "The part of v along omega moves the origin all the way, the rest along an arc. "
-                "Which term is which?",
-            ),
+            mistake=_p_mistake,
         ),
         Property(
             "a tiny rotation is none the less there: R - I is [omega], to two digits",
@@ -161,8 +188,6 @@ def omega_for_n(twist):
         {"forward": lambda a: a * np.sin(a), "sideways": lambda a: a * (1 - np.cos(a))},
         {"along": 0},
         {"forward": lambda a: 0},
-        {"sideways": lambda a: 0},
-        {"sideways": lambda a: np.cos(a) - 1},
         {"forward": lambda a: 1 - np.cos(a), "sideways": np.sin},
     ),
 )
@@ -172,3 +197,29 @@ def factor_of_p(twist, factors):
     As a goes to 0, p goes to v: is that so in yours?
     """
     return _p(twist, **factors)
+
+
+@EXERCISE.mistake(
+    part=COLUMN, sideways=(lambda a: 0, lambda a: np.cos(a) - 1, lambda a: 1 + np.cos(a))
+)
+def sideways_term(twist, sideways):
+    """the step sideways, along n x v, is missing or has another sign. To which side of v does a
+    rotation about n bend the path of the origin?"""
+    return _p(twist, sideways=sideways)
+
+
+@EXERCISE.mistake(part=COLUMN)
+def p_not_written(twist):
+    """p is left at zero. The given lines fill in the rotation: where do you fill in p?"""
+    if _angle(twist) < _GIVEN:
+        raise ValueError("so small an angle is not the student's")
+    return np.zeros(3)
+
+
+@EXERCISE.mistake(part=COLUMN, below=(5e-4, 2e-3, 2e-2, 0.2, 0.4))
+def series_too_far(twist, below):
+    """the first terms of the series stand for angles that are too large. Up to which angle are
+    they off by less than the task allows, and what do the given lines compare a with?"""
+    if not _GIVEN <= _angle(twist) < below:
+        raise ValueError("this angle is answered by the formula, or by the given lines")
+    return twist[3:] + np.cross(twist[:3], twist[3:]) / 2

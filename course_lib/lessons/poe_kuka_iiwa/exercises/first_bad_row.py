@@ -83,11 +83,12 @@ def _why(t, q, limits, row):
     if row < 0:
         return "no row is bad"
     if not (np.isfinite(q[row]).all() and np.isfinite(t[row])):
-        return f"row {row} holds something that is not a finite number"
+        return f"the first bad row is row {row}, which holds something that is not a finite number"
     if row and t[row] <= t[row - 1]:
-        return f"in row {row} the time, {t[row]:.4g} s, does not come after {t[row - 1]:.4g} s"
+        return f"the first bad row is row {row}, where the time, {t[row]:.4g} s, does not come after {t[row - 1]:.4g} s"
     joint = int(np.argmax((q[row] < limits[:, 0]) | (q[row] > limits[:, 1])))
-    return f"in row {row} joint {joint + 1} is at {q[row, joint]:.6f} rad, beyond its limits"
+    angle = f"{q[row, joint]:.6f}"
+    return f"the first bad row is row {row}, where joint {joint + 1} is at {angle} rad, beyond its limits"
 
 
 EXERCISE = Exercise(
@@ -105,7 +106,7 @@ EXERCISE = Exercise(
             "there is none",
             lambda row, *case: row == _right(*case),
             says=lambda row, *case: (
-                f"Here {_why(*case, _right(*case))}; your answer is {float(row):g}."
+                f"Here {_why(*case, _right(*case))}. Your answer is {float(row):g}."
             ),
         ),
     ),

@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
+from course_lib.rigid import adjoint, inverse
 
 G = 9.81  # m/s^2
 _WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each joint.")
@@ -62,9 +63,9 @@ EXERCISE = Exercise(
             _right,
             ...,
             Mistake(
-                "the torques are not -J_s^T (p x f, f) of the weight f at the center p",
-                "How large is f? Where is p at these angles? Which matrix takes a wrench to "
-                "torques?",
+                "these torques do not hold the load",
+                "How large is its weight, and where is its center of mass at these angles, seen "
+                "from the base? Which matrix takes a wrench to joint torques?",
             ),
         ),
     ),
@@ -101,8 +102,55 @@ def center_not_rotated(screws, M, q, mass, center, origin):
 
 @EXERCISE.mistake(factor=(0, -1))
 def moment(*case, factor):
-    """the moment of the weight is missing, or is f x p.
+    """the moment of the weight is missing, or has the wrong sign.
 
-    A force at p has the moment p x f about the origin.
+    Which moment does a force at the point p have about the base's origin?
     """
     return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))
+
+
+@EXERCISE.mistake
+def torques_of_the_weight(*case):
+    """the torques are those that the weight exerts on the joints. Which torques balance them?"""
+    return -_right(*case)
+
+
+@EXERCISE.mistake
+def force_first(*case):
+    """the force stands above the moment in the wrench. In which order are the halves of a twist,
+    and so the rows of the space Jacobian?"""
+    return _by(*case, lambda p, T, f: (f, np.cross(p, f)))
+
+
+@EXERCISE.mistake
+def body_jacobian_with_a_space_wrench(screws, M, q, mass, center):
+    """the Jacobian and the wrench belong to two frames. Seen from which frame is each of them?"""
+    T = shared.tool_pose(screws, M, q)
+    body = adjoint(inverse(T)) @ shared.jacobian(screws, q)
+    return -body.T @ _weight(screws, M, q, mass, center)
+
+
+@EXERCISE.mistake
+def inverse_for_the_transpose(screws, M, q, mass, center):
+    """an inverse of the Jacobian takes the wrench to the torques. The joints' power equals the
+    power at the load: which matrix follows from that?"""
+    wrench = _weight(screws, M, q, mass, center)
+    return -np.linalg.pinv(shared.jacobian(screws, q)) @ wrench
+
+
+@EXERCISE.mistake
+def load_at_the_end_effector(screws, M, q, mass, center):
+    """the load hangs at the end-effector's origin. Where does `center` come in?"""
+    return _right(screws, M, q, mass, 0 * center)
+
+
+@EXERCISE.mistake(weight=(lambda mass: 1, lambda mass: 1 / G, lambda mass: mass / G))
+def another_weight(screws, M, q, mass, center, weight):
+    """the weight of the load is another one. Which force, in newtons, pulls at `mass` kilograms?"""
+    return _right(screws, M, q, weight(mass), center)
+
+
+@EXERCISE.mistake(g=(9.8, 10, 9.80665, 9.82))
+def another_gravity(screws, M, q, mass, center, g):
+    """gravity has another value than in the task. How many m/s^2 does the task state?"""
+    return _right(screws, M, q, mass * g / G, center)

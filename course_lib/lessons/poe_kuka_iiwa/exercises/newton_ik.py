@@ -71,6 +71,7 @@ def _cases(rng):
         _near(elsewhere, _BENT, rng),
         (*_UR5E, tool_pose(*_UR5E, _LONG - [0.3, 0.4, 0.1, 0.3, -0.2, -0.4]), _LONG),
         (*_UR5E, pose(here[:3, :3], [3.0, 0.5, 0.2]), _BENT),
+        (*kuka, pose(tool_pose(*kuka, bent)[:3, :3], [3.0, 0.5, 0.2]), bent),
     ]
 
 

@@ -65,7 +65,8 @@ def arms(rng):
         (KUKA, KUKA_HOME, np.zeros(7)),
     ]
     drawn = [
-        (axes(*drawn_axes(rng, n)), any_pose(rng), away_from_zero(rng, n)) for n in (1, 3, 4, 6, 7)
+        (axes(*drawn_axes(rng, n)), any_pose(rng), away_from_zero(rng, n))
+        for n in (1, 3, 4, 6, 7, 8)
     ]
     screws, M, _ = drawn[1]
     far = [

@@ -36,7 +36,7 @@ def right_power_joint_by_joint(screws, M, q, mass, center):
 
 
 def wrong_pseudo_inverse(screws, M, q, mass, center):
-    """the torques are not"""
+    """an inverse of the Jacobian"""
     T, J = _arm(screws, M, q)
     f = np.array([0, 0, mass * G])
     p = (T @ [*center, 1])[:3]
