@@ -92,7 +92,8 @@ EXERCISE = Exercise(
             _tell,
             Mistake(
                 "an error is not |f(q) - xy|",
-                "Where does fk_2r take each of the two predictions, by itself?",
+                "Compute one of these tips by hand, from its two angles. How far is it from the "
+                "position of the same query?",
             ),
         ),
         no_number(no_gap, "if a prediction is nan, so is its distance", distances, _tell),
@@ -120,6 +121,6 @@ EXERCISE = Exercise(
 def no_length(*case, length):
     """the differences in x and y are not combined into a distance.
 
-    How long is the straight line for 3 m and 4 m?
+    If a tip is off by 3 m along x and by 4 m along y, how far is it from its position?
     """
     return distances(*case, length)

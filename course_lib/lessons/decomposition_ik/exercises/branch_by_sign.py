@@ -34,8 +34,14 @@ def _cases(rng):
         np.concatenate(two_link_angles(np.array([0.6, 1.3]) + rng.uniform(-0.03, 0.03, (9, 2))))
     )
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
-    few = np.array([[0.4, -0.2]]), np.zeros((0, 2))
-    return [(each,) for each in (both, positive, negative, stretched, drawn, lopsided, *few)]
+    # No angle is too small to have a sign; -0.0 is 0, and an angle beyond pi keeps its own.
+    tiny = np.array([[0.4, size] for size in (-1e-3, -1e-9, -1e-12, -1e-15, -1e-300, 1e-300)])
+    zeros = np.array([[0.3, 0.0], [-0.2, -0.0], [-0.0, 0.1], [0.5, -0.1]])
+    far = np.array([[0.1, 3.5], [0.2, -3.5], [-4.0, 6.0], [7.0, -6.5], [0.3, 8.0]])
+    whole = np.array([[1, -2], [0, 0], [-3, 1], [2, -1]])
+    few = np.array([[0.4, -0.2]]), np.array([[0.4, -0.0]]), np.zeros((0, 2))
+    samples = (both, positive, negative, stretched, drawn, lopsided)
+    return [(q,) for q in (*samples, tiny, zeros, far, whole, *few)]
 
 
 EXERCISE = Exercise(
@@ -69,6 +75,24 @@ EXERCISE = Exercise(
 def zero_is_negative(q):
     """q2 = 0 is in branch 1. On which side of the comparison in the task is 0?"""
     return q[:, 1] <= 0
+
+
+@EXERCISE.mistake
+def sign_of_minus_zero(q):
+    """-0.0 is in branch 1. numpy has a zero with a minus sign: how does it compare with 0?"""
+    return np.signbit(q[:, 1])
+
+
+@EXERCISE.mistake(tolerance=(1e-16, 1e-13, 1e-10, 1e-8, 1e-4))
+def tiny_angle_is_zero(q, tolerance):
+    """a small negative q2 counts as 0. Which number does the task compare q2 with?"""
+    return q[:, 1] < -tolerance
+
+
+@EXERCISE.mistake
+def sign_of_the_sine(q):
+    """the sine of q2 decides. What is the sign of the sine beyond pi?"""
+    return np.sin(q[:, 1]) < 0
 
 
 @EXERCISE.mistake(

@@ -28,6 +28,9 @@ def _integers_or_floats(value, *case):
     return index.astype(int) if np.asarray(value).dtype.kind in "iu" else index
 
 
+_JUST = (1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-14)  # from an edge of the box
+
+
 def _cases(rng):
     box, wide = ([0.0, 0.0], [1.0, 1.0]), ([-1.0, 0.0], [3.0, 2.0])
     high, far = ([0.5, -4.0], [1.5, 4.0]), ([-2.0, -3.0], [-1.0, 5.0])
@@ -46,6 +49,14 @@ def _cases(rng):
             4,
         ),  # outside, without any tolerance
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
+        # Corners in whole numbers, as in the task's example, and then positions in them, too.
+        ([[0.55, 0.55], [1.0, 2.0], [0.95, 1.9], [-0.3, 1.0], [0.4, 2.6]], [0, 0], [1, 2], 10),
+        ([[1, 1], [2, 3], [0, 5], [4, 2], [-1, 0]], [0, 0], [4, 5], 7),
+        # Just out of reach of the box, and just inside, at powers of ten.
+        ([[1 + d, 0.3] for d in _JUST], *box, 4),
+        ([[0.3, -d] for d in _JUST], *box, 4),
+        ([[1 - d, 0.3] for d in _JUST], *box, 4),
+        ([[0.3, d] for d in _JUST], *box, 4),
     ]
     found += [
         (_around(rng, 6, *corners, n), *corners, n)
@@ -104,6 +115,12 @@ def _asked(text, chosen, name, hint):
 
     def says(index, xy, low, high, n):
         k = wrong(index, xy, low, high, n)[0]
+        beyond = np.concatenate([low - xy[k], xy[k] - high]).max()
+        if beyond > 0:
+            return (
+                f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of "
+                f"the box. Yours is {index[k].tolist()}."
+            )
         widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
         return (
             f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Yours is "

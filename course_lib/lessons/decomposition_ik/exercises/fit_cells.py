@@ -202,6 +202,13 @@ def another_order(*case, fit):
 
 
 @EXERCISE.mistake
+def cluster_for_angle(*case):
+    """the second index of models counts the angles, and the third the clusters. In which order
+    does the task name them?"""
+    return fit_cells(*case).swapaxes(1, 2)
+
+
+@EXERCISE.mistake
 def outside_in_the_last_cell(xy, q, cell, count):
     """the samples outside all cells, with number -1, go into the last cell.
 

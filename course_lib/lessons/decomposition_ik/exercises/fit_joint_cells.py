@@ -69,7 +69,8 @@ EXERCISE = Exercise(
             lambda a, b: no_gap(b, a),
             "a cell with 3 samples or more has a model",
             "a cell with enough samples has no model",
-            "Does your loop go on after a cell without a model?",
+            "How many samples has the cell that is named below, and what does your code do with "
+            "so many?",
         ),
         _judged(
             lambda a, b: off(a / 100, b / 100),
@@ -92,3 +93,22 @@ EXERCISE = Exercise(
 def angles_from_positions(q, xy, cell, count):
     """angles are fitted to positions, as in fit_cells. Which of the two is to be predicted here?"""
     return fit_joint_cells(xy, q, cell, count)
+
+
+@EXERCISE.mistake(least=(1, 2, 4))
+def another_limit(*case, least):
+    """the number of samples that a model needs is not 3.
+
+    Has a cell of exactly 2 a model, and one of exactly 3?
+    """
+    return fit_joint_cells(*case, least=least)
+
+
+@EXERCISE.mistake
+def loop_ends_at_a_gap(q, xy, cell, count):
+    """the loop ends at the first cell without a model. What follows after that cell?"""
+    models = fit_joint_cells(q, xy, cell, count)
+    gaps = np.flatnonzero(np.isnan(models[:, 0, 0]))
+    if len(gaps):
+        models[gaps[0] :] = np.nan
+    return models

@@ -44,7 +44,17 @@ def _cases(rng):
         _samples(rng, 20, drawn[0], 0, 0, 2.9),
         _samples(rng, 40, drawn[1], 0.001),
         _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
+        _samples(rng, 40, drawn[1], 0.001, -2.9, 2.9),
+        # Joints that have turned round: one revolution more or less is not enough to wrap these.
+        _turned(*_samples(rng, 30, drawn[0], 0)),
+        (np.array([[0, 0], [1, 0], [0, 1], [2, -1]]), np.array([[2, 0], [1, 2], [2, 1], [0, 2]])),
     ]
+
+
+def _turned(q, xy):
+    """Return samples whose first joint has made up to three revolutions, either way."""
+    revolutions = np.arange(len(q)) % 7 - 3
+    return q + np.column_stack([2 * np.pi * revolutions, np.zeros(len(q))]), xy
 
 
 _OTHER_FIT = Mistake(

@@ -14,6 +14,10 @@ _FINE, _ROUGH = (
     1e-7,
 )  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
 
+# Metres just out of reach; the task allows a tolerance of a micrometre for rounding.
+_BEYOND = (1e-5, 1e-4, 3e-4, 1e-3, 0.01, 0.03, 0.1)
+_SMALL = (0.1, 5e-3, 1e-3, 2e-4)  # metres from the base, where the arm is nearly folded
+
 _NO_ROWS = Mistake(
     "a position out of reach is given another form",
     "Every answer has the shape (2, 2), so that a table of queries can go on. What stands in it "
@@ -41,7 +45,11 @@ def _cases(rng):
     edge += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
     far = [[3.0, 0], [0, -2.5], [1.6, 1.6], [-2.001, 0]]
     far += [r * _direction(a) for r, a in rng.uniform(2.1, 6, (3, 2))]
-    return [(np.array(xy),) for xy in [*named, *within, [0.0, 0.0], [0.01, -0.02], *edge, *far]]
+    far += [(2 + d) * _direction(a) for d, a in zip(_BEYOND, rng.uniform(-3, 3, 7), strict=True)]
+    middle = [[0.0, 0.0], [0.01, -0.02]]
+    middle += [r * _direction(a) for r, a in zip(_SMALL, rng.uniform(-3, 3, 4), strict=True)]
+    whole = [np.array([1, 1]), np.array([0, -1]), np.array([-1, 1]), np.array([3, 0])]
+    return [(np.array(xy),) for xy in [*named, *within, *middle, *edge, *far, *whole]]
 
 
 def _direction(angle):

@@ -28,7 +28,21 @@ def _cases(rng):
     )
     elbow = two_link_angles(xy)[np.arange(4), [0, 1, 0, 1]]
     near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
-    return [simple, *zip(near_ones, xy, strict=True), (there, two_link_tip(there))]
+    # A joint that has turned round, and steps that are long: neither is wrapped, or shortened.
+    far_ones = near_ones[:2] + 2 * np.pi * rng.choice([-2, -1, 1, 2], (2, 2))
+    long_ones = [
+        (np.array([0.3, 1.4]), np.array([-1.2, 0.9])),
+        (np.array([2.9, -1.6]), np.array([1.5, 0.4])),
+    ]
+    whole = [(np.array([1, 1]), np.array([1, 1])), (np.array([0, -2]), np.array([1.2, -0.8]))]
+    return [
+        simple,
+        *zip(near_ones, xy, strict=True),
+        (there, two_link_tip(there)),
+        *zip(far_ones, xy, strict=False),
+        *long_ones,
+        *whole,
+    ]
 
 
 EXERCISE = Exercise(
@@ -95,3 +109,38 @@ def another_jacobian(q, xy, jacobian):
     Which links move with q1, which with q2, and which way?
     """
     return newton_step(q, xy, jacobian)
+
+
+@EXERCISE.mistake(steps=(2, 3, 5, 30))
+def several_steps(q, xy, steps):
+    """more than one step is made. How many steps does the task ask for?"""
+    for _ in range(steps):
+        q = newton_step(q, xy)
+    return q
+
+
+@EXERCISE.mistake
+def away_from_the_target(q, xy):
+    """the step leads away from the position. From which position to which leads p - f(q)?"""
+    return 2 * q - newton_step(q, xy)
+
+
+@EXERCISE.mistake
+def step_without_q(q, xy):
+    """the step itself is returned. Which angles does the arm have after it?"""
+    return newton_step(q, xy) - q
+
+
+@EXERCISE.mistake(wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)))
+def wrapped(q, xy, wrap):
+    """the angles are brought between -pi and pi, or between 0 and 2 pi. Does the formula do
+    that?"""
+    return wrap(newton_step(q, xy))
+
+
+@EXERCISE.mistake(eps=(1e-6, 1e-4, 1e-2))
+def damped(q, xy, eps):
+    """the step is damped. Which matrix stands before p - f(q) in a Newton step?"""
+    return newton_step(
+        q, xy, solve=lambda J, e: J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
+    )

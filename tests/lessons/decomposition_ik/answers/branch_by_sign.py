@@ -8,7 +8,21 @@ def right_by_comparison(q):
 
 
 def right_truth_values(q):
+    return q[:, 1] < 0
+
+
+def right_by_the_sign(q):
+    return (1 - np.sign(q[:, 1])) // 2
+
+
+def wrong_sign_bit(q):
+    """-0.0 is in branch 1"""
     return np.signbit(q[:, 1])
+
+
+def wrong_tolerance(q):
+    """a small negative q2 counts as 0"""
+    return (q[:, 1] < -1e-12).astype(int)
 
 
 def right_one_by_one(q):
