@@ -63,14 +63,17 @@ EXERCISE = Exercise(
             lambda answer, *case: near(answer, right(*case)),
             where=lambda q, J, T, T_target, step: np.array_equal(T[:3, :3], T_target[:3, :3]),
             mistake=Mistake(
-                "the step is not step J^T e", "How long is it, and which matrix stands before e?"
+                "the step is not step J^T e",
+                "Print e: does it lead from T to T_target? Which matrix, and which number, stand "
+                "before it?",
             ),
         ),
         Property(
             "the error is the one that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
             mistake=Mistake(
-                "the lower half of the error is not phi", "Which vector takes R to R_target?"
+                "the error is not the one that belongs to J",
+                "Compare both halves of your e with those of pose_error(T, T_target).",
             ),
         ),
     ),
@@ -107,3 +110,16 @@ def from_the_end_effector(q, J, T, T_target, step, position):
 def halves_swapped(q, J, T, T_target, step):
     """phi stands before the difference of the positions. Which three rows of J come first?"""
     return q + step * J.T @ np.roll(pose_error(T, T_target), 3)
+
+
+@EXERCISE.mistake(signs=((-1, 1), (1, -1), (-1, -1)))
+def half_reversed(q, J, T, T_target, step, signs):
+    """the error, or one half of it, leads from the target to the arm. From which pose to which
+    must it lead, where it is added?"""
+    return q + step * J.T @ (np.repeat(signs, 3) * pose_error(T, T_target))
+
+
+@EXERCISE.mistake
+def inverse_for_the_transpose(q, J, T, T_target, step):
+    """an inverse of J stands where J^T is asked for. Which method is this, and which the task's?"""
+    return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)

@@ -7,6 +7,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import modified, standard
 from course_lib.rotations import exp_so3
 
@@ -24,10 +25,19 @@ def _ends(table, q, patterns, convention=standard):
     return T
 
 
+@remembered
+def _all_ends(table, q):
+    """Return the poses of all patterns, which every wrong answer that is tried needs."""
+    return _ends(table, q, _patterns(table))
+
+
 def _gaps(table, q, poses, convention=standard):
     """Return the largest difference of each pattern and configuration in position and orientation,
     (2^n, m, 2)."""
-    gap = np.abs(_ends(table, q, _patterns(table), convention) - poses)
+    if convention is standard:
+        gap = np.abs(_all_ends(table, q) - poses)
+    else:
+        gap = np.abs(_ends(table, q, _patterns(table), convention) - poses)
     return np.stack([gap[..., :3, 3].max(-1), gap[..., :3, :3].max((-1, -2))], -1)
 
 
@@ -41,12 +51,13 @@ def right(table, q, poses):
     return _best(table, _gaps(table, q, poses).max((1, 2)))
 
 
-def _case(rng, n, zero=None, noise=0.0, deceives=()):
+def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None):
     """Return a table, configurations, and the poses that they have if some joints have the opposite
     sign.
 
     The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong
-    answers to the case.
+    answers to the case. reversed_joints: how many joints have the opposite sign, or None for any
+    number but all.
     """
     while True:
         table = np.round(rng.uniform(0.2, 0.8, (n, 3)), 2)
@@ -54,13 +65,17 @@ def _case(rng, n, zero=None, noise=0.0, deceives=()):
         table[-1, :2] = 0
         signs = rng.choice([-1, 1], n)
         signs[-1] = -1
+        if reversed_joints is not None:
+            signs = np.ones(n, int)
+            signs[n - reversed_joints :] = -1
         q = np.round(rng.uniform(0.4, 1.4, (3, n)) * rng.choice([-1, 1], (3, n)), 2)
         if zero is not None:
             q[zero] = 0  # which fits any pattern
         poses = _ends(table, q, [signs])[0]
         if noise:
             poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
-        clear = (signs > 0).any() and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > 0.2
+        mixed = reversed_joints is not None or (signs > 0).any()
+        clear = mixed and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > 0.2
         if clear and not any(np.array_equal(answer(table, q, poses), signs) for answer in deceives):
             return table, q, poses
 
@@ -69,7 +84,40 @@ def _cases(rng):
     table, q = np.array([[0.5, np.pi / 2, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
     simple = table, q, _ends(table, q, [[1, -1]])[0]
     drawn = [_case(rng, 3, zero=zero, deceives=[other_convention]) for zero in (None, 0, -1)]
-    return [simple, *drawn, _case(rng, 4, noise=1e-4, deceives=[one_joint_at_a_time])]
+    noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
+    many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
+    given = [simple, *drawn, noisy, *many]
+    unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
+    return [*given, *unlucky, _mirrored(rng)]
+
+
+def _mirrored(rng):
+    """Return a case of a planar arm in configurations q and -q.
+
+    With all signs reversed, the end-effector is mirrored in both configurations, and differences
+    from the measured poses have the sum 0, as with the right signs.
+    """
+    table = np.array([[0.5, 0, 0], [0.4, 0, 0], [0, 0, 0]]) + rng.choice([0, 0.1], (3, 1)) * [
+        1,
+        0,
+        0,
+    ]
+    half = np.round(rng.uniform(0.4, 1.2, 3), 2) * rng.choice([-1, 1], 3)
+    q = np.array([half, -half])
+    return table, q, _ends(table, q, [[-1, *rng.choice([-1, 1], 2)]])[0]
+
+
+def _unlucky(rng, shortcuts, cases):
+    """Return further cases, so that each shortcut, which is often right by luck, misses one."""
+    added = []
+    for shortcut in shortcuts:
+        if not any(_is_wrong(shortcut, case) for case in (*cases, *added)):
+            added.append(_case(rng, 4, deceives=[shortcut]))
+    return added
+
+
+def _is_wrong(shortcut, case):
+    return not np.array_equal(shortcut(*case), right(*case))
 
 
 def _off(answer, table, q, poses):
@@ -129,19 +177,50 @@ def one_configuration(table, q, poses, k):
     return _best(table, _gaps(table, q, poses)[:, k].max(1))
 
 
-@EXERCISE.mistake
-def one_joint_at_a_time(table, q, poses):
+def _largest(differences):
+    return np.abs(differences).max((1, 2, 3))
+
+
+def _squares(differences):
+    return (differences**2).sum((1, 2, 3))
+
+
+def _differences(table, q, poses):
+    """Return the poses of each pattern minus those measured, (2^n, m, 4, 4)."""
+    return _all_ends(table, q) - poses
+
+
+@EXERCISE.mistake(whole=(False, True), absolute=(False, True))
+def signed_differences(table, q, poses, whole, absolute):
+    """differences are added up with their signs. What do 0.3 and -0.3 add up to?"""
+    differences = _differences(table, q, poses)
+    if not whole:
+        differences = differences[..., :3, 3]
+    total = differences.reshape(len(differences), -1).sum(1)
+    return _best(table, np.abs(total) if absolute else total)
+
+
+_SIGNED = EXERCISE.mistakes[-1].answers
+
+
+@EXERCISE.mistake(from_last=(False, True), size=(_largest, _squares), rounds=(1, 8))
+def one_joint_at_a_time(table, q, poses, from_last, size, rounds):
     """one joint is decided after the other.
 
     Does the best sign of one joint depend on those of the others?
     """
-    worst = dict(zip(map(tuple, _patterns(table)), _gaps(table, q, poses).max((1, 2)), strict=True))
+    costs = np.round(size(_differences(table, q, poses)), 9)
+    cost_of = dict(zip(map(tuple, _patterns(table)), costs, strict=True))
+    joints = range(len(table))
+    order = joints[::-1] if from_last else joints
     signs = [1] * len(table)
-    for i in range(len(table)):
-        signs[i] = min(
-            (1, -1), key=lambda sign, i=i: round(worst[(*signs[:i], sign, *signs[i + 1 :])], 9)
-        )
+    for i in [*order] * rounds:
+        plus, minus = ((*signs[:i], sign, *signs[i + 1 :]) for sign in (1, -1))
+        signs[i] = 1 if cost_of[plus] <= cost_of[minus] else -1
     return np.array(signs)
+
+
+_JOINT_BY_JOINT = EXERCISE.mistakes[-1].answers
 
 
 @EXERCISE.mistake

@@ -81,9 +81,15 @@ def _worst_dropped(*case):
     return worst_dropped(*case, most=9)
 
 
-def _closest_fit(*case):
+def _by_residuals(case, measure, of_all):
+    """Return the matches that agree with the triple whose residuals are smallest; of_all: whether
+    those of all matches count, or those of the triple alone."""
     triples, masks = _masks(*case)
-    return masks[np.argmin([_residuals(triple, *case[:2])[triple].max() for triple in triples])]
+    sizes = []
+    for triple in triples:
+        residuals = _residuals(triple, *case[:2])
+        sizes.append(measure(residuals if of_all else residuals[triple]))
+    return masks[np.argmin(sizes)]
 
 
 def _cases(rng):
@@ -93,10 +99,15 @@ def _cases(rng):
         _case(rng, 7, 2, deceives=[_worst_dropped]),
         _case(rng, 8, 3),
     ]
-    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", [_closest_fit])]
+    drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", _CLOSEST[:1])]
     drawn += [_case(rng, 9, [2, 5, 8], "own")]
     few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
-    return [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
+    given = [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
+    # What a shortcut finds by luck in one case it misses in another, in every set.
+    for shortcut in (*_CLOSEST, *_LEAST_OF_ALL):
+        if all(np.array_equal(shortcut(*case), right(*case)) for case in given):
+            given.append(_case(rng, 9, 4, "same", [shortcut]))
+    return given
 
 
 EXERCISE = Exercise(
@@ -163,6 +174,26 @@ def worst_dropped(src, dst, tol, most):
         if len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
             kept = np.delete(kept, _residuals(kept, src, dst)[kept].argmax())
     return np.isin(np.arange(len(src)), kept)
+
+
+@EXERCISE.mistake(measure=(np.max, np.sum, np.linalg.norm))
+def closest_triple(*case, measure):
+    """the triple with the smallest residuals of its own is taken. Can three wrong matches fit one
+    pose, and which number does the task make the largest?"""
+    return _by_residuals(case, measure, of_all=False)
+
+
+_CLOSEST = EXERCISE.mistakes[-1].answers
+
+
+@EXERCISE.mistake(measure=(np.sum, np.linalg.norm, np.max))
+def least_of_all(*case, measure):
+    """the pose with the smallest residuals of all matches is taken. Which matches count, where
+    some are far off?"""
+    return _by_residuals(case, measure, of_all=True)
+
+
+_LEAST_OF_ALL = EXERCISE.mistakes[-1].answers
 
 
 @EXERCISE.mistake

@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import angle_gap
 from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, damped, panda_jacobian, panda_step
 
 _SQUARE = np.array([[1.0, 2], [0, 1]])
@@ -61,21 +60,26 @@ def _allowed(q, J, e, eps):
     return (1e-9 + 1e-14 * np.linalg.norm(J, 2) ** 2 / eps) * size
 
 
+def _gap(answer, other):
+    """Return the largest difference; a revolution counts, for a joint does not jump by one."""
+    return np.abs(answer - other).max()
+
+
 def _right(answer, *case):
-    return angle_gap(answer, damped(*case)) < _allowed(*case)
+    return _gap(answer, damped(*case)) < _allowed(*case)
 
 
 def _alike(answer, predicted, q, *rest):
     """Return whether an answer is what is predicted, to the digits that the step has."""
     share = min(1e-6 * (1 + np.abs(q).max() + np.abs(predicted - q).max()), 0.01)
-    return np.shape(answer) == np.shape(predicted) and angle_gap(answer, predicted) < max(
+    return np.shape(answer) == np.shape(predicted) and _gap(answer, predicted) < max(
         share, _allowed(q, *rest)
     )
 
 
 def _off(answer, q, *rest):
     wanted, changed = damped(q, *rest) - q, answer - q
-    j = int(np.argmax(np.abs(np.exp(1j * changed) - np.exp(1j * wanted))))
+    j = int(np.argmax(np.abs(changed - wanted)))
     return (
         f"q[{j}] should change by {wanted[j]:.5g}; in your answer it changes by {changed[j]:.5g}."
     )
@@ -159,6 +163,19 @@ def along_the_gradient(q, J, e, eps, size):
     Which matrix stands between J^T and e in a damped step?
     """
     return q + size(eps) * J.T @ e
+
+
+@EXERCISE.mistake(
+    wrap=(
+        lambda q: np.arctan2(np.sin(q), np.cos(q)),
+        lambda q: q % (2 * np.pi),
+        lambda q: np.clip(q, -np.pi, np.pi),
+    )
+)
+def wrapped(q, J, e, eps, wrap):
+    """the angles are brought between -pi and pi, or between 0 and 2 pi. Does the task ask for
+    that, and what does a joint do whose angle jumps by a revolution?"""
+    return wrap(damped(q, J, e, eps))
 
 
 @EXERCISE.mistake

@@ -156,6 +156,23 @@ def _too_much(which, unit):
     return says
 
 
+_JUMPS = Mistake(
+    "the joint angles jump between two rows",
+    "Neighbouring poses have solutions far apart, too. From which configuration does each search "
+    "begin?",
+)
+_TOO_SHORT = Mistake(
+    "a leg is too short in time for its speeds", "What does `timed` make of a leg?"
+)
+
+
+def _too_fast(x, *case):
+    """Return the Mistake of joints that are too fast: a jump, of at least 0.2 rad and five times as
+    far as in half of the rows, or a leg whose time is too short."""
+    steps = np.abs(np.diff(x[:, 1:], axis=0)).max(1)
+    return _JUMPS if steps.max() > max(0.2, 5 * np.median(steps)) else _TOO_SHORT
+
+
 EXERCISE = Exercise(
     name="plan_pick",
     points=4,
@@ -199,9 +216,7 @@ EXERCISE = Exercise(
             "no joint is too fast",
             lambda x, *case: shares(x)[0].max() < _BOUND,
             _too_much(0, "speed"),
-            mistake=Mistake(
-                "a leg is too short in time for its speeds", "What does `timed` make of a leg?"
-            ),
+            mistake=_too_fast,
         ),
         Property(
             "no joint accelerates harder than it may, at the start and at the end included: it "

@@ -14,10 +14,14 @@ def right_solved_for_the_joints_as_a_list(q, J, e, eps):
     return list(q + np.linalg.solve(J.T @ J + eps * np.eye(len(q)), J.T @ e))
 
 
-def right_least_squares_and_wrapped(q, J, e, eps):
+def right_least_squares(q, J, e, eps):
     A = np.vstack([J, np.sqrt(eps) * np.eye(len(q))])
-    dq = np.linalg.lstsq(A, np.concatenate([e, np.zeros(len(q))]), rcond=None)[0]
-    return (q + dq + np.pi) % (2 * np.pi) - np.pi
+    return q + np.linalg.lstsq(A, np.concatenate([e, np.zeros(len(q))]), rcond=None)[0]
+
+
+def wrong_wrapped(q, J, e, eps):
+    """the angles are brought between"""
+    return (right_least_squares(q, J, e, eps) + np.pi) % (2 * np.pi) - np.pi
 
 
 def wrong_eps_missing(q, J, e, eps):
