@@ -31,13 +31,13 @@ def only_moves(twist):
 
 
 def test_a_wrong_answer_keeps_the_points_of_the_part_that_is_right():
-    got = verdict(only_turns)
+    got = verdict(only_moves)
     assert (got.state, got.points) == (WRONG, 1)
     assert describe(got).splitlines()[0] == "✗ exp_se3: not right yet, 1 of 3 points so far"
 
 
 @pytest.mark.parametrize(
-    "answer", [only_moves, lambda twist: np.eye(4), lambda twist: None, lambda twist: "pose"]
+    "answer", [only_turns, lambda twist: np.eye(4), lambda twist: None, lambda twist: "pose"]
 )
 def test_an_answer_without_that_part_earns_nothing(answer):
     got = verdict(answer)
