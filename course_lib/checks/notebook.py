@@ -37,6 +37,7 @@ _MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c
 _MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _NOTHING = object()
+_CALLS_SECONDS = 2  # of computing, to see which functions an answer calls
 _LONG = 40  # numbers: of a longer array one item is shown
 _WIDTH, _IN_VIEW = (
     100,
@@ -175,7 +176,7 @@ class Check:
         """Return the names of the exercises of this notebook that a function calls, found by running it."""
         others = [check.exercise for check in self.siblings if check.exercise is not exercise]
         right_ones = RightOnes(exercise, others)
-        judge(exercise, Here(function, right_ones))
+        judge(exercise, Here(function, right_ones), seconds=_CALLS_SECONDS)
         return right_ones.called
 
     def _not_in_the_notebook(self, files):
