@@ -68,8 +68,7 @@ def _cut_texts(answer: dict, sources: tuple[str, ...]) -> None:
     if kind not in KNOWN_TYPES and not _is_written(kind, sources):
         kind = OTHER_TYPE
     if not _is_of_the_course(kind, message):
-        own_text = source.startswith(("raise", "assert"))
-        message = "" if own_text else first_words(message)
+        message = first_words(message)
     error |= {"type": kind, "message": message, "source": source}
     error["cell"] = cell if _is_written(cell, sources) else ""
 

@@ -60,7 +60,7 @@ JUDGING_SECONDS = (
 )
 CELL_CALL_SECONDS = 10  # of the grader's own processor time for one call of check.NAME.library
 # of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
-MAX_CALLS = 100_000
+MOST_CALLS = 100_000
 MAX_RESTARTS = 4  # of a notebook whose cells end or stop its process
 MAX_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
 MAX_LINE = 10**7  # the number of a line that the runner claims to run
@@ -479,7 +479,7 @@ class Attempt:
         name = called_name(text) or ""
         exercise = self.run.exercise(name.removeprefix(CHECK_PREFIX))
         self._calls_of_cells += 1
-        if exercise is None or not can_answer(exercise) or self._calls_of_cells > MAX_CALLS:
+        if exercise is None or not can_answer(exercise) or self._calls_of_cells > MOST_CALLS:
             return json.dumps({"error": "there is no such function"})
         if exercise.name in self.asked:
             return json.dumps({"error": f"{name}.library answers no more after its check"})
@@ -709,7 +709,7 @@ class Student:
             calls = 0
             while isinstance(message.get("call"), str):
                 calls += 1
-                answer = self._answer(message["call"], consult) if calls <= MAX_CALLS else None
+                answer = self._answer(message["call"], consult) if calls <= MOST_CALLS else None
                 self._sandbox.send({"answer": answer}, watch)
                 message = self._receive(watch)
         except Ended as end:
