@@ -8,6 +8,7 @@ import importlib
 import itertools
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import nbformat
@@ -18,10 +19,11 @@ from course_lib.pack.release import PROMPT
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"
-MOST_CELLS = 5_000
+NOT_CODE = "so it was not run"  # in what is said of an answer in a cell that is not of code
+MAX_CELLS = 5_000
 # dicts, lists and commas of a file: a notebook with large figures has some hundred thousand
-MOST_PARTS = 5_000_000
-MOST_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
+MAX_PARTS = 5_000_000
+MAX_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
 
 class Unreadable(ValueError):
@@ -64,7 +66,8 @@ class Question:
 class Course:
     """One notebook of the course, with the name of its package of checks, its Exercises and its Questions.
 
-    more: the names of the exercises and questions whose cells are in More.
+    more: the names of the exercises and questions whose cells are in More. texts: the sources of
+    its cells that are not of code.
     """
 
     name: str
@@ -72,19 +75,20 @@ class Course:
     exercises: tuple
     questions: tuple
     more: frozenset = frozenset()
+    texts: frozenset = frozenset()
 
 
 # ---- reading a submission ----
 
 
-def read(content):
+def read(content: bytes) -> tuple[list[Cell], str]:
     """Return the Cells of a submitted file, and the release that it names, or "".
 
     Raises Unreadable.
     """
     if not content.strip():
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
-    if sum(map(content.count, (b"{", b"[", b","))) > MOST_PARTS:
+    if sum(map(content.count, (b"{", b"[", b","))) > MAX_PARTS:
         raise Unreadable(
             "It holds far more than a notebook does. Clear its outputs and hand it in again."
         )
@@ -100,19 +104,20 @@ def read(content):
     if not isinstance(listed, list):
         if isinstance(_within(book, "worksheets"), list):
             raise Unreadable(
-                "It is in a format of before 2014. Save it in JupyterLab and hand it in again."
+                "It is in the format that notebooks had before 2014. Save it in JupyterLab and hand "
+                "it in again."
             )
         raise Unreadable("It is not a notebook: it has no list of cells.")
-    if len(listed) > MOST_CELLS:
-        raise Unreadable(f"It has more than {MOST_CELLS} cells.")
+    if len(listed) > MAX_CELLS:
+        raise Unreadable(f"It has more than {MAX_CELLS} cells.")
     cells = [cell for cell in map(_cell, listed) if cell]
-    if sum(len(cell.source) for cell in cells) > MOST_CODE:
-        raise Unreadable(f"Its cells hold more than {MOST_CODE // 10**6} million characters.")
+    if sum(len(cell.source) for cell in cells) > MAX_CODE:
+        raise Unreadable(f"Its cells hold more than {MAX_CODE // 10**6} million characters.")
     release = _within(book, "metadata", "course", "release")
     return cells, release[:100] if isinstance(release, str) else ""
 
 
-def _cell(cell):
+def _cell(cell: object) -> Cell | None:
     source = _within(cell, "source")
     if isinstance(source, list):
         source = "".join(line for line in source if isinstance(line, str))
@@ -132,27 +137,49 @@ def _cell(cell):
     )
 
 
-def _within(value, *keys):
+def _within(value: object, *keys: str) -> object:
     for key in keys:
         value = value.get(key) if isinstance(value, dict) else None
     return value
 
 
-def code(cells):
+def code(cells: list[Cell]) -> list[str]:
     """Return the sources of the code cells."""
     return [cell.source for cell in cells if cell.kind == "code"]
 
 
-def defines(sources, name):
+def defines(sources: list[str], name: str) -> bool:
     """Return whether a cell seems to define a function of this name: a quick guess from its text."""
     begins = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*=[^=])", re.MULTILINE)
     return any(map(begins.search, sources))
 
 
+def not_code(course: Course, cells: list[Cell]) -> list[str]:
+    """Return a sentence for each exercise whose function stands only in a cell that is not of code.
+
+    JupyterLab makes a cell raw or Markdown by one key, and then nothing runs it.
+    """
+    sources = code(cells)
+    said = []
+    for exercise in course.exercises:
+        if defines(sources, exercise.name):
+            continue
+        for number, cell in enumerate(cells, 1):
+            own = cell.kind != "code" and cell.source.strip() not in course.texts
+            if own and defines([cell.source], exercise.name):
+                kind = "a Markdown cell" if cell.kind == "markdown" else f"a {cell.kind} cell"
+                said.append(
+                    f"{exercise.name} is written in cell {number}, which is {kind} and not a code "
+                    f"cell, {NOT_CODE}."
+                )
+                break
+    return said
+
+
 # ---- the course's notebooks ----
 
 
-def course_of(name, cells):
+def course_of(name: str, cells: list[Cell]) -> Course | None:
     """Return the Course of a file by its name and the exercises in its Cells; None if neither fits.
 
     The name holds unless the cells define more than twice as many of another notebook's functions.
@@ -169,7 +196,7 @@ def course_of(name, cells):
 
 
 @functools.cache
-def courses():
+def courses() -> dict[str, Course]:
     """Return {name: Course} of all notebooks of the course."""
     found = {}
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
@@ -180,12 +207,17 @@ def courses():
         named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]
         more = frozenset(itertools.compress(named, cells_of_more(book)))
         found[path.stem] = Course(
-            path.stem, package, exercises, tuple(_questions(book.cells)), more
+            path.stem,
+            package,
+            exercises,
+            tuple(_questions(book.cells)),
+            more,
+            frozenset(cell.source.strip() for cell in book.cells if cell.cell_type != "code"),
         )
     return found
 
 
-def _questions(cells):
+def _questions(cells: list) -> Iterator[Question]:
     sources = ["", *(cell.source for cell in cells), ""]
     for cell, before, then in zip(cells, sources, sources[2:], strict=False):
         about = cell.metadata.get("nbgrader", {})
@@ -204,17 +236,19 @@ def _questions(cells):
             )
 
 
-def answer(question, cells):
+def answer(question: Question, cells: list[Cell]) -> str:
     """Return the written answer to a Question, or "".
 
-    It is the cell with the question's name, or else with its id, or else the one after its task; if
-    that still holds the prompt, what the student wrote in new cells below it.
+    It is the cell with the question's name, or else with its id, of whatever kind it is now, or
+    else the one after its task; if that still holds the prompt, what the student wrote in new cells
+    below it.
     """
-    texts = [number for number, cell in enumerate(cells) if cell.kind != "code"]
+    numbers = range(len(cells))
+    texts = [number for number in numbers if cells[number].kind != "code"]
     task, then = question.after.split(), question.then.split()
     for found in (
-        [number for number in texts if cells[number].name == question.name],
-        [number for number in texts if cells[number].id == question.id],
+        [number for number in numbers if cells[number].name == question.name],
+        [number for number in numbers if cells[number].id == question.id],
         [number for number in texts if number and cells[number - 1].source.split() == task][:1],
     ):
         if found:
@@ -227,5 +261,5 @@ def answer(question, cells):
     return ""
 
 
-def _written(text):
+def _written(text: str) -> str:
     return "" if text.strip() == PROMPT else text.strip()

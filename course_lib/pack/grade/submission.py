@@ -234,6 +234,7 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     ]
     if ERROR in (outcome.verdict.state for outcome in outcomes.values()):
         problems += [NOT_HANDED_IN.format(name) for name in _modules_missing(run)]
+    problems += notebook_file.not_code(course, cells)
     return result_of(notebook, release, course, problems, outcomes, cells)
 
 
