@@ -66,11 +66,13 @@ pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no f
 student: environment ## write the release to students, without solutions, build/student.zip; MORE=no without More
 	@$(PY) -m course_lib.pack.release $(if $(MORE),--more "$(MORE)")
 
-grade: environment ## grade what students handed in, SUBMISSIONS=folder (NOTEBOOKS=01,02; JOBS=n, SEED=n, CLUSTER=tcp://scheduler:8786; DEADLINE=2026-11-30 LATE="10% a day" TIMES=files|table EXTENSIONS=table; MORE=0.5; EARLIER=folder; LMS=canvas ROSTER=file; ISOLATION=none), build/grades/ or OUTPUT=folder
+# Each setting is an option of the same name in small letters; --help explains them.
+grade: environment ## grade what students handed in: make grade SUBMISSIONS=folder; without it, the settings are listed
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(OUTPUT),--output "$(OUTPUT)") \
 		$(if $(SEED),--seed "$(SEED)") $(if $(CLUSTER),--cluster "$(CLUSTER)") $(if $(DEADLINE),--deadline "$(DEADLINE)") $(if $(LATE),--late "$(LATE)") \
 		$(if $(TIMES),--times "$(TIMES)") $(if $(EXTENSIONS),--extensions "$(EXTENSIONS)") \
-		$(if $(findstring command,$(origin NOTEBOOKS)),--notebooks "$(NOTEBOOKS)") $(if $(EARLIER),--earlier "$(EARLIER)") $(if $(MORE),--more "$(MORE)") $(if $(LMS),--lms "$(LMS)") $(if $(ROSTER),--roster "$(ROSTER)") \
+		$(if $(findstring command,$(origin NOTEBOOKS)),--notebooks "$(NOTEBOOKS)") $(if $(EARLIER),--earlier "$(EARLIER)") $(if $(MORE),--more "$(MORE)") \
+		$(if $(LMS),--lms "$(LMS)") $(if $(STUDENTS),--students '$(STUDENTS)') $(if $(ROSTER),--roster "$(ROSTER)") $(if $(GRADEBOOK),--gradebook "$(GRADEBOOK)") \
 		$(if $(ISOLATION),--isolation "$(ISOLATION)") -- "$(SUBMISSIONS)"
 
 notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one

@@ -6,8 +6,10 @@ The exports are built by the rules of the code that writes them.
 import contextlib
 import csv
 import os
+import re
 import shutil
 import socket
+import time
 import unicodedata
 import zipfile
 from datetime import UTC, datetime
@@ -416,7 +418,7 @@ def test_notebooks_in_a_zip_are_read_where_they_are(tmp_path):
 
 
 def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monkeypatch):
-    monkeypatch.setattr(zips, "MOST_ENTRIES", 100)
+    monkeypatch.setattr(zips, "MAX_ENTRIES", 100)
     zipped(tmp_path / "many.zip", {f"{k}.txt": "" for k in range(200)})
     zipped(tmp_path / "bomb.zip", {"01_rotations.ipynb": bytes(50_000_000)})
     zipped(tmp_path / "strange.zip", {"01_rotations.ipynb": "{}"}, zipfile.ZIP_LZMA)
@@ -568,3 +570,166 @@ def test_anything_in_a_folder_affects_no_other_student(handed_in):
     assert "\ninnocent,2," in totals
     assert all(f"\nstudent{i},1," in totals for i in range(8))
     assert (out / "feedback/innocent/01_rotations.html").is_file()
+
+
+# ---- a class one folder deeper ----
+
+PEOPLE = ("ana", "bob", "cyd", "dan")
+DEEPER = {
+    "sections": [
+        f"Section {s}/{who}/01_rotations.ipynb" for s, who in zip("AABB", PEOPLE, strict=True)
+    ],
+    "sections with files": [f"Section A/{who}_01_rotations.ipynb" for who in ("ana", "bob")],
+    "different notebooks": ["Week 1/ana/01_rotations.ipynb", "Week 1/bob/02_rigid_motion.ipynb"],
+    "numbers": [f"Group/{number}/01_rotations.ipynb" for number in (20067930, 20067931)],
+    "whole repositories": [
+        f"all/{who}/notebooks/{name}.ipynb" for who in ("ana", "bob7") for name in NOTEBOOKS
+    ],
+    "one student in each": ["Section A/ana/01_rotations.ipynb", "Section B/bob/01_rotations.ipynb"],
+    "two folders deeper": [f"2026/Section A/{who}/01_rotations.ipynb" for who in ("ana", "bob")],
+}
+
+
+@pytest.mark.parametrize("layout", DEEPER)
+def test_a_class_one_folder_deeper_leads_to_a_question(tmp_path, capsys, layout):
+    write(tmp_path / "in", *DEEPER[layout])
+    assert found(tmp_path / "in") == []
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
+    said = capsys.readouterr().err
+    assert "Whose work is this?" in said
+    assert "seems to hold the work of" in said
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("layout", DEEPER)
+def test_the_answer_to_the_question_makes_each_a_student(tmp_path, layout):
+    write(tmp_path, *DEEPER[layout])
+    (question, *_) = {each.question for each in find(tmp_path, NOTEBOOKS)}
+    (pattern, _) = re.findall(r"STUDENTS='(.*?)'", question)
+    students = {each.student for each in find(tmp_path, NOTEBOOKS, students=pattern)}
+    expected = {"numbers": {"20067930", "20067931"}, "whole repositories": {"ana", "bob7"}}
+    expected["sections"] = {*PEOPLE}
+    assert students == expected.get(layout, {"ana", "bob"})
+
+
+def test_the_other_answer_makes_the_folder_a_student(tmp_path):
+    write(tmp_path, *DEEPER["sections with files"])
+    assert {s.student for s in find(tmp_path, NOTEBOOKS, students="*")} == {"Section A"}
+
+
+ONE_STUDENT = [
+    ["ana/hw1/01_rotations.ipynb", "ana/hw2/02_rigid_motion.ipynb"],
+    ["ana lee/lee_01_rotations.ipynb", "ana lee/ana_02_rigid_motion.ipynb"],
+    ["ana/notebooks/01_rotations.ipynb", "ana/old backup/01_rotations.ipynb"],
+    ["ana/Version 1/01_rotations.ipynb", "ana/Version 2/01_rotations.ipynb"],
+    [f"ana/robot-kinematics-1.1.0-{hash}/01_rotations.ipynb" for hash in ("7888b0b4", "a1b2c3d4")],
+    ["ana/rotations/01_rotations.ipynb", "ana/rigid_motion/02_rigid_motion.ipynb"],
+]
+
+
+@pytest.mark.parametrize("files", ONE_STUDENT)
+def test_the_folders_of_one_student_lead_to_no_question(tmp_path, files):
+    write(tmp_path, *files)
+    assert {each.student for each in find(tmp_path, NOTEBOOKS) if not each.refused} == {
+        files[0].split("/")[0]
+    }
+
+
+def test_more_than_twenty_files_of_one_student_are_a_question_and_not_cut(tmp_path):
+    write(tmp_path, *(f"ana/{number}/01_rotations.ipynb" for number in range(25)))
+    (each,) = find(tmp_path, NOTEBOOKS)
+    assert "It holds 25 notebooks and links, which is much for one student" in each.question
+    assert len(found_by(tmp_path, students="*")) == 25
+
+
+def found_by(folder, **options):
+    return [each for each in find(folder, NOTEBOOKS, **options) if not each.refused]
+
+
+def test_students_of_one_name_in_two_sections_stay_two_and_are_remarked_upon(tmp_path):
+    write(tmp_path, "A/ana/01_rotations.ipynb", "B/ana/01_rotations.ipynb")
+    write(tmp_path, "A/bob/01_rotations.ipynb", "B/bob/02_rigid_motion.ipynb")
+    names = {each.student: each.remark for each in found_by(tmp_path, students="*/*")}
+    assert set(names) == {"ana (A)", "ana (B)", "bob"}
+    assert "taken for two students" in names["ana (A)"]
+
+
+def test_what_a_pattern_does_not_name_is_listed(tmp_path):
+    write(tmp_path, "A/ana/01_rotations.ipynb", "bob_01_rotations.ipynb", "B.txt")
+    outside = {each.place for each in find(tmp_path, NOTEBOOKS, students="*/*") if each.refused}
+    assert outside == {"bob_01_rotations.ipynb", "B.txt"}
+
+
+def test_a_pattern_enters_no_link(tmp_path):
+    write(tmp_path, "in/A/ana/01_rotations.ipynb", "elsewhere/bob/01_rotations.ipynb")
+    (tmp_path / "in/B").symlink_to(tmp_path / "elsewhere")
+    students = {each.student for each in found_by(tmp_path / "in", students="*/*")}
+    assert students == {"ana"}
+
+
+def test_a_zip_of_a_class_leads_to_a_question(tmp_path):
+    zipped(tmp_path / "all.zip", {f"hw/{who}/01_rotations.ipynb": "" for who in ("ana", "bob")})
+    (each,) = find(tmp_path, NOTEBOOKS)
+    assert "several students (ana, bob)" in each.question
+    assert "A class must be unpacked first." in each.question
+
+
+# ---- one student's files, renamed ----
+
+AGAIN = [
+    "_final",
+    "_v2",
+    "_fixed",
+    "-checkpoint",
+    ".nbconvert",
+    "-1",
+    " (1)",
+    "-Copy1",
+    "_final_v3",
+]
+AGAIN += [
+    "_new",
+    " - Copy (2)",
+    "_resubmission",
+    "_FINAL(2)",
+    "_solution",
+    "-v1.2",
+    "_old",
+    "_2026",
+]
+
+
+@pytest.mark.parametrize("ending", AGAIN)
+def test_a_file_that_was_saved_again_is_the_same_students(tmp_path, ending):
+    write(tmp_path, "bob_01_rotations.ipynb", f"bob_01_rotations{ending}.ipynb")
+    assert found(tmp_path) == [("bob", "01_rotations")] * 2
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["Copy of bob_01_rotations", "bob - Copy of 01_rotations", "bob_Copy of Copy of 01_rotations"],
+)
+def test_a_copy_that_drive_made_is_the_same_students(name):
+    assert split(name, NOTEBOOKS) == ("bob", "01_rotations")
+
+
+@pytest.mark.parametrize("ending", ["_BR", "_newton", "_ana", "_finally done by bob", "_of_group"])
+def test_an_unknown_ending_keeps_students_apart_with_a_remark(tmp_path, ending):
+    write(tmp_path, "lab_01_rotations.ipynb", f"lab_01_rotations{ending}.ipynb")
+    apart = {each.student: each.remark for each in find(tmp_path, NOTEBOOKS)}
+    assert apart["lab"] == ""
+    remark = apart[f"lab_01_rotations{ending}"]
+    assert "If the file is lab's, call it lab_01_rotations.ipynb." in remark
+
+
+def test_a_name_behind_that_of_the_notebook_is_remarked_upon(tmp_path):
+    write(tmp_path, "01_rotations_bob.ipynb")
+    (each,) = find(tmp_path, NOTEBOOKS)
+    assert "If the file is bob's, call it bob_01_rotations.ipynb." in each.remark
+
+
+@pytest.mark.parametrize("ending", ["-1" * 120 + "!", "(1)" * 80 + "!", "_v1" * 80 + "!"])
+def test_a_name_that_was_made_to_slow_down_the_search_does_not(ending):
+    begin = time.process_time()
+    assert split(f"x_rotations{ending}", NOTEBOOKS) == ("", "")
+    assert time.process_time() - begin < 1

@@ -13,6 +13,7 @@ from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.deadline import DAY, Deadline, begun_days, read_deadline
 from course_lib.pack.grade.gradebook import Roster, gradebook_text, read_roster
+from course_lib.pack.grade.platforms import platforms
 from course_lib.pack.grade.tables import Totals
 
 POINTS = Totals(
@@ -340,7 +341,9 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *ON_MOODLE], grade=grade)
         == 1
     )
-    assert "The zips of Moodle and Canvas carry no times." in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "or Moodle's table of times" in said
+    assert "Moodle" in said.partition("The exports of ")[2].partition(" carry no times.")[0]
     (tmp_path / "worksheets").mkdir()
     (tmp_path / "worksheets/1.csv").write_text(WORKSHEET)
     out = written(tmp_path, *ON_MOODLE, "--times", str(tmp_path / "worksheets/1.csv"))
@@ -366,8 +369,21 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
     [
         (("--jobs", "two"), "JOBS=two is not a whole number, 0 or more."),
         (("--seed", "-2"), "SEED=-2 is not a whole number, 0 or more."),
-        (("--isolation", "weak"), "ISOLATION=weak is not none, the only choice to make."),
-        (("--lms", "blackboard"), "LMS=blackboard is not one of canvas, moodle, none."),
+        (
+            ("--isolation", "weak"),
+            "ISOLATION=weak is not known: leave it out to run each submission in a sandbox, or write "
+            "ISOLATION=none to run submissions that you trust as yourself.",
+        ),
+        (("--lms", "sakai"), f"LMS=sakai is not one of {', '.join(platforms())}, none."),
+        (
+            ("--gradebook", "sakai"),
+            f"GRADEBOOK=sakai is not one of {', '.join(platforms())}, none.",
+        ),
+        (
+            ("--students", "a/../b"),
+            "STUDENTS=a/../b is not a pattern: write * if each file and folder directly in the "
+            "folder of submissions is one student's, */* if each in one of its folders is.",
+        ),
         (("--notebooks", "07"), "NOTEBOOKS=07 is not a list of numbers such as 01,02."),
         (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
         (
@@ -425,3 +441,79 @@ def test_students_without_a_line_of_the_roster_with_several_and_those_who_share_
         "One student of the roster, whose better points of each notebook count: Doe Jane, jane."
         in said
     )
+
+
+# ---- who is who ----
+
+STUDENTS = "Student,ID,SIS User ID,SIS Login ID,Section\n"
+
+
+@pytest.mark.parametrize("number", ["00123", "123", "#00123"])
+def test_a_number_that_the_platform_says_comes_before_the_name(roster, number):
+    """Gradescope's list has the student's number; Ana goes by Annie there. A spreadsheet eats zeros."""
+    rows = roster(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n"Lee, Annie",12,00124,annie,A\n')
+    (row,) = Roster(rows).find("Annie Lee", identity={"number": number})
+    assert row["Student"] == "Lee, Ana"
+
+
+def test_login_and_address_come_after_the_number_and_before_the_name(roster):
+    rows = roster(
+        "First name,Last name,Username,ID number,Email address\n"
+        "Ana,Lee,alee,1,a@x\nBo,Ray,bray,2,b@x\nCy,Ode,code,3,c@x\n"
+    )
+    finder = Roster(rows)
+    for identity, name in [
+        ({"number": "1", "login": "bray"}, "Ana"),
+        ({"login": "bray", "address": "c@x"}, "Bo"),
+        ({"address": "c@x"}, "Cy"),
+        ({"number": "no such number", "address": "C@X"}, "Cy"),
+    ]:
+        assert [row["First name"] for row in finder.find("Ana Lee", identity=identity)] == [name]
+
+
+def test_students_of_one_name_are_told_apart_by_the_number_behind_it(roster):
+    rows = roster(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n"Lee, Ana",12,00124,alee2,A\n')
+    assert [row["ID"] for row in Roster(rows).find("Ana Lee 00124")] == ["12"]
+    assert len(Roster(rows).find("Ana Lee")) == 2
+    assert len(Roster(rows).find("Ana Lee 999")) == 2
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "OrgDefinedId,Username,Last Name,First Name,Email",
+        "orgdefinedid,username,last name,first name,email",
+        "ORGDEFINEDID;USERNAME;LAST NAME;FIRST NAME;EMAIL",
+    ],
+)
+def test_headings_are_known_in_any_capitals(roster, head):
+    separator = ";" if ";" in head else ","
+    rows = roster(f"{head}\n{separator.join(['#7', '#alee', 'Lee', 'Ana', 'a@x'])}\n")
+    for student in ("7", "alee", "a@x", "Ana Lee"):
+        assert Roster(rows).find(student) == rows
+
+
+def test_those_without_a_line_are_listed_with_the_nearest_names_that_nobody_has(tmp_path, capsys):
+    for name in ("Annie Lee", "bray", "Zed Quux"):
+        hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(
+        f'{STUDENTS}"Lee, Anna",11,u1,alee,A\n"Ray, Bo",12,u2,bray,A\n"Odewald, Cy",13,u3,co,A\n'
+    )
+    written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
+    said = capsys.readouterr().out
+    assert "Annie Lee: nearest in the roster: Lee, Anna" in said
+    assert "Zed Quux: no near name" in said
+    assert "Write each name into the column `student` of the right line." in said
+
+
+def test_gradescopes_numbers_reach_canvas_through_the_whole_command(tmp_path):
+    hand_in(tmp_path / "in", "submission_1/01_rotations.ipynb", points=[2])
+    (tmp_path / "in/submission_metadata.yml").write_text(
+        "submission_1:\n  :submitters:\n  - :name: Annie Lee\n    :sid: '00123'\n"
+        "    :email: annie@example.org\n  :created_at: 2026-11-30 17:00:12.1 Z\n"
+    )
+    (tmp_path / "roster.csv").write_text(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n')
+    out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
+    assert rows((out / "canvas.csv").read_text("utf-8"))[2:] == [
+        ["Lee, Ana", "11", "00123", "alee", "A", "2"]
+    ]

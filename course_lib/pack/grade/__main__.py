@@ -1,7 +1,4 @@
-"""``python -m course_lib.pack.grade SUBMISSIONS``: grade a folder of submissions and write grades and feedback.
-
-Its options are the settings of ``make grade``, which course_lib/pack/README.md explains.
-"""
+"""``python -m course_lib.pack.grade SUBMISSIONS``: grade what students handed in."""
 
 import argparse
 import contextlib
@@ -11,48 +8,75 @@ import re
 import secrets
 import sys
 from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.alike import write_alike
+from course_lib.pack.grade.by_hand import Outcome, remaining, text
 from course_lib.pack.grade.class_page import class_page
-from course_lib.pack.grade.collect import find, platform_of
-from course_lib.pack.grade.csv_text import count_noun
-from course_lib.pack.grade.deadline import read_deadline, summary
+from course_lib.pack.grade.collect import Submission, find, read_pattern
+from course_lib.pack.grade.csv_text import count_noun, listing
+from course_lib.pack.grade.deadline import FILES, Deadline, read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.gradebook import IDENTITY, absent, gradebook_text, read_roster
+from course_lib.pack.grade.gradebook import Row, absent, gradebook_text, read_roster, unmatched
 from course_lib.pack.grade.isolation import NONE
 from course_lib.pack.grade.jobs import ROOT, Processes, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.platforms import (
+    OWN_NAMES,
+    Platform,
+    fitting,
+    mostly_fitting,
+    named,
+    platforms,
+)
 from course_lib.pack.grade.results import points_offered
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
-from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.tables import GradedFile, graded_files, grades_text, totals, totals_text
 
-SETTINGS = (
-    "cluster",
-    "lms",
-    "roster",
-    "deadline",
-    "late",
-    "times",
-    "extensions",
-    "notebooks",
-    "earlier",
-    "isolation",
-)
-MOST_LISTED = 10  # files that cannot be graded, or releases, in the last lines of a run
+MAX_ASKED = 5  # files about which a question is shown before grading begins
+# Seconds of processor time that a notebook takes: six took 90 to 140 seconds, on a Xeon in 2026.
+SECONDS_EACH = 20
+
+SHORT = """\
+make grade SUBMISSIONS=folder grades what students handed in, and writes build/grades/.
+
+  what    SUBMISSIONS=folder  NOTEBOOKS=01,02  LMS=platform  STUDENTS='*/*'
+  when    DEADLINE="2026-11-30 18:00"  LATE="10% a day"  TIMES=files|table.csv  EXTENSIONS=table.csv
+  how     MORE=0.5  JOBS=4  CLUSTER=tcp://scheduler:8786  SEED=7  EARLIER=folder  ISOLATION=none
+  where   OUTPUT=folder  ROSTER=roster.csv  GRADEBOOK=platform
+
+.venv/bin/python -m course_lib.pack.grade --help explains each, and course_lib/pack/README.md the way
+from the release to the gradebook.
+"""
+
+EXAMPLE = """\
+example:
+  make grade SUBMISSIONS=handed_in LMS=moodle TIMES=worksheet.csv \\
+      DEADLINE="2026-11-30 18:00" LATE="10% a day" ROSTER=participants.csv
+
+Each option is a setting of make grade in capital letters. Finished results are kept, so that the
+same command continues an interrupted run. course_lib/pack/README.md explains all in order.
+"""
 
 
-def main(arguments=None, grade=None):
+def main(arguments: Sequence[str] | None = None, grade: Callable | None = None) -> int:
     """Grade; return an exit code, with a plain sentence if grading fails.
 
     grade: replaces the Grader in tests.
     """
     try:
-        _grade(_parser().parse_args(arguments), grade)
+        chosen = _parser().parse_args(arguments)
+        if not chosen.submissions:
+            print(SHORT, file=sys.stderr)
+            raise GradingStopped(
+                "Name the folder that holds what was handed in: make grade SUBMISSIONS=folder."
+            )
+        _grade(chosen, grade)
     except GradingStopped as error:
         print(f"Grading stopped. {error}", file=sys.stderr)
         return 1
@@ -68,143 +92,196 @@ def main(arguments=None, grade=None):
     return 0
 
 
-def _parser():
-    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.grade", description=__doc__)
-    parser.add_argument("submissions")
-    parser.add_argument("--output", type=Path, default=Path("build/grades"))
-    parser.add_argument("--jobs", type=_whole_number("JOBS"), default=0)
-    parser.add_argument("--seed", type=_whole_number("SEED"))
-    parser.add_argument("--more", type=_weight, default=1)
-    for name in SETTINGS:
-        parser.add_argument(f"--{name}", default="")
+# ---- the command line ----
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.grade",
+        description="Grade a folder of notebooks, each in a sandbox, and write tables of points, "
+        "feedback for each student, and what a gradebook imports.",
+        epilog=EXAMPLE,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    _add_what(parser.add_argument_group("what to grade"))
+    _add_when(parser.add_argument_group("when it was due"))
+    _add_how(parser.add_argument_group("how to grade"))
+    _add_where(parser.add_argument_group("where the results go"))
     return parser
 
 
-def _grade(chosen, grade):
-    deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
-    output, submissions, roster = chosen.output, _submissions(chosen), _roster(chosen)
-    if chosen.earlier and not Path(chosen.earlier).is_dir():
-        raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
-    if deadline:
-        print(deadline)
-    output.mkdir(parents=True, exist_ok=True)
-    with _alone(output / ".lock"):
-        read_marks(
-            output / "questions.csv"
-        )  # so that an unreadable table is reported now and not after hours
-        seed = _seed(output / "seed", chosen.seed)
-        hidden = (os.path.abspath(chosen.submissions), str(output.resolve()))
-        if chosen.cluster:
-            from course_lib.pack.grade.cluster import Cluster  # which takes a second to load
-
-            pool = Cluster(chosen.cluster, hidden, chosen.isolation)
-        else:
-            pool = _here(chosen, grade or Grader(hidden, chosen.isolation))
-        offered = None if grade else points_offered()  # tests grade exercises of their own
-        outcomes = grade_all(submissions, output / "results", seed, pool, offered)
-        _write(output, outcomes, deadline, chosen.more, chosen.lms.replace("none", ""), roster)
-        counting = {
-            (each.path, each.member): each for each, result in outcomes if "state" not in result
-        }
-        once = list(counting.values())  # a group's file
-        write_alike(output / "alike.html", once, chosen.earlier, chosen.lms)
-
-
-def _here(chosen, grade):
-    """Return what grades on this machine."""
-    remove_old_folders()
-    if hasattr(grade, "prepare"):
-        grade.prepare()
-        how = (
-            "as yourself, with limits only"
-            if chosen.isolation
-            else "apart from the others and from this machine"
-        )
-        print(f"Each submission runs {how}.", flush=True)
-    return Processes(grade, chosen.jobs)
+def _add_what(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
+        "submissions",
+        metavar="SUBMISSIONS",
+        nargs="?",
+        default="",
+        help="the folder that holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or the "
+        "unpacked export of a learning platform",
+    )
+    group.add_argument(
+        "--lms",
+        type=_platform("LMS"),
+        default="",
+        metavar="PLATFORM",
+        choices=["", *platforms(), OWN_NAMES],
+        help="the learning platform that exported the files: "
+        f"{', '.join(platforms())}; {OWN_NAMES} if all names are the students' own. Without it, a "
+        "folder that looks like an export leads to a question",
+    )
+    group.add_argument(
+        "--students",
+        type=read_pattern,
+        default="",
+        metavar="PATTERN",
+        help="which files and folders are one student's each: * for all that are directly in the "
+        "folder, */* for those in its folders, such as sections. Without it, a folder that seems to "
+        "hold several students leads to a question",
+    )
+    group.add_argument(
+        "--notebooks",
+        default="",
+        metavar="01,02",
+        help="the numbers of the notebooks that were assigned; others are left out. Without it, "
+        "all are graded",
+    )
 
 
-def _submissions(chosen):
-    """Return the Submissions; stop if there are none, or if the output folder is among them."""
-    if not chosen.submissions:
+def _add_when(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
+        "--deadline",
+        default="",
+        metavar="TIME",
+        help='when hand-ins were due: 2026-11-30 (the end of the day) or "2026-11-30 18:00", in '
+        "this machine's time zone",
+    )
+    group.add_argument(
+        "--late",
+        default="",
+        metavar="RULE",
+        help='what a late notebook loses for each begun day: none (the default) or "10%% a day"',
+    )
+    group.add_argument(
+        "--times",
+        default="",
+        metavar="SOURCE",
+        help="where the times of submission come from: files (the files' own times), a table with "
+        "the columns student, notebook and time, a platform's table of times, or a folder of these. "
+        "Not needed if the export itself has the times",
+    )
+    group.add_argument(
+        "--extensions",
+        default="",
+        metavar="TABLE",
+        help="a table of other deadlines, with the columns student, notebook and deadline",
+    )
+
+
+def _add_how(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
+        "--more",
+        type=_weight,
+        default=1,
+        metavar="WEIGHT",
+        help="how much the points of the sections More count: from 0 (or no) to 1 (or yes, the "
+        "default)",
+    )
+    group.add_argument(
+        "--jobs",
+        type=_whole_number("JOBS"),
+        default=0,
+        metavar="N",
+        help="how many notebooks are graded at once; without it, one for each processor",
+    )
+    group.add_argument(
+        "--cluster",
+        default="",
+        metavar="ADDRESS",
+        help="the address of a Dask scheduler, tcp://scheduler:8786, whose workers grade",
+    )
+    group.add_argument(
+        "--seed",
+        type=_whole_number("SEED"),
+        metavar="N",
+        help="the seed of the secret cases; without it, one is drawn by the first run and kept",
+    )
+    group.add_argument(
+        "--earlier",
+        default="",
+        metavar="FOLDER",
+        help="submissions of an earlier year, or a folder of years, with which alike.html compares",
+    )
+    group.add_argument(
+        "--isolation",
+        type=_isolation,
+        default="",
+        choices=["", NONE],
+        metavar=NONE,
+        help="none runs submissions without a sandbox, as yourself and with limits only: for those "
+        "that you trust",
+    )
+
+
+def _add_where(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
+        "--output",
+        type=Path,
+        default=Path("build/grades"),
+        metavar="FOLDER",
+        help="the folder to write; build/grades without it",
+    )
+    group.add_argument(
+        "--roster",
+        default="",
+        metavar="TABLE",
+        help="the platform's list of students, in English: for the gradebook, and to name those who "
+        "handed in nothing",
+    )
+    group.add_argument(
+        "--gradebook",
+        type=_platform("GRADEBOOK"),
+        default="",
+        metavar="PLATFORM",
+        choices=["", *platforms(), OWN_NAMES],
+        help="the platform whose gradebook gets the points, if it is not the one of --lms; none "
+        "writes no file for a gradebook",
+    )
+
+
+def _platform(setting: str) -> Callable[[str], str]:
+    """Return a function that reads the name of a platform typed for one of make's settings."""
+
+    def read(typed: str) -> str:
+        if typed not in ("", OWN_NAMES, *platforms()):
+            raise GradingStopped(
+                f"{setting}={typed} is not one of {', '.join(platforms())}, {OWN_NAMES}."
+            )
+        return typed
+
+    return read
+
+
+def _isolation(typed: str) -> str:
+    if typed not in ("", NONE):
         raise GradingStopped(
-            "Name the folder that holds what was handed in: make grade SUBMISSIONS=folder."
+            f"ISOLATION={typed} is not known: leave it out to run each submission in a sandbox, or "
+            f"write ISOLATION={NONE} to run submissions that you trust as yourself."
         )
-    folder, output = Path(chosen.submissions), chosen.output.resolve()
-    if folder.is_file():
-        raise GradingStopped(f"{folder} is a file: name the folder that contains it.")
-    if not folder.is_dir():
-        raise GradingStopped(f"There is no folder {folder}.")
-    if folder.resolve() in [output, *output.parents]:
-        raise GradingStopped(
-            f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere."
-        )
-    if chosen.isolation not in ("", NONE):
-        raise GradingStopped(f"ISOLATION={chosen.isolation} is not none, the only choice to make.")
-    if not chosen.lms and (platform := platform_of(folder)):
-        raise GradingStopped(
-            f"The names look as {platform.capitalize()} exports them: add LMS={platform}, or "
-            f"LMS=none if they are the "
-            "students' own."
-        )
-    if chosen.deadline and not chosen.times and chosen.lms != "canvas":
-        raise GradingStopped(
-            "DEADLINE= needs the times of submission: TIMES=files if these files have kept theirs, "
-            "or a table, "
-            "TIMES=worksheet.csv. The zips of Moodle and Canvas carry no times."
-        )
-    names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
-    found = find(folder, names, chosen.lms)
-    if not found:
-        forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
-        raise GradingStopped(
-            f"There is nothing in {folder}: put what was handed in there, as {forms}."
-        )
-    return _assigned(found, names, chosen.notebooks)
+    return typed
 
 
-def _assigned(found, names, numbers):
-    """Return the Submissions without those of notebooks that were not assigned.
-
-    numbers: 01,02, or "" for all.
-    """
-    wanted = re.findall(r"\d+", numbers)
-    if (
-        numbers
-        and not {name[:2] for name in names} >= {number.zfill(2) for number in wanted} > set()
-    ):
-        raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
-    others = {
-        name for name in names if wanted and name[:2] not in {number.zfill(2) for number in wanted}
-    }
-    left = [each for each in found if each.notebook not in others]
-    if len(left) < len(found):
-        print(
-            f"Left out: {count_noun(len(found) - len(left), 'file')} of notebooks that NOTEBOOKS= "
-            f"does not name."
-        )
-    return left
-
-
-def _roster(chosen):
-    """Return the roster's rows, or None; stop if a setting of the platform is invalid."""
-    if chosen.lms and chosen.lms not in (*IDENTITY, "none"):
-        raise GradingStopped(f"LMS={chosen.lms} is not one of {', '.join(IDENTITY)}, none.")
-    return read_roster(Path(chosen.roster)) if chosen.roster else None
-
-
-def _whole_number(name):
+def _whole_number(setting: str) -> Callable[[str], int]:
     """Return a function that reads the number typed for one of make's settings."""
 
-    def read(typed):
+    def read(typed: str) -> int:
         if not typed.strip().isdecimal():
-            raise GradingStopped(f"{name}={typed} is not a whole number, 0 or more.")
+            raise GradingStopped(f"{setting}={typed} is not a whole number, 0 or more.")
         return int(typed)
 
     return read
 
 
-def _weight(typed):
+def _weight(typed: str) -> float:
     """Return the weight of More that was typed."""
     try:
         weight = float({"no": "0", "yes": "1"}.get(typed, typed))
@@ -215,8 +292,181 @@ def _weight(typed):
     return weight
 
 
+def settings(chosen: argparse.Namespace) -> dict[str, str]:
+    """Return {name of make's setting: value} of what was chosen, without what is the default."""
+    default = vars(_parser().parse_args([]))
+    typed = {name: value for name, value in vars(chosen).items() if value != default[name]}
+    first = {"SUBMISSIONS": str(typed.pop("submissions", ""))}
+    return first | {name.upper(): str(value) for name, value in typed.items()}
+
+
+# ---- the run ----
+
+
+def _grade(chosen: argparse.Namespace, grade: Callable | None) -> None:
+    deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
+    submissions = _submissions(chosen)
+    roster = read_roster(Path(chosen.roster)) if chosen.roster else None
+    if chosen.earlier and not Path(chosen.earlier).is_dir():
+        raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
+    if deadline:
+        print(deadline)
+    output = chosen.output
+    output.mkdir(parents=True, exist_ok=True)
+    with _alone(output / ".lock"):
+        # So that an unreadable table is reported now and not after hours.
+        read_marks(output / "questions.csv")
+        seed = _seed(output / "seed", chosen.seed)
+        pool = _pool(chosen, grade)
+        _announce(submissions, chosen)
+        offered = None if grade else points_offered()  # tests grade exercises of their own
+        outcomes = grade_all(submissions, output / "results", seed, pool, offered)
+        _write(chosen, outcomes, deadline, roster)
+        graded = [each for each, result in outcomes if "state" not in result]
+        once = list({(each.path, each.member): each for each in graded}.values())  # a group's file
+        write_alike(output / "alike.html", once, chosen.earlier, chosen.lms, chosen.students)
+
+
+def _pool(chosen: argparse.Namespace, grade: Callable | None) -> object:
+    """Return what grades: the workers of a cluster, or processes on this machine."""
+    hidden = (os.path.abspath(chosen.submissions), str(chosen.output.resolve()))
+    if chosen.cluster:
+        from course_lib.pack.grade.cluster import Cluster  # which takes a second to load
+
+        return Cluster(chosen.cluster, hidden, chosen.isolation)
+    remove_old_folders()
+    grade = grade or Grader(hidden, chosen.isolation)
+    if hasattr(grade, "prepare"):
+        grade.prepare()
+        how = "apart from the others and from this machine"
+        if chosen.isolation:
+            how = "as yourself, with limits only"
+        print(f"Each submission runs {how}.", flush=True)
+    return Processes(grade, chosen.jobs)
+
+
+def _announce(submissions: Sequence[Submission], chosen: argparse.Namespace) -> None:
+    """Print how much there is to grade, and how long it may take."""
+    notebooks = sum(not each.refused for each in submissions)
+    students = len({each.student for each in submissions if each.student})
+    said = f"{count_noun(notebooks, 'notebook')} of {count_noun(students, 'student')}"
+    if chosen.cluster:
+        print(f"Grading {said} on the workers of the cluster.", flush=True)
+        return
+    jobs = chosen.jobs or os.cpu_count() or 1
+    print(
+        f"Grading {said}, {jobs} at once: about {_duration(notebooks, jobs)} on an idle machine, less "
+        "for what an earlier run has graded. The bar shows the time that remains.",
+        flush=True,
+    )
+
+
+def _duration(notebooks: int, jobs: int) -> str:
+    """Return how long so many notebooks take, in words."""
+    minutes = -(-notebooks * SECONDS_EACH // (60 * jobs))
+    if minutes < 120:
+        return count_noun(max(minutes, 1), "minute")
+    return f"{round(minutes / 60)} hours"
+
+
+def _submissions(chosen: argparse.Namespace) -> list[Submission]:
+    """Return the Submissions; stop if there are none, or if the instructor must be asked first."""
+    folder = _folder(chosen)
+    if not chosen.students:
+        _ask_for_the_platform(folder, chosen.lms)
+    names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
+    found = find(folder, names, chosen.lms, chosen.students)
+    if not found:
+        forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
+        raise GradingStopped(
+            f"There is nothing in {folder}: put what was handed in there, as {forms}."
+        )
+    questions = [f"{each.place}: {each.question}" for each in found if each.question]
+    if questions:
+        shown = "\n".join(questions[:MAX_ASKED])
+        left = len(questions) - MAX_ASKED
+        more = f"\n... and {count_noun(left, 'other')} like these." if left > 0 else ""
+        raise GradingStopped(f"Whose work is this?\n{shown}{more}")
+    if chosen.deadline and not chosen.times:
+        _ask_for_times(found, named(chosen.lms))
+    return _assigned(found, names, chosen.notebooks)
+
+
+def _folder(chosen: argparse.Namespace) -> Path:
+    """Return the folder of submissions; stop if it is none, or if the output folder is in it."""
+    folder, output = Path(chosen.submissions), chosen.output.resolve()
+    if folder.is_file():
+        raise GradingStopped(f"{folder} is a file: name the folder that contains it.")
+    if not folder.is_dir():
+        raise GradingStopped(f"There is no folder {folder}.")
+    if folder.resolve() in [output, *output.parents]:
+        raise GradingStopped(
+            f"{chosen.output} lies inside {folder}, which is read. Name a folder elsewhere."
+        )
+    return folder
+
+
+def _ask_for_the_platform(folder: Path, lms: str) -> None:
+    """Stop if what a folder holds may be the export of a platform that was not named, or of several."""
+    if lms == OWN_NAMES or (lms and named(lms).hand_ins(folder)):
+        return
+    fit = fitting(folder)
+    how_many = "The names look"
+    if not fit:
+        most = mostly_fitting(folder)
+        fit = list(most)
+        how_many = " and ".join(
+            f"{number} of {all_of_them}" for number, all_of_them in most.values()
+        )
+        how_many += " names look"
+    if not fit:
+        return
+    who = " and as ".join(platform.title for platform in fit)
+    exports = "exports" if len(fit) == 1 else "export"
+    answers = " or ".join(f"LMS={platform.name}" for platform in fit)
+    gradebook = f" GRADEBOOK={lms} still names where the points go." if lms else ""
+    raise GradingStopped(
+        f"{how_many} as {who} {exports} them: add {answers}, or LMS={OWN_NAMES} if they are the "
+        f"students' own.{gradebook}"
+    )
+
+
+def _ask_for_times(found: Sequence[Submission], platform: Platform) -> None:
+    """Stop if a deadline was named and nothing says when the files were handed in."""
+    if platform.marks_late or any(each.timed for each in found):
+        return
+    table = "a table, TIMES=times.csv"
+    if platform.time_columns:
+        table = f"{platform.title}'s table of times, or one of your own, TIMES=times.csv"
+    zips = [each.title for each in platforms().values() if each.asks and not each.carries_times]
+    raise GradingStopped(
+        f"DEADLINE= needs the times of submission: TIMES={FILES} if these files have kept theirs, "
+        f"or {table}. The exports of {', '.join(zips)} carry no times."
+    )
+
+
+def _assigned(found: Sequence[Submission], names: Sequence[str], numbers: str) -> list[Submission]:
+    """Return the Submissions without those of notebooks that were not assigned.
+
+    numbers: 01,02, or "" for all.
+    """
+    if not numbers:
+        return list(found)
+    wanted = {number.zfill(2) for number in re.findall(r"\d+", numbers)}
+    if not wanted or not wanted <= {name[:2] for name in names}:
+        raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
+    others = {name for name in names if name[:2] not in wanted}
+    assigned = [each for each in found if each.notebook not in others]
+    if len(assigned) < len(found):
+        print(
+            f"Left out: {count_noun(len(found) - len(assigned), 'file')} of notebooks that "
+            "NOTEBOOKS= does not name."
+        )
+    return assigned
+
+
 @contextlib.contextmanager
-def _alone(path):
+def _alone(path: Path) -> Iterator[None]:
     """Keep a second run from writing to the same folder.
 
     The lock is released when this process ends.
@@ -231,117 +481,93 @@ def _alone(path):
         yield
 
 
-def _seed(path, chosen=None):
+def _seed(path: Path, chosen: int | None = None) -> int:
     """Return the seed of the cases, which is kept beside the grades: the chosen one, or drawn by the first run."""
     if chosen is not None or not path.exists():
         write_atomically(path, f"{secrets.randbits(62) if chosen is None else chosen}\n")
-    text = path.read_text().strip()
-    if not text.isdecimal():
+    typed = path.read_text().strip()
+    if not typed.isdecimal():
         raise GradingStopped(
             f"{path} does not hold a whole number: correct it, or delete it to draw a new one."
         )
-    return int(text)
+    return int(typed)
 
 
 # ---- the output files ----
 
 
-def _write(output, outcomes, deadline, weight, platform, roster):
-    rows = read_marks(
-        output / "questions.csv"
-    )  # read again, because marks may have been typed during the run
-    everything = graded_files(outcomes, rows, deadline, weight)
+def _write(
+    chosen: argparse.Namespace,
+    outcomes: list,
+    deadline: Deadline | None,
+    roster: Sequence[Row] | None,
+) -> None:
+    output = chosen.output
+    # Read again, because marks may have been typed during the run.
+    rows = read_marks(output / "questions.csv")
+    everything = graded_files(outcomes, rows, deadline, chosen.more)
+    listed, models = _answers(everything)
+    write_atomically(output / "questions.csv", marks_text(listed, rows, models))
+    write_atomically(output / "grades.csv", grades_text(everything))
+    points = totals(everything)
+    write_atomically(output / "totals.csv", totals_text(points))
+    gradebook = named(chosen.gradebook or chosen.lms)
+    missing, shared = [], []
+    if gradebook.name:
+        content, missing, shared = gradebook_text(gradebook.name, points, roster)
+        write_atomically(output / f"{gradebook.name}.csv", content)
+    write_feedback(output / "feedback", everything)
+    outcome = Outcome(
+        output=output,
+        shown=output,
+        everything=everything,
+        listed=listed,
+        totals=points,
+        settings=settings(chosen),
+        deadline=deadline,
+        roster=roster,
+        gradebook=gradebook,
+        missing=missing,
+        nearest=unmatched(points, roster) if roster and missing else {},
+        shared=shared,
+    )
+    nothing = absent(points, roster) if roster else []
+    page = class_page(everything, nothing, remaining(outcome.on_the_page()))
+    write_atomically(output / "class.html", page)
+    lines = summary(everything, deadline) if deadline else []
+    print("\n".join([*lines, _states(output, everything), text(remaining(outcome))]))
+
+
+def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:
+    """Return (student, notebook, MarkedAnswer) of all written answers by question, and what is said to each.
+
+    The second is {(notebook, question): (rubric, model answer)}.
+    """
     models = {
-        (course.name, q.name): (q.rubric, q.model)
+        (course.name, question.name): (question.rubric, question.model)
         for course in courses().values()
-        for q in course.questions
+        for question in course.questions
     }
     order = {place: number for number, place in enumerate(models)}
     listed = [
         (each.student, each.notebook, answer) for each in everything for answer in each.answers
     ]
-    listed.sort(
-        key=lambda line: (
-            line[1],
-            order.get((line[1], line[2].question), 0),
-            line[2].question,
-            line[0],
-        )
-    )
-    write_atomically(output / "questions.csv", marks_text(listed, rows, models))
-    write_atomically(output / "grades.csv", grades_text(everything))
-    points = totals(everything)
-    write_atomically(output / "totals.csv", totals_text(points))
-    missing, shared = [], []
-    if platform:
-        text, missing, shared = gradebook_text(platform, points, roster)
-        write_atomically(output / f"{platform}.csv", text)
-    write_feedback(output / "feedback", everything)
-    nothing = absent(points, roster) if roster else []
-    write_atomically(output / "class.html", class_page(everything, nothing))
-    print(
-        "\n".join(
-            [
-                *(summary(everything, deadline) if deadline else ()),
-                _summary(output, everything, listed),
-            ]
-        )
-    )
-    if nothing:
-        print(
-            f"{count_noun(len(nothing), 'student')} of the roster handed in nothing: class.html "
-            f"has the names."
-        )
-    if missing:
-        why = "because no line of the roster fits, or several"
-        print(
-            f"Not in {output / f'{platform}.csv'}, {why}: {', '.join(_shortened(missing, 'more'))}."
-        )
-    for students in shared:
-        print(
-            f"One student of the roster, whose better points of each notebook count: "
-            f"{', '.join(students)}."
-        )
+
+    def place(line: tuple) -> tuple:
+        student, notebook, answer = line
+        return notebook, order.get((notebook, answer.question), 0), answer.question, student
+
+    return sorted(listed, key=place), models
 
 
-def _summary(output, everything, listed):
+def _states(output: Path, everything: Sequence[GradedFile]) -> str:
+    """Return a sentence on how many files are graded, refused, unreadable or not graded."""
     states = Counter(
         each.result.get("state", "unreadable" if each.unreadable else "graded")
         for each in everything
     )
-    said = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
-    lines = [f"{output / 'grades.csv'}: {said}."]
-    troubled = [e for e in everything if e.unreadable or e.result.get("state") == "refused"]
-    reasons = [f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled]
-    lines += _shortened(reasons, "more, with their reasons in the table.")
-    releases = Counter(
-        each.result["release"] or "none"
-        for each in everything
-        if each.graded and not each.unreadable
-    )
-    if len(releases) > 1:
-        counts = ", ".join(
-            f"{count} from {name}" for name, count in releases.most_common(MOST_LISTED)
-        )
-        lines.append(f"The notebooks are not all of one release: {counts}.")
-    if left := sum(answer.points is None for _, _, answer in listed):
-        lines.append(
-            f"{count_noun(left, 'written answer')} to be read: type marks into "
-            f"{output / 'questions.csv'}."
-        )
-    if wrong := sum(bool(answer.wrong) for _, _, answer in listed):
-        lines.append(f"{count_noun(wrong, 'invalid mark')} there: the column `state` says why.")
-    if "not graded" in states:
-        lines.append(
-            "The table gives the reason for each file that could not be graded; the same command "
-            "tries it again."
-        )
-    return "\n".join(lines)
-
-
-def _shortened(lines, words):
-    more = [f"... and {len(lines) - MOST_LISTED} {words}"] if len(lines) > MOST_LISTED else []
-    return lines[:MOST_LISTED] + more
+    counts = listing((f"{count} {state}" for state, count in sorted(states.items())), 10)
+    return f"{output / 'grades.csv'}: {counts}."
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from pygments.token import Comment, Name, String
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.collect import find, read
+from course_lib.pack.grade.collect import EACH_ENTRY, find, read
 from course_lib.pack.grade.csv_text import words
 from course_lib.pack.grade.feedback import rendered
 from course_lib.pack.grade.jobs import course_hash
@@ -84,13 +84,15 @@ def works(submissions, year=""):
     return found
 
 
-def earlier_works(folder, platform=""):
+def earlier_works(folder, platform="", students=EACH_ENTRY):
     """Return the Works in a folder of an earlier year's submissions, or in one that has such a folder for each year."""
     names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
     years = [
         path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()
     ] or [folder]
-    return [work for year in years for work in works(find(year, names, platform), year.name)]
+    return [
+        work for year in years for work in works(find(year, names, platform, students), year.name)
+    ]
 
 
 @functools.cache
@@ -108,7 +110,7 @@ def _ours():
     return library, given
 
 
-def write_alike(path, submissions, earlier="", platform=""):
+def write_alike(path, submissions, earlier="", platform="", students=""):
     """Write the page, unless it is there for these Submissions and this folder of earlier years.
 
     Lexing what students wrote may take any time, so it is done in a process of its own, within
@@ -121,7 +123,9 @@ def write_alike(path, submissions, earlier="", platform=""):
 
     def page():
         return alike_page(
-            works(submissions) + (earlier_works(Path(earlier), platform) if earlier else []), stamp
+            works(submissions)
+            + (earlier_works(Path(earlier), platform, students or EACH_ENTRY) if earlier else []),
+            stamp,
         )
 
     try:

@@ -5,33 +5,42 @@ Each is a table with a bar in every row, so that the numbers and the picture are
 
 import statistics
 from collections import Counter
+from collections.abc import Iterable, Sequence
 
 from markupsafe import Markup
 from scipy.stats import pearsonr
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
+from course_lib.pack.grade.by_hand import Entry
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.feedback import rendered
 from course_lib.pack.grade.marks import READ
-from course_lib.pack.grade.tables import totals
+from course_lib.pack.grade.tables import GradedFile, totals
 
 STATES = {RIGHT: ("right", "#3a9d6a"), WRONG: ("wrong", "#d9792f"), ERROR: ("error", "#b8475c")}
 STATES |= {NOT_ATTEMPTED: ("not attempted", "#8c8c8c")}
 BLUE = "#4a90d9"
-FEWEST = 20  # students, for a correlation
+MIN_STUDENTS = 20  # students, for a correlation
 POINTS = ("mean %", "separates")
 SEPARATES = (
     "The column separates is the correlation of its points with the student's other points in the "
     "notebook, with a "
-    f"95 % confidence interval, from {FEWEST} students on: near 0, it does not tell strong "
+    f"95 % confidence interval, from {MIN_STUDENTS} students on: near 0, it does not tell strong "
     f"students from weak ones."
 )
 
+Section = tuple[str, str, tuple, list]  # title, caption, headings and rows of a table
 
-def class_page(everything, absent=()):
+
+def class_page(
+    everything: Sequence[GradedFile],
+    absent: Sequence[str] = (),
+    by_hand: Sequence[Entry] = (),
+) -> str:
     """Return the HTML page about the class.
 
-    everything: GradedFiles. absent: names of those who handed in nothing.
+    everything: GradedFiles. absent: names of those who handed in nothing. by_hand: what remains for
+    the instructor.
     """
     found = totals(everything)
     counting = [
@@ -55,10 +64,19 @@ def class_page(everything, absent=()):
     sections = [_notebooks(found.of, counting, graded, found.students)]
     sections += [_distribution(found.of, graded, found.students), _hardest(graded)]
     sections += [_written(graded), _mistakes(graded)]
-    return rendered("class.html", title="The class", said=said, sections=sections, absent=absent)
+    return rendered(
+        "class.html",
+        title="The class",
+        said=said,
+        sections=sections,
+        absent=absent,
+        by_hand=by_hand,
+    )
 
 
-def _notebooks(of, counting, graded, students):
+def _notebooks(
+    of: dict, counting: list[GradedFile], graded: list[GradedFile], students: dict
+) -> Section:
     """Return a table: how many students handed in each notebook, and the points of those that could be graded."""
     rows = []
     for notebook, most in of.items():
@@ -76,7 +94,7 @@ def _notebooks(of, counting, graded, students):
     return "", "", ("notebook", "handed in", "graded", "mean", "median", "of"), rows
 
 
-def _distribution(of, graded, students):
+def _distribution(of: dict, graded: list[GradedFile], students: dict) -> Section:
     counts, pairs = [0] * 10, {}
     for each in graded:
         pairs.setdefault(each.student, set()).add(each.notebook)
@@ -97,7 +115,7 @@ def _distribution(of, graded, students):
     )
 
 
-def _hardest(graded):
+def _hardest(graded: list[GradedFile]) -> Section:
     states, points = {}, _points(graded)
     for each in graded:
         for exercise in each.result["exercises"]:
@@ -125,7 +143,7 @@ def _hardest(graded):
     return "Hardest exercises", caption + SEPARATES, columns, rows
 
 
-def _written(graded):
+def _written(graded: list[GradedFile]) -> Section:
     points, asked = _points(graded), Counter()
     for each in graded:
         asked.update((each.notebook, a.question) for a in each.answers if a.state == READ)
@@ -138,7 +156,7 @@ def _written(graded):
     )
 
 
-def _points(graded):
+def _points(graded: list[GradedFile]) -> dict[tuple[str, str], tuple[str, str]]:
     """Return {(notebook, exercise or question): (mean points in percent, item-rest correlation)} as texts."""
     items, found = {}, {}
     for each in graded:
@@ -151,7 +169,7 @@ def _points(graded):
     for it, pairs in items.items():
         shares, rests = zip(*pairs, strict=True)
         found[it] = f"{100 * statistics.mean(shares):.0f}", ""
-        if len(pairs) >= FEWEST and min(map(len, (set(shares), set(rests)))) > 1:
+        if len(pairs) >= MIN_STUDENTS and min(map(len, (set(shares), set(rests)))) > 1:
             correlation = pearsonr(shares, rests)
             bounds = correlation.confidence_interval()
             found[it] = (
@@ -161,7 +179,7 @@ def _points(graded):
     return found
 
 
-def _mistakes(graded):
+def _mistakes(graded: list[GradedFile]) -> Section:
     named = (
         (e["exercise"], e["mistake"])
         for each in graded
@@ -175,12 +193,12 @@ def _mistakes(graded):
     return "Most frequent mistakes", caption, ("mistake", "students", ""), rows
 
 
-def _short(text):
+def _short(text: str) -> str:
     text = " ".join(clean(text).split())
     return text if len(text) <= 120 else text[:120] + " ..."
 
 
-def _bar(parts, most):
+def _bar(parts: Iterable[tuple[int, str]], most: int) -> Markup:
     """Return a bar whose parts have these (lengths, colours); `most` fills the width."""
     pieces = (
         f'<i style="width:{8 * n / (most or 1):.2f}rem;background:{colour}"></i>'

@@ -1,25 +1,32 @@
 """Find the submissions in a folder: whose each is, of which notebook, and why it is refused if it is.
 
 One student's files (nested, linked, unreadable, vanishing) must not stop the grading of the others:
-any exception that they cause becomes that student's line.
+any exception that they cause becomes that student's line. What may be the work of several students
+is refused with a question, which the instructor answers before anything is graded.
 """
 
 import collections
+import fnmatch
 import hashlib
 import os
 import re
 import stat
 import unicodedata
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from course_lib.pack.grade import zips
-from course_lib.pack.grade.platforms import (
-    ONLINE_TEXT,
-    exported_name,
-    handed_in,
-    is_of_a_class,
-    recognized,
+from course_lib.pack.grade import GradingStopped, zips
+from course_lib.pack.grade.csv_text import listing, printable
+from course_lib.pack.grade.owners import owners
+from course_lib.pack.grade.platforms import HandIn, Platform, fitting, named, platforms
+from course_lib.pack.grade.platforms.base import (
+    READ,
+    entries,
+    entries_inside,
+    is_clutter,
+    is_folder,
+    plain_name,
 )
 from course_lib.pack.grade.zips import Refused
 
@@ -27,21 +34,18 @@ MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has a
 MAX_DEPTH = 20  # folders in folders, of one student
 MAX_ENTRIES = 20_000  # files and folders of one student that are looked at
 MAX_GRADED = 60  # notebooks of one student that are graded; there are six
-MAX_LISTED = 20  # notebooks and links of one student that are graded and get a line of their own
-# "01_rotations (1)", "01_rotations-Copy2"
-COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]*copy[\s_-]*\(?\d*\)?|[\s_-]+\d+){0,3}"
-JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
-CLUTTER = {
-    ".ds_store",
-    ".git",
-    ".idea",
-    ".ipynb_checkpoints",
-    ".venv",
-    ".vscode",
-    "__macosx",
-    "__pycache__",
-}
-READ = (".ipynb", ".zip")
+MAX_UNASKED = 20  # notebooks and links of one student that are taken for one student's
+MAX_LISTED = 200  # notebooks and links of one student that get a line of their own
+EACH_ENTRY = "*"  # STUDENTS=*: each file and folder directly in the folder is one student's
+# What programs and people write behind the name of a notebook that they save again. The possessive
+# ++ keep a name that was made to slow down the search from doing so.
+AGAIN = (
+    r"copy ?\(?\d*+\)?|\d++|v ?\d++(?:\.\d++)*|version ?\d*+|final(?:ly)?|fixed|new|old|draft|done"
+    r"|checkpoint|nbconvert|backup|updated?|corrected|edited|latest|finished|completed?|revised"
+    r"|resubmi(?:t|tted|ssion)|submi(?:t|tted|ssion)|late|solutions?|answers?"
+)
+COPY = rf"(?:(?:[\s_-]*+\(\d++\)|[\s_.-]++(?:{AGAIN}))(?![^\W_])){{0,4}}"
+COPY_OF = re.compile(r"(?:copy of\s+)+|(?:[\s_-]*\bcopy of)+\s*$", re.IGNORECASE)
 LINK = "It is a link to another file, and links are not followed."
 CLASS = (
     "It looks like a learning platform's export of a class: put its files directly into the folder "
@@ -56,9 +60,12 @@ class Submission:
     student: whose it is. notebook: the course's name for it if the file's name contains one, else
     the file's own. place: the path below the folder of submissions, for messages and hashes.
     member: the file's name in the zip at `path`. refused: why it is not graded. modified: seconds
-    since 1970. platform_id: the learning platform's number in the file's name; user_id: the same if
-    its gradebook has it too. late: whether the platform says so. in_folder: whether a folder bears
-    the student's name.
+    since 1970, by the platform if `timed`, else by the file. platform_id: the learning platform's
+    number in the file's name; user_id: the same if its gradebook has it too. late: whether the
+    platform says so. in_folder: whether a folder bears the student's name. student_number, login,
+    address: of the student, if the platform says them. section: the folders above the student's, if
+    STUDENTS= says that there are some. question: what the instructor must answer before this can be
+    graded. remark: why the student may not be the one whom the name seems to say.
     """
 
     student: str
@@ -72,88 +79,235 @@ class Submission:
     late: bool = False
     user_id: str = ""
     in_folder: bool = False
+    timed: bool = False
+    student_number: str = ""
+    login: str = ""
+    address: str = ""
+    section: str = ""
+    question: str = ""
+    remark: str = ""
+
+    def identity(self) -> dict[str, str]:
+        """Return {"number", "login" or "address": what the platform says of the student}."""
+        known = {"number": self.student_number, "login": self.login, "address": self.address}
+        return {field: value for field, value in known.items() if value}
+
+    def asked(self, question: str) -> "Submission":
+        """Return the same, refused with a question to the instructor."""
+        return replace(self, refused=question, question=question)
 
 
 # ---- finding ----
 
 
-def find(folder, notebooks, platform=""):
+def find(
+    folder: Path, notebooks: Sequence[str], platform: str = "", students: str = ""
+) -> list[Submission]:
     """Return the Submissions in a folder, in the order of their places.
 
-    folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what Canvas, Moodle and
-    Gradescope export. notebooks: the course's. platform: which of Canvas and Moodle exported the
-    files; "" if neither did.
+    folder: holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or what a learning
+    platform exports. notebooks: the course's. platform: the name of the one that exported the
+    files; "" or "none" if none did, but Gradescope's lists are read in any case. students: a
+    pattern for the files and folders of which each is one student's, `*` or `*/*`; "" if that has
+    not been said, so that what may be several students' is refused with a question.
     """
-    paths, students = handed_in(folder)
+    exporter = named(platform)
     found = []
-    for path in sorted(path for path in paths if not _is_clutter(path.name)):
+    for holder in _holders(folder, exporter, students):
         try:
-            if path.is_dir() and not path.is_symlink():
-                its = _in_folder(path, folder, notebooks, platform)
-                found += [
-                    replace(each, **known) for known in students.get(path) or [{}] for each in its
-                ]
-            else:
-                found += _flat(path, folder, notebooks, platform)
+            found += _of_holder(holder, folder, notebooks, exporter, students)
         except Exception as problem:  # any problem of one file must not affect the others
-            name = exported_name(printable(path.stem), platform)
-            reason = (
-                getattr(problem, "strerror", None) or f"{type(problem).__name__}: {problem}"[:200]
-            )
-            refused = f"It cannot be read: {reason}."
-            found.append(
-                Submission(
-                    name.student, "", printable(path.name), path, refused=refused, **name.about()
-                )
-            )
-    if platform:
-        found = [
-            each
-            for each in found
-            if not (each.refused and ONLINE_TEXT.fullmatch(Path(each.place).stem))
-        ]
-    found = [replace(each, modified=each.modified or _modified(each.path)) for each in found]
-    found, counts = (
-        sorted(_one_name_each(found), key=lambda submission: submission.place),
-        collections.Counter(),
-    )
+            reason = getattr(problem, "strerror", None)
+            reason = reason or f"{type(problem).__name__}: {problem}"[:200]
+            for hand_in in holder.hand_ins or [HandIn("")]:
+                whole = _submission(hand_in, holder.path, folder)
+                found.append(replace(whole, refused=f"It cannot be read: {reason}."))
+    found = [
+        each
+        for each in found
+        if not (each.refused and exporter.is_typed_text(Path(each.place).stem))
+    ]
+    found = [each if each.timed else replace(each, modified=_modified(each.path)) for each in found]
+    found = _apart(_one_name_each(found))
+    return _within_bounds(sorted(found, key=lambda submission: submission.place))
+
+
+def _within_bounds(found: list[Submission]) -> list[Submission]:
+    """Return the Submissions; of each student, those beyond MAX_GRADED are refused."""
+    counts: collections.Counter = collections.Counter()
     for number, each in enumerate(found):
         counts[each.student] += not each.refused
         if counts[each.student] > MAX_GRADED and not each.refused:
-            found[number] = replace(
-                each, refused=f"Only {MAX_GRADED} notebooks of a student are graded."
-            )
+            reason = f"Only {MAX_GRADED} notebooks of a student are graded."
+            found[number] = replace(each, refused=reason)
     return found
 
 
-def platform_of(folder):
-    """Return the platform that may have exported all notebooks, zips and folders in a folder, or ""."""
-    paths = [path for path in folder.iterdir() if not _is_clutter(path.name)]
-    folders = [printable(path.name) for path in paths if os.path.isdir(path)]
-    return recognized(
-        folders + [printable(path.stem) for path in paths if path.suffix.lower() in READ], folders
+def platform_of(folder: Path) -> str:
+    """Return the name of the platform that may have exported all that a folder holds, or "".
+
+    Several names are separated by commas.
+    """
+    return ", ".join(platform.name for platform in fitting(folder))
+
+
+@dataclass(frozen=True)
+class Holder:
+    """A file or folder that is one student's, or one group's.
+
+    hand_ins: what a platform says of it, one for each student; empty if the name is the student's
+    own. outside: why it holds nobody's work. parent: the folders between the folder of submissions
+    and this, by which two students of the same name are told apart.
+    """
+
+    path: Path
+    hand_ins: tuple[HandIn, ...] = ()
+    outside: str = ""
+    parent: str = ""
+
+
+def _holders(folder: Path, exporter: Platform, students: str) -> list[Holder]:
+    """Return what holds the students' work in a folder."""
+    if students not in ("", EACH_ENTRY):
+        return _by_pattern(folder, students, exporter)
+    always = [each for each in platforms().values() if not each.asks]
+    holders = {}
+    for platform in [*always, exporter]:
+        for path, hand_ins in platform.hand_ins(folder).items():
+            holders[path] = Holder(path, tuple(hand_ins))
+    inside = {folder / path.relative_to(folder).parts[0] for path in holders if path != folder}
+    for path in entries(folder):
+        own_files = any(platform.ignores(path) for platform in [*always, exporter])
+        if path not in inside and not own_files:
+            holders[path] = Holder(path)
+    for top in sorted(inside - holders.keys()):
+        for path in _beside(top, holders.keys()):
+            if not exporter.ignores(path):
+                reason = "It lies beside what the learning platform exports."
+                holders[path] = Holder(path, outside=reason)
+    return [holders[path] for path in sorted(holders)]
+
+
+def _beside(top: Path, holders: Iterable[Path]) -> list[Path]:
+    """Return the notebooks, zips and folders below a folder that are outside of all holders."""
+    holders = set(holders)
+    above = {parent for path in holders for parent in path.parents}
+    found = []
+    for path in entries_inside(top):
+        if path in holders:
+            continue
+        if path in above:
+            found += _beside(path, holders)
+        elif is_folder(path) or path.suffix.lower() in READ:
+            found.append(path)
+    return found
+
+
+def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:
+    """Return what holds the students' work by a pattern such as */*; other files are outside."""
+    *above, last = pattern.strip("/").split("/")
+    holders = []
+    places = [folder]
+    for level in above:
+        inner = []
+        for path in (path for place in places for path in entries_inside(place)):
+            if is_folder(path) and fnmatch.fnmatchcase(path.name, level):
+                inner.append(path)
+            elif not exporter.ignores(path):
+                holders.append(Holder(path, outside=f"It is not what STUDENTS={pattern} names."))
+        places = inner
+    for place in places:
+        for path in entries_inside(place):
+            if exporter.ignores(path):
+                continue
+            if not fnmatch.fnmatchcase(path.name, last):
+                holders.append(Holder(path, outside=f"It is not what STUDENTS={pattern} names."))
+                continue
+            hand_in = exporter.read_name(plain_name(path))
+            parent = "" if place == folder else printable(place.relative_to(folder))
+            holders.append(Holder(path, (hand_in,) if hand_in else (), parent=parent))
+    return sorted(holders, key=lambda holder: holder.path)
+
+
+def read_pattern(typed: str) -> str:
+    """Return the pattern that was typed for STUDENTS=; raises GradingStopped if it is none."""
+    parts = typed.split("/")
+    if typed and (len(parts) > MAX_DEPTH or "" in parts or {".", "..", "**"} & {*parts}):
+        raise GradingStopped(
+            f"STUDENTS={typed} is not a pattern: write * if each file and folder directly in the "
+            "folder of submissions is one student's, */* if each in one of its folders is."
+        )
+    return typed
+
+
+def _submission(hand_in: HandIn, path: Path, folder: Path) -> Submission:
+    """Return the Submission of a whole file or folder, with what a platform says of it."""
+    return Submission(
+        hand_in.student,
+        "",
+        printable(path.relative_to(folder)),
+        path,
+        modified=hand_in.time,
+        platform_id=hand_in.number,
+        late=hand_in.late,
+        user_id=hand_in.user_id,
+        in_folder=is_folder(path),
+        timed=hand_in.time is not None,
+        student_number=hand_in.student_number,
+        login=hand_in.login,
+        address=hand_in.address,
     )
 
 
-def _is_clutter(name):
-    """Return whether a file is not the student's work but left by JupyterLab, git or an operating system."""
-    return name.startswith("._") or name.lower() in CLUTTER
+def _of_holder(
+    holder: Holder, folder: Path, notebooks: Sequence[str], exporter: Platform, students: str
+) -> list[Submission]:
+    """Return the Submissions of one file or folder."""
+    whole = _submission(HandIn(""), holder.path, folder)
+    if holder.outside:
+        return [replace(whole, refused=holder.outside)]
+    if not is_folder(holder.path):
+        whole = replace(whole, in_folder=False)
+        found = _flat(whole, holder, notebooks, students)
+    else:
+        known = bool(holder.hand_ins)
+        whole = replace(whole, student=plain_name(holder.path))
+        found = _in_folder(whole, notebooks, "" if known else exporter.name, known, students)
+        if holder.hand_ins:
+            found = [_of_student(each, hand_in) for hand_in in holder.hand_ins for each in found]
+    if holder.parent:
+        found = [replace(each, section=holder.parent) for each in found]
+    return found
 
 
-def _modified(path):
-    try:
-        return os.lstat(path).st_mtime
-    except (OSError, ValueError):
-        return None
+def _of_student(each: Submission, hand_in: HandIn) -> Submission:
+    """Return a Submission with what a platform says of the student."""
+    about = _submission(hand_in, each.path, each.path)
+    return replace(
+        about,
+        notebook=each.notebook,
+        place=each.place,
+        member=each.member,
+        refused=each.refused,
+        question=each.question,
+        in_folder=each.in_folder,
+    )
 
 
-def _flat(path, folder, notebooks, platform):
-    """Return the Submissions of a file directly in the folder, whose name contains the student's."""
-    stem, ending = printable(path.stem), path.suffix.lower()
+def _flat(
+    whole: Submission, holder: Holder, notebooks: Sequence[str], students: str
+) -> list[Submission]:
+    """Return the Submissions of a file whose name contains the student's."""
+    path, stem, ending = holder.path, printable(holder.path.stem), holder.path.suffix.lower()
     student, notebook = split(stem, notebooks)
-    name = exported_name(stem, platform)
-    if name.student:
-        student, notebook = name.student, split(name.rest, notebooks)[1] or name.rest
+    remark = ""
+    if holder.hand_ins:
+        (hand_in,) = holder.hand_ins
+        student = hand_in.student
+        notebook = split(hand_in.rest, notebooks)[1] or hand_in.rest
+        whole = replace(_of_student(whole, hand_in), in_folder=False)
+    elif not notebook:
+        remark = _unknown_ending(stem, notebooks)
     refused = ""
     if path.is_symlink():
         refused = LINK
@@ -168,35 +322,64 @@ def _flat(path, folder, notebooks, platform):
         )
     if not student and not refused:  # another name: its exercises determine which notebook it is
         student = notebook = stem
-    whole = Submission(student, notebook, printable(path.relative_to(folder)), path, **name.about())
-    return (
-        _in_zip(whole, notebooks)
-        if ending == ".zip" and not refused
-        else [replace(whole, refused=refused)]
-    )
+    whole = replace(whole, student=student, notebook=notebook, remark=remark)
+    if ending == ".zip" and not refused:
+        return _in_zip(whole, notebooks, students)
+    return [replace(whole, refused=refused)]
 
 
-def _in_folder(top, folder, notebooks, platform):
-    """Return the Submissions in a student's folder, whose name is the student's."""
-    place = printable(top.name)
-    name = exported_name(place, platform) if platform == "moodle" else exported_name("", "")
-    whole = Submission(name.student or place, "", place, top, in_folder=True, **name.about())
+def _unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
+    """Return a remark on a name that has a notebook's inside, and behind it what we do not know; or ""."""
+    for name in notebooks:
+        for title in (name, name.partition("_")[2]):
+            found = re.fullmatch(
+                rf"(?:(.*?)[_\s-]+)?{re.escape(title)}[_\s.-]+(.+)", stem, re.IGNORECASE | re.DOTALL
+            )
+            if found and found[1]:
+                return (
+                    f"{stem} is taken for the student's name. If the file is {found[1]}'s, call it "
+                    f"{found[1]}_{name}.ipynb."
+                )
+            if found:
+                return (
+                    f"{stem} is taken for the student's name. If the file is {found[2]}'s, call it "
+                    f"{found[2]}_{name}.ipynb."
+                )
+    return ""
+
+
+def _in_folder(
+    whole: Submission, notebooks: Sequence[str], platform: str, known: bool, students: str
+) -> list[Submission]:
+    """Return the Submissions in a student's folder.
+
+    platform: the name of the one that exported, "" if it is to be guessed. known: whether a
+    platform named the student.
+    """
+    top = whole.path
     files, others, problems = _walk(top)
-    found = []
-    for path in files[:MAX_LISTED]:
-        each = replace(whole, place=printable(path.relative_to(folder)), path=path)
-        ending, stem = path.suffix.lower(), printable(path.stem)
-        if ending == ".zip" and not path.is_symlink():
-            found += _in_zip(each, notebooks)
-        else:
-            named = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
-            found.append(replace(each, notebook=named, refused=LINK if path.is_symlink() else ""))
+    if not students:
+        inside = [path.relative_to(top) for path in files]
+        if not known and is_of_a_class([str(path) for path in inside], platform):
+            return [whole.asked(CLASS)]
+        question = _question(whole, inside, notebooks, known)
+        if question:
+            return [whole.asked(question)]
     if len(files) > MAX_LISTED:
         problems.append(
             f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at."
         )
-    if not name.student and is_of_a_class([str(path.relative_to(top)) for path in files], platform):
-        return [replace(whole, refused=CLASS)]
+    found = []
+    for path in files[:MAX_LISTED]:
+        place = f"{whole.place}/{printable(path.relative_to(top))}"
+        each = replace(whole, place=place, path=path)
+        ending, stem = path.suffix.lower(), printable(path.stem)
+        if ending == ".zip" and not path.is_symlink():
+            found += _in_zip(each, notebooks, students)
+        else:
+            notebook = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
+            refused = LINK if path.is_symlink() else ""
+            found.append(replace(each, notebook=notebook, refused=refused))
     if not found and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
         problems.append(f"There is not a notebook in the folder: {holds}.")
@@ -205,48 +388,108 @@ def _in_folder(top, folder, notebooks, platform):
     return found
 
 
-def _in_zip(whole, notebooks):
+def _question(
+    whole: Submission, inside: Sequence[Path], notebooks: Sequence[str], known: bool
+) -> str:
+    """Return what to ask about a folder or zip that may be of several students, or "".
+
+    inside: the paths of its notebooks. known: whether a platform said whose it is.
+    """
+    names, depth = owners(inside, whole.student, lambda stem: split(stem, notebooks))
+    if names and not known:
+        whom = "several students" if len(names) > 1 else "a student in a folder of something else"
+        pattern = "/".join("*" * (depth + len(Path(whole.place).parts)))
+        return (
+            f"It seems to hold the work of {whom} ({listing(names, 3)}): add "
+            f"STUDENTS='{pattern}' if each of these is a student, or STUDENTS='{EACH_ENTRY}' if "
+            f"{whole.place} is one student's."
+        )
+    if len(inside) > MAX_UNASKED:
+        return (
+            f"It holds {len(inside)} notebooks and links, which is much for one student: add "
+            f"STUDENTS='{EACH_ENTRY}' if it is one student's, or STUDENTS='*/*' if each folder in "
+            "it is a student's."
+        )
+    return ""
+
+
+def is_of_a_class(names: Sequence[str], platform: str) -> bool:
+    """Return whether files of these paths, from one folder or zip, are a platform's export of several students.
+
+    platform: the name of the one that exported; "" if it is to be guessed.
+    """
+    paths = [name.removesuffix(".ipynb").split("/") for name in names]
+    candidates = [each for each in platforms().values() if not each.vague]
+    if platform:
+        candidates = [named(platform)]
+    for parts in ([path[0] for path in paths], [path[-1] for path in paths]):
+        for candidate in candidates:
+            hand_ins = [candidate.read_name(part) for part in parts]
+            if platform or all(hand_ins):
+                students = {h.student.removesuffix(f"_{h.number}") for h in hand_ins if h}
+                if len(students) > 1:
+                    return True
+    folders = [each.export_folder for each in platforms().values() if each.export_folder]
+    return any(pattern.fullmatch(part) for pattern in folders for path in paths for part in path)
+
+
+def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[Submission]:
     """Return the Submissions in a zip that a student handed in; `whole` is the zip's own."""
     try:
         names = [
             name
             for name in zips.notebooks_in(whole.path)
-            if not any(map(_is_clutter, name.split("/")))
+            if not any(map(is_clutter, name.split("/")))
         ]
     except Refused as reason:
         return [replace(whole, refused=str(reason))]
-    if not whole.in_folder and is_of_a_class(names, ""):
-        return [replace(whole, refused=CLASS.replace("put its files directly", "unpack it"))]
+    if not students:
+        unpack = CLASS.replace("put its files directly", "unpack it")
+        if not whole.in_folder and is_of_a_class(names, ""):
+            return [whole.asked(unpack)]
+        known = whole.in_folder or bool(whole.platform_id or whole.identity())
+        if question := _question(whole, [Path(name) for name in names], notebooks, known):
+            return [whole.asked(f"{question} A class must be unpacked first.")]
     if not names:
         return [replace(whole, refused="There is not a notebook in the zip.")]
     found = []
     for name in names[:MAX_LISTED]:
         stem = printable(name.rpartition("/")[2]).removesuffix(".ipynb")
-        notebook = split(stem, notebooks)[1] or (
-            whole.notebook if whole.notebook in notebooks else stem
-        )
-        found.append(
-            replace(whole, notebook=notebook, place=f"{whole.place}/{printable(name)}", member=name)
-        )
-    more = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
-    return found + [replace(whole, refused=more)] * (len(names) > MAX_LISTED)
+        of_zip = whole.notebook if whole.notebook in notebooks else stem
+        notebook = split(stem, notebooks)[1] or of_zip
+        place = f"{whole.place}/{printable(name)}"
+        found.append(replace(whole, notebook=notebook, place=place, member=name))
+    if len(names) > MAX_LISTED:
+        reason = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
+        found.append(replace(whole, refused=reason))
+    return found
 
 
-def _walk(top):
+def _modified(path: Path) -> float | None:
+    try:
+        return os.lstat(path).st_mtime
+    except (OSError, ValueError):
+        return None
+
+
+def _walk(top: Path) -> tuple[list[Path], list[str], list[str]]:
     """Search a student's folder within bounds.
 
     Returns the sorted paths of notebooks, zips and linked folders, the names of the other files,
     and sentences on what could not be searched.
     """
-    files, others, problems, seen = [], [], set(), 0
+    files: list[Path] = []
+    others: list[str] = []
+    problems: set[str] = set()
+    seen = 0
 
-    def unread(error):
+    def unread(error: OSError) -> None:
         problems.add(f"A folder in it cannot be read: {error.strerror or error}.")
 
     for place, folders, names in os.walk(top, onerror=unread):  # which enters no link
         seen += len(folders) + len(names)
-        folders[:] = [name for name in folders if not _is_clutter(name)]
-        names = [name for name in names if not _is_clutter(name)]
+        folders[:] = [name for name in folders if not is_clutter(name)]
+        names = [name for name in names if not is_clutter(name)]
         wanted = [name for name in names if name.lower().endswith(READ)]
         links = [name for name in folders if os.path.islink(os.path.join(place, name))]
         files += [Path(place, name) for name in wanted + links]
@@ -262,38 +505,65 @@ def _walk(top):
     return sorted(files), others, sorted(problems)
 
 
-def _one_name_each(found):
+def _one_name_each(found: list[Submission]) -> list[Submission]:
     """Add the platform's number to the names of students who have the same name."""
     numbers = collections.defaultdict(set)
     for each in found:
         if each.platform_id:
             numbers[each.student, each.notebook].add(each.platform_id)
     double = {student for (student, _), several in numbers.items() if len(several) > 1}
-    shared = [each for each in found if each.student in double and each.platform_id]
-    names = {each: f"{each.student} {each.platform_id}" for each in shared}
-    return [replace(each, student=names.get(each, each.student)) for each in found]
+    return [
+        replace(each, student=f"{each.student} {each.platform_id}")
+        if each.student in double and each.platform_id
+        else each
+        for each in found
+    ]
 
 
-def split(stem, notebooks):
+def _apart(found: list[Submission]) -> list[Submission]:
+    """Keep apart students of one name who have the same notebook in several sections, and say so."""
+    sections = collections.defaultdict(set)
+    for each in found:
+        sections[each.student, each.notebook].add(each.section)
+    double = {student for (student, _), several in sections.items() if len(several) > 1}
+    separated = []
+    for each in found:
+        if each.student in double and each.section:
+            remark = (
+                f"{each.student} has the same notebook in another folder too. They are taken for "
+                "two students: if they are one, put all files into one folder."
+            )
+            name = f"{each.student} ({each.section})"
+            each = replace(each, student=name, remark=remark)
+        separated.append(each)
+    return separated
+
+
+def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
     """Return the student and the notebook that a file's name without its ending contains; both "" if none.
 
-    The notebook's name comes last, with or without its number; a suffix such as " (1)" for a second
-    copy may follow.
+    The notebook's name comes last, with or without its number; what programs and people write
+    behind it for another copy, such as " (1)" or "_final", may follow, and "Copy of" may precede.
     """
     for name in sorted(notebooks, key=lambda name: (-len(name), name)):
-        for words in name, name.partition("_")[2]:
+        for title in name, name.partition("_")[2]:
             found = re.fullmatch(
-                rf"(?:(.*)[_\s-])?{re.escape(words)}{COPY}", stem, re.IGNORECASE | re.DOTALL
+                rf"(?:(.*)[_\s-])?{re.escape(title)}{COPY}", stem, re.IGNORECASE | re.DOTALL
             )
             if found:
-                return (found[1] or "").strip(), name
+                return _without_copy_of(found[1] or ""), name
     return "", ""
+
+
+def _without_copy_of(student: str) -> str:
+    """Return the part of a name that is before a notebook's, without "Copy of" and separators."""
+    return COPY_OF.sub("", student).strip().rstrip("-_ ")
 
 
 # ---- reading ----
 
 
-def read(submission):
+def read(submission: Submission) -> bytes:
     """Return the bytes of a Submission's file.
 
     Raises Refused if it is refused, too large or cannot be read.
@@ -318,36 +588,27 @@ def read(submission):
     return content
 
 
-# ---- names ----
+# ---- names of files ----
 
 
-def printable(name):
-    """Return a name from the file system as printable text, normalized and on one line."""
-    text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
-    return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
-
-
-def file_names(names):
+def file_names(names: Iterable[str]) -> dict[str, str]:
     """Return {name: file name}, all different, also on file systems that ignore case."""
     plain = {name: _plain(name) for name in names}
     taken = collections.Counter(text.casefold() for text in plain.values())
-    unchanged = {
-        name for name, text in plain.items() if text == name and taken[text.casefold()] == 1
-    }
-    hashes = {
-        name: hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()[:8]
-        for name in names
-    }
-    return {
-        name: text if name in unchanged else f"{text}-{hashes[name]}"
-        for name, text in plain.items()
-    }
+    unique = {}
+    for name, text in plain.items():
+        if text == name and taken[text.casefold()] == 1:
+            unique[name] = text
+        else:
+            digest = hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()
+            unique[name] = f"{text}-{digest[:8]}"
+    return unique
 
 
-def _plain(name):
+def _plain(name: str) -> str:
     """Return the name without characters that have a meaning in paths, cut to a moderate length."""
+    allowed = " _-.@+,()'"
     text = "".join(
-        c if c.isalnum() or unicodedata.combining(c) or c in " _-.@+,()'" else "_"
-        for c in name[:60]
+        c if c.isalnum() or unicodedata.combining(c) or c in allowed else "_" for c in name[:60]
     )
     return text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"

@@ -1,27 +1,29 @@
 """Late submissions: when each was due, when it was handed in, and how many points it loses.
 
-The zips of Canvas and Moodle carry no times of submission: each file in them has the time of the
-export (instructure/canvas-lms, lib/content_zipper.rb, add_attachment_to_zip; moodle/moodle,
-files/classes/local/archive_writer/zip_writer.php). So times come from a table, or from files that
-are said to keep them; without a time, Canvas's mark LATE counts.
+Some platforms write the time of submission into the names of their exports, or into a list beside
+them. The zips of others carry none: each file in them has the time of the export. Then times come
+from a table, or from files that are said to keep them; without a time, the platform's own mark
+counts.
 """
 
 import math
 import re
 from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.csv_text import count_noun, read_table, words
+from course_lib.pack.grade.platforms import Platform, platforms
+
+if TYPE_CHECKING:
+    from course_lib.pack.grade.tables import GradedFile
 
 HOUR, DAY = 3600, 86_400
 FILES = "files"  # TIMES=files: the files' own times are those of submission
-# The columns of Moodle's grading worksheet (mod/assign/gradingtable.php), and its times in British
-# and American English (strftimedaydatetime in lang/en/langconfig.php).
-MOODLE = ("Identifier", "Last modified (submission)")
-MOODLE_TIMES = ("%A, %d %B %Y, %I:%M %p", "%A, %B %d, %Y, %I:%M %p")
 
 
 @dataclass(frozen=True)
@@ -38,58 +40,72 @@ class Deadline:
     others: dict = field(default_factory=dict)
     times: str | dict = field(default_factory=dict)
 
-    def time(self, each):
+    def time(self, each: "GradedFile") -> float | None:
         """Return when a GradedFile was handed in, None if that is not known."""
-        return each.submission.modified if self.times == FILES else _entry(self.times, each)
+        if self.times == FILES:
+            return each.submission.modified
+        by_platform = each.submission.modified if each.submission.timed else None
+        return _entry(self.times, each, by_platform)
 
-    def late(self, each):
+    def late(self, each: "GradedFile") -> float | None:
         """Return how many seconds late a GradedFile is; None if a mark of the platform is all that is known."""
-        if (time := self.time(each)) is not None:
+        time = self.time(each)
+        if time is not None:
             return max(0.0, time - _entry(self.others, each, self.when))
         # The mark is about the platform's own deadline, so it says nothing of a student who has
         # another one here.
-        return None if each.submission.late and not self.extended(each) else 0.0
+        marked = each.submission.late and not self.extended(each)
+        return None if marked else 0.0
 
-    def extended(self, each):
+    def extended(self, each: "GradedFile") -> bool:
         """Return whether the student of a GradedFile has a deadline of their own for it."""
         return any(
             self.others.keys() & {(name, each.notebook), (name, "")} for name in _names(each)
         )
 
-    def share_left(self, late):
+    def share_left(self, late: float | None) -> float:
         """Return the share of its points that a file keeps, 0 to 1.
 
         late: as the method returns it.
         """
         return max(0.0, 1 - self.percent / 100 * begun_days(late))
 
-    def __str__(self):
+    def __str__(self) -> str:
         moment = datetime.fromtimestamp(self.when).astimezone()
         when = f"{moment:%A, %d %B %Y, %H:%M:%S} {moment.tzname()} (UTC{moment:%z})"
         return f"Deadline: {when}, in this machine's time zone."
 
 
-def begun_days(late):
+def begun_days(late: float | None) -> int:
     """Return how many days late a file counts, each begun one; late: in seconds, or None, which counts as one day."""
     return 1 if late is None else math.ceil(late / DAY)
 
 
-def _names(each):
+def _names(each: "GradedFile") -> list[str]:
     """Return what a table may call the student of a GradedFile."""
-    numbers = [each.submission.platform_id, each.submission.user_id]
-    return [name for name in (*numbers, words(each.student)) if name]
+    submission = each.submission
+    numbers = [submission.platform_id, submission.user_id, submission.student_number]
+    logins = [words(submission.login), words(submission.address)]
+    return [name for name in (*numbers, *logins, words(each.student)) if name]
 
 
-def _entry(table, each, default=None):
+def _entry(table: dict, each: "GradedFile", default: float | None = None) -> float | None:
     found = ((name, notebook) for name in (*_names(each), "") for notebook in (each.notebook, ""))
     return next((table[key] for key in found if key in table), default)
 
 
-def summary(everything, deadline):
+def without_time(everything: Iterable["GradedFile"], deadline: Deadline) -> list["GradedFile"]:
+    """Return the GradedFiles that count and whose time of submission nobody knows."""
+    return [each for each in _counting(everything) if deadline.time(each) is None]
+
+
+def _counting(everything: Iterable["GradedFile"]) -> list["GradedFile"]:
+    return [each for each in everything if each.student and each.graded and not each.superseded_by]
+
+
+def summary(everything: Sequence["GradedFile"], deadline: Deadline) -> list[str]:
     """Return sentences on how many GradedFiles are late and by how much, and on what the tables leave open."""
-    counting = [
-        each for each in everything if each.student and each.graded and not each.superseded_by
-    ]
+    counting = _counting(everything)
     late = sorted(each.late for each in counting if each.late)
     sizes = Counter("an hour" if t <= HOUR else count_noun(begun_days(t), "day") for t in late)
     by = "".join(f", {number} by up to {size}" for size, number in sizes.items())
@@ -99,23 +115,16 @@ def summary(everything, deadline):
             f"Marked LATE by the platform: {marks}, which count as one day late, because no time "
             f"is known."
         )
-    unknown = [each for each in counting if deadline.time(each) is None]
+    unknown = without_time(everything, deadline)
     if deadline.times and unknown:
         some = ", ".join(sorted({each.student for each in unknown})[:5])
         lines.append(
             f"Without a time in TIMES=: {count_noun(len(unknown), 'notebook')}, for example of "
             f"{some}."
         )
-    if extended := [each for each in counting if deadline.extended(each)]:
-        marks = sorted(
-            {each.student for each in unknown if each.submission.late and each in extended}
-        )
-        but = (
-            f" Their marks LATE do not count, because no time is known: {', '.join(marks)}."
-            if marks
-            else ""
-        )
-        lines.append(f"With an extension: {count_noun(len(extended), 'notebook')}.{but}")
+    extended = [each for each in counting if deadline.extended(each)]
+    if extended:
+        lines.append(_about_extensions(extended, unknown))
     known = {name for each in everything for name in _names(each)}
     if strangers := sorted({name for name, _ in deadline.others} - known - {""}):
         lines.append(
@@ -124,10 +133,19 @@ def summary(everything, deadline):
     return lines
 
 
+def _about_extensions(extended: list["GradedFile"], unknown: list["GradedFile"]) -> str:
+    said = f"With an extension: {count_noun(len(extended), 'notebook')}."
+    marked = {each.student for each in unknown if each.submission.late and each in extended}
+    if not marked:
+        return said
+    names = ", ".join(sorted(marked))
+    return f"{said} Their marks LATE do not count, because no time is known: {names}."
+
+
 # ---- what was typed ----
 
 
-def read_deadline(when, rule, extensions="", times=""):
+def read_deadline(when: str, rule: str, extensions: str = "", times: str = "") -> Deadline | None:
     """Return the Deadline that was typed, or None if none was.
 
     when: a date, or a date and a time, of this machine's time zone unless it names another; "" for
@@ -145,68 +163,94 @@ def read_deadline(when, rule, extensions="", times=""):
         raise GradingStopped(
             f"DEADLINE={when} is not a date: write 2026-11-30 or '2026-11-30 18:00'."
         )
+    others = _table(Path(extensions), "deadline", _due) if extensions else {}
+    if times != FILES:
+        times = _times(times)
+    return Deadline(moment, _percent(rule), others, times)
+
+
+def _percent(rule: str) -> float:
+    """Return the percent of a rule for late files."""
+    if rule in ("", "none"):
+        return 0.0
     typed = re.fullmatch(r"(\d+(?:\.\d+)?)\s*%?(?:\s*(?:a|per) day)?", rule.strip())
-    if rule not in ("", "none") and (not typed or float(typed[1]) > 100):
+    if not typed or float(typed[1]) > 100:
         raise GradingStopped(
             f"LATE={rule} is neither none nor a number of percent a day from 0 to 100."
         )
-    others = _table(Path(extensions), "deadline", _due) if extensions else {}
-    if times != FILES:
-        paths = (
-            sorted(Path(times).glob("*.csv"))
-            if Path(times).is_dir()
-            else [Path(times)]
-            if times
-            else []
-        )
-        times = {key: time for path in paths for key, time in _table(path, "time", _time).items()}
-    return Deadline(moment, float(typed[1]) if typed else 0.0, others, times)
+    return float(typed[1])
 
 
-def _due(typed):
+def _times(typed: str) -> dict:
+    """Return {(student, notebook): time} of a table, or of all in a folder."""
+    if not typed:
+        return {}
+    paths = sorted(Path(typed).glob("*.csv")) if Path(typed).is_dir() else [Path(typed)]
+    found = {}
+    for path in paths:
+        found |= _table(path, "time", _time)
+    return found
+
+
+def _due(typed: str) -> float | None:
     """Return a deadline in seconds since 1970, None if it is none.
 
     A date alone stands for the end of its day.
     """
-    return _time(
-        f"{typed.strip()} 23:59:59" if re.fullmatch(r"\s*[\d-]{8,10}\s*", typed) else typed
-    )
+    date_only = re.fullmatch(r"\s*[\d-]{8,10}\s*", typed)
+    return _time(f"{typed.strip()} 23:59:59" if date_only else typed)
 
 
-def _time(typed):
-    """Return a time in ISO 8601, or as Moodle writes it, in seconds since 1970; None if it is none."""
+def _time(typed: str) -> float | None:
+    """Return a time in ISO 8601, or as a platform writes it, in seconds since 1970; None if it is none."""
     text = " ".join(typed.split())
-    for read in (
-        datetime.fromisoformat,
-        *(lambda t, form=form: datetime.strptime(t, form) for form in MOODLE_TIMES),
-    ):
-        try:
-            return read(text).timestamp()
-        except (ValueError, OverflowError, OSError):
-            continue
-    return None
+    try:
+        return datetime.fromisoformat(text).timestamp()
+    except (ValueError, OverflowError, OSError):
+        times = (platform.read_time(text) for platform in platforms().values())
+        return next((time for time in times if time is not None), None)
 
 
-def _table(path, column, read):
-    """Return {(student, notebook): time} of a table with this column, or of Moodle's grading worksheet."""
+def _table(path: Path, column: str, read: Callable[[str], float | None]) -> dict:
+    """Return {(student, notebook): time} of a table with this column, or of times that a platform exports."""
+    exporters = [platform for platform in platforms().values() if platform.time_columns]
+    known = {"student", "notebook", column}
+    for platform in exporters:
+        known |= {*platform.time_columns}
     found = {}
-    for row in read_table(path, {"student", "notebook", column, *MOODLE}):
-        columns = next(
-            (names for names in (("student", column), MOODLE) if set(names) <= row.keys()), None
-        )
-        if columns is None:
-            raise GradingStopped(
-                f"{path} has neither the columns `student` and `{column}` nor `{MOODLE[0]}` and "
-                f"`{MOODLE[1]}`, which "
-                "Moodle's grading worksheet has in English."
-            )
+    for row in read_table(path, known):
+        exporter = None
+        columns = ("student", column)
+        if not row.keys() >= {*columns}:
+            exporter = _exporter(row, exporters)
+            if exporter is None:
+                raise GradingStopped(_unknown_columns(path, column, exporters))
+            columns = exporter.time_columns
         student, typed = (row[name].strip() for name in columns)
-        if typed in ("", "-"):  # in a worksheet: nothing was handed in
+        if typed in ("", "-"):  # in a platform's table: nothing was handed in
             continue
-        if (time := read(typed)) is None:
+        time = read(typed)
+        if time is None:
             raise GradingStopped(
                 f"{path}: {typed}, for {student or 'all'}, is not a time: write 2026-11-30 18:00."
             )
-        name = re.sub(r".*\D", "", student) if columns == MOODLE else words(student)
+        name = words(exporter.read_student(student) if exporter else student)
         found[name, row.get("notebook", "").strip()] = time
     return found
+
+
+def _exporter(row: dict, exporters: Sequence[Platform]) -> Platform | None:
+    """Return the platform whose table of times has such rows."""
+    return next((each for each in exporters if row.keys() >= {*each.time_columns}), None)
+
+
+def _unknown_columns(path: Path, column: str, exporters: Sequence[Platform]) -> str:
+    """Return what to say about a table of times whose columns nobody knows."""
+    tables = [
+        f"`{each.time_columns[0]}` and `{each.time_columns[1]}` ({each.title})"
+        for each in exporters
+    ]
+    return (
+        f"{path} has neither the columns `student` and `{column}` nor those of a learning "
+        f"platform's table of times, in English: {', '.join(tables)}."
+    )

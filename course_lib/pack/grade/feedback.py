@@ -6,6 +6,7 @@ Jinja escapes all text from submissions.
 import io
 import re
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 
 import jinja2
@@ -15,10 +16,11 @@ from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.collect import file_names
 from course_lib.pack.grade.csv_text import clean, count_noun
-from course_lib.pack.grade.platforms import MOODLE
-from course_lib.pack.grade.tables import final_message, final_state, lateness
+from course_lib.pack.grade.marks import MarkedAnswer
+from course_lib.pack.grade.platforms import Platform, platforms
+from course_lib.pack.grade.tables import GradedFile, final_message, final_state, lateness
 
-LONGEST = 100_000  # characters of one message or answer
+MAX_TEXT = 100_000  # characters of one message or answer
 MARKS = {
     RIGHT: ("✓", "good"),
     WRONG: ("✗", "bad"),
@@ -27,24 +29,24 @@ MARKS = {
 }
 
 
-def _showable(value):
-    """Return a text of a page without what cannot be shown, cut to LONGEST characters."""
+def _showable(value: object) -> object:
+    """Return a text of a page without what cannot be shown, cut to MAX_TEXT characters."""
     if isinstance(value, Markup) or not isinstance(value, str):
         return value
     text = clean(value)
-    return text if len(text) <= LONGEST else text[:LONGEST] + "\n... (cut here)"
+    return text if len(text) <= MAX_TEXT else text[:MAX_TEXT] + "\n... (cut here)"
 
 
 PAGES = jinja2.FileSystemLoader(Path(__file__).with_name("pages"))
 TEMPLATES = jinja2.Environment(loader=PAGES, autoescape=True, trim_blocks=True, finalize=_showable)
 
 
-def rendered(name, **values):
+def rendered(name: str, **values: object) -> str:
     """Return an HTML page that needs no network and runs no script; name: of a template in pages/."""
     return TEMPLATES.get_template(name).render(values)
 
 
-def feedback_page(each):
+def feedback_page(each: GradedFile) -> str:
     """Return the HTML page of one GradedFile."""
     entries = [*map(_exercise, each.result["exercises"]), *map(_answer, each.answers)]
     for entry in entries:
@@ -59,7 +61,7 @@ def feedback_page(each):
     return rendered("feedback.html", each=each, groups=groups, details=details, **about)
 
 
-def _subtotal(each, more):
+def _subtotal(each: GradedFile, more: bool) -> str:
     points, of = each.part(more)
     said = f"{'More' if more else 'Core'}: {points:g} of {of:g} points"
     if not more or each.weight == 1:
@@ -70,7 +72,7 @@ def _subtotal(each, more):
     )
 
 
-def _exercise(exercise):
+def _exercise(exercise: dict) -> dict:
     about = {
         "name": exercise["exercise"],
         "title": exercise["exercise"],
@@ -79,7 +81,7 @@ def _exercise(exercise):
     return exercise | about | {"state": final_state(exercise["state"])}
 
 
-def _answer(answer):
+def _answer(answer: MarkedAnswer) -> dict:
     letter = re.match(
         r"\W*([A-Z])\.", answer.task
     )  # of the question in the notebook: explain_frame (B)
@@ -98,7 +100,7 @@ def _answer(answer):
 # ---- all of them ----
 
 
-def write_feedback(folder, everything):
+def write_feedback(folder: Path, everything: Iterable[GradedFile]) -> None:
     """Write <student>/<notebook>.html for each file that counts; delete the pages of students not in this run."""
     counting = [each for each in everything if not each.superseded_by and each.student]
     students = file_names({each.student for each in counting})
@@ -112,40 +114,32 @@ def write_feedback(folder, everything):
             path = folder / students[student] / f"{names[notebook]}.html"
             write_atomically(path, feedback_page(each))
             written.add(path)
-    for notebook, content in _uploads(counting).items():
-        path = folder / "moodle" / f"{notebook}.zip"
-        write_atomically(path, content)
-        written.add(path)
-    for path in (*folder.glob("*/*.html"), *folder.glob("moodle/*.zip")):
+    for platform in platforms().values():
+        for notebook, content in _uploads(counting, platform).items():
+            path = folder / platform.name / f"{notebook}.zip"
+            write_atomically(path, content)
+            written.add(path)
+    zips = [path for name in platforms() for path in folder.glob(f"{name}/*.zip")]
+    for path in (*folder.glob("*/*.html"), *zips):
         if path not in written:
             path.unlink()
             if not any(path.parent.iterdir()):
                 path.parent.rmdir()
 
 
-def _uploads(counting):
-    """Return {notebook: a zip of all its feedback, as Moodle takes it}, empty if nothing came from Moodle.
-
-    Moodle finds the student by the number in the folder's name (moodle/moodle,
-    mod/assign/feedback/file/ importziplib.php, is_valid_filename_for_import). The number belongs to
-    one assignment.
-    """
-    contents = {}
+def _uploads(counting: list[GradedFile], platform: Platform) -> dict[str, bytes]:
+    """Return {notebook: a zip of all its feedback, as a platform takes it}, empty if nothing came from it."""
+    contents: dict[str, io.BytesIO] = {}
     for each in counting:
-        found = MOODLE.fullmatch(each.submission.place.partition("/")[0])
-        if not (found and found["id"]):
+        submission = each.submission
+        folder = platform.feedback_folder(submission.place, each.student, submission.platform_id)
+        if not folder:
             continue
-        folder = (
-            f"{each.student.replace('_', ' ')}_{each.submission.platform_id}_assignsubmission_file"
-        )
         name = each.notebook or "other files"
-        with zipfile.ZipFile(
-            contents.setdefault(name, io.BytesIO()), "a", zipfile.ZIP_DEFLATED
-        ) as archive:
-            about = zipfile.ZipInfo(
-                f"{folder}/feedback_{name}.html"
-            )  # dated 1980: equal pages, equal bytes
+        content = contents.setdefault(name, io.BytesIO())
+        with zipfile.ZipFile(content, "a", zipfile.ZIP_DEFLATED) as archive:
+            # Dated 1980: equal pages, equal bytes.
+            about = zipfile.ZipInfo(f"{folder}/feedback_{name}.html")
             archive.writestr(about, feedback_page(each), zipfile.ZIP_DEFLATED)
-    return {
-        name: contents[notebook].getvalue() for notebook, name in file_names(set(contents)).items()
-    }
+    names = file_names(set(contents))
+    return {names[notebook]: content.getvalue() for notebook, content in contents.items()}

@@ -2,7 +2,9 @@
 
 import hashlib
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade import GradingStopped
@@ -34,17 +36,17 @@ class MarkedAnswer:
     task: str = ""
     more: bool = False
 
-    def rank(self):
+    def rank(self) -> float:
         """Return the points, and less than none before the answer is marked."""
         return -1 if self.points is None else self.points
 
     @property
-    def reported_state(self):
+    def reported_state(self) -> str:
         """The state that questions.csv shows, with the reason if the mark is invalid."""
         return f"{self.state}: {self.wrong}" if self.wrong else self.state
 
 
-def key(student, notebook, question, text):
+def key(student: str, notebook: str, question: str, text: str) -> str:
     """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again.
 
     It begins with a letter, because a spreadsheet makes a number of a key that has only digits, and
@@ -54,7 +56,7 @@ def key(student, notebook, question, text):
     return "k" + hashlib.sha256(whole).hexdigest()[:16]
 
 
-def read_marks(path):
+def read_marks(path: Path) -> dict[str, dict[str, str]]:
     """Return the rows of the reader's table as {key: {column: text}}; empty if there is no table yet."""
     rows = read_table(path, set(COLUMNS)) if path.exists() else []
     if rows and not {"key", "mark", "comment"} <= set(rows[0]):
@@ -72,7 +74,7 @@ def read_marks(path):
     return {row["key"]: row for row in rows}
 
 
-def mark_answer(question, student, notebook, rows):
+def mark_answer(question: dict, student: str, notebook: str, rows: dict) -> MarkedAnswer:
     """Return the MarkedAnswer for one of a result's questions, a dict with "question", "text" and "of" at least."""
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
@@ -81,10 +83,8 @@ def mark_answer(question, student, notebook, rows):
     if text.strip() in ("", PROMPT):
         return replace(empty, state=question.get("state", NOT_ATTEMPTED), points=0)
     row = rows.get(its_key, {})
-    typed, commented = (
-        cell_text(row.get("mark", "")).strip(),
-        replace(empty, comment=cell_text(row.get("comment", ""))),
-    )
+    typed = cell_text(row.get("mark", "")).strip()
+    commented = replace(empty, comment=cell_text(row.get("comment", "")))
     if not typed:
         return commented
     try:
@@ -96,7 +96,9 @@ def mark_answer(question, student, notebook, rows):
     return replace(commented, state=READ, points=int(points) if points.is_integer() else points)
 
 
-def marks_text(listed, rows, models=None):
+def marks_text(
+    listed: Iterable[tuple[str, str, MarkedAnswer]], rows: dict, models: dict | None = None
+) -> str:
     """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
 
     listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the

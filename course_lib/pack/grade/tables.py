@@ -2,12 +2,13 @@
 
 import itertools
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import count_noun, table_text
-from course_lib.pack.grade.deadline import begun_days
+from course_lib.pack.grade.deadline import Deadline, begun_days
 from course_lib.pack.grade.marks import MarkedAnswer, mark_answer
 from course_lib.pack.grade.notebook_file import UNREADABLE, courses
 
@@ -33,22 +34,22 @@ class GradedFile:
     weight: float = 1.0
 
     @property
-    def student(self):
+    def student(self) -> str:
         """The student's name, or ""."""
         return self.submission.student
 
     @property
-    def notebook(self):
+    def notebook(self) -> str:
         """The name of the notebook, found in the file or else in its name."""
         return self.result["notebook"] or self.submission.notebook
 
     @property
-    def graded(self):
+    def graded(self) -> bool:
         """False if the file was refused or could not be graded."""
         return "state" not in self.result
 
     @property
-    def unreadable(self):
+    def unreadable(self) -> bool:
         """True if nothing in the file could be read.
 
         It then earns nothing, and the student should be informed.
@@ -56,14 +57,14 @@ class GradedFile:
         return any(exercise["state"] == UNREADABLE for exercise in self.result["exercises"])
 
     @property
-    def points(self):
+    def points(self) -> float:
         """The points of the exercises, before a deduction for lateness and without written answers."""
         return sum(
             each["points"] * (self.weight if each["more"] else 1)
             for each in self.result["exercises"]
         )
 
-    def part(self, more):
+    def part(self, more: bool) -> tuple[float, float]:
         """Return the points of exercises and written answers in the core or in More, and the points there are.
 
         Neither is weighted, and nothing is deducted for lateness.
@@ -76,38 +77,43 @@ class GradedFile:
         return points, sum(each["of"] for each in exercises) + sum(each.of for each in answers)
 
     @property
-    def of_more(self):
+    def of_more(self) -> float:
         """The points of More, weighted and after a deduction for lateness."""
         return self.part(True)[0] * self.weight * self.share
 
     @property
-    def total(self):
+    def total(self) -> float:
         """The points of exercises and written answers, weighted and after a deduction for lateness."""
         return self.part(False)[0] * self.share + self.of_more
 
     @property
-    def unread(self):
+    def unread(self) -> int:
         """The number of written answers that have no mark yet."""
         return sum(answer.points is None for answer in self.answers)
 
     @property
-    def of(self):
+    def of(self) -> float:
         """The points that the notebook offers, weighted, written answers included."""
         return self.part(False)[1] + self.part(True)[1] * self.weight
 
 
-def final_state(state):
+def final_state(state: str) -> str:
     """Return the wording of a state after the hand-in, when "yet" no longer fits."""
     return "not attempted" if state == NOT_ATTEMPTED else state
 
 
-def final_message(message):
+def final_message(message: str) -> str:
     """Return a check's message as it is after the hand-in, without the advice to run the check again."""
     text = re.sub(r"\s*\b(Correct|Write) \w+ first, then run this check again\.", "", message)
     return re.sub(r"\bis not (right|written) yet\.", r"is not \1.", text)
 
 
-def graded_files(outcomes, rows, deadline=None, weight=1.0):
+def graded_files(
+    outcomes: Iterable[tuple[Submission, dict]],
+    rows: dict,
+    deadline: Deadline | None = None,
+    weight: float = 1.0,
+) -> list[GradedFile]:
     """Return the GradedFiles by student and notebook; of several for one notebook the best counts.
 
     outcomes: a list of (Submission, result). rows: of marks, see read_marks. deadline: None if
@@ -121,11 +127,11 @@ def graded_files(outcomes, rows, deadline=None, weight=1.0):
     return sorted(itertools.chain.from_iterable(map(_one_counts, copies.values())), key=_order)
 
 
-def _order(each):
+def _order(each: GradedFile) -> tuple[str, str, str]:
     return each.student, each.notebook, each.submission.place
 
 
-def _one_counts(copies):
+def _one_counts(copies: list[GradedFile]) -> list[GradedFile]:
     """Return a student's GradedFiles of one notebook; all but the best are superseded.
 
     Each written answer counts from any copy that is not later than the best. Answers that differ
@@ -148,18 +154,21 @@ def _one_counts(copies):
         for answer in best.answers
     )
     keys = {answer.key for answer in answers}
-    return [
-        each if not each.graded
-        else replace(each, answers=answers) if each is best
-        else replace(
-            each, superseded_by=best.submission.place,
-            answers=tuple(a for a in each.answers if a.key not in keys and a.state != NOT_ATTEMPTED),
-        )
-        for each in copies
-    ]  # fmt: skip
+    counted = []
+    for each in copies:
+        if each is best:
+            each = replace(each, answers=answers)
+        elif each.graded:
+            others = [a for a in each.answers if a.key not in keys and a.state != NOT_ATTEMPTED]
+            place = best.submission.place
+            each = replace(each, superseded_by=place, answers=tuple(others))
+        counted.append(each)
+    return counted
 
 
-def _graded_file(submission, result, rows, deadline, weight):
+def _graded_file(
+    submission: Submission, result: dict, rows: dict, deadline: Deadline | None, weight: float
+) -> GradedFile:
     if submission.notebook in courses() and result["notebook"] != submission.notebook:
         said = (
             f"It was handed in as {submission.notebook}, but it is {result['notebook']}, and is "
@@ -167,8 +176,11 @@ def _graded_file(submission, result, rows, deadline, weight):
         )
         result = result | {"problems": [said, *result["problems"]]}
     each = GradedFile(submission, result, weight=weight)
-    late = deadline.late(each) if deadline else None if submission.late else 0.0
-    each = replace(each, late=late, share=deadline.share_left(late) if deadline else 1.0)
+    if deadline:
+        late = deadline.late(each)
+        each = replace(each, late=late, share=deadline.share_left(late))
+    elif submission.late:
+        each = replace(each, late=None)
     read = (question for question in result["questions"] if weight or not question.get("more"))
     return replace(
         each,
@@ -178,7 +190,7 @@ def _graded_file(submission, result, rows, deadline, weight):
     )
 
 
-def lateness(each):
+def lateness(each: GradedFile) -> str:
     """Return a sentence on how late a file was and how many points it lost, or ""."""
     lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
     if each.late:
@@ -189,7 +201,7 @@ def lateness(each):
 # ---- the tables ----
 
 
-def grades_text(everything):
+def grades_text(everything: Iterable[GradedFile]) -> str:
     """Return the text of grades.csv: a line for each exercise. everything: GradedFiles."""
     rows = []
     for each in everything:
@@ -199,7 +211,7 @@ def grades_text(everything):
     return table_text(GRADES, rows)
 
 
-def _lines(each):
+def _lines(each: GradedFile) -> Iterator[tuple]:
     """Yield (part, exercise, points, of, state, message) for each entry of one file."""
     if each.superseded_by:
         yield (
@@ -239,7 +251,8 @@ class Totals:
 
     of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those
     of More}. waiting: {student: number of answers still to be read}. user_ids: {student: the number
-    by which the platform's gradebook knows them}.
+    by which the platform's gradebook knows them}. identities: {student: {"number", "login" or
+    "address": what the platform's export says of them}}.
     """
 
     of: dict = field(default_factory=dict)
@@ -247,9 +260,10 @@ class Totals:
     more: dict = field(default_factory=dict)
     waiting: dict = field(default_factory=dict)
     user_ids: dict = field(default_factory=dict)
+    identities: dict = field(default_factory=dict)
 
 
-def totals(everything):
+def totals(everything: Iterable[GradedFile]) -> Totals:
     """Return the Totals of a class, after the deductions for late files.
 
     everything: GradedFiles.
@@ -266,15 +280,16 @@ def totals(everything):
         of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
         if each.submission.user_id:
             found.user_ids[each.student] = each.submission.user_id
+        found.identities.setdefault(each.student, {}).update(each.submission.identity())
     return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
 
 
-def _rounded(points):
+def _rounded(points: float) -> float:
     """Return points rounded to a hundredth, as Canvas stores them."""
     return round(points, 2) if points != int(points) else int(points)
 
 
-def totals_text(found):
+def totals_text(found: Totals) -> str:
     """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not handed in."""
     rows = []
     for student, points in found.students.items():

@@ -1,0 +1,275 @@
+"""What remains for the instructor after a run: one list, with the command that comes after each entry."""
+
+import shlex
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from course_lib.pack.grade.csv_text import count_noun, words
+from course_lib.pack.grade.deadline import Deadline, without_time
+from course_lib.pack.grade.gradebook import Row, absent
+from course_lib.pack.grade.marks import MarkedAnswer
+from course_lib.pack.grade.notebook_file import NOT_CODE
+from course_lib.pack.grade.platforms import Platform
+from course_lib.pack.grade.tables import GradedFile, Totals
+
+MAX_SHOWN = 10  # lines of one entry on the terminal; the page of the class has all
+# Settings that change how a class is graded and no point of it; the seed is kept beside the grades.
+OF_ONE_RUN = ("JOBS", "CLUSTER", "SEED")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One thing to do.
+
+    task: what, in sentences. about: a line for each student or file that it concerns. command: what
+    to run afterwards.
+    """
+
+    task: str
+    about: tuple[str, ...] = ()
+    command: str = ""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a run gave, and by which settings.
+
+    output: the folder that is written. shown: how its name stands before the files in it.
+    everything: GradedFiles. listed: (student, notebook, MarkedAnswer) of each written answer.
+    settings: {name of make's setting: what was typed}.
+    gradebook: the platform that gets the points; one without a name if none does. missing: students
+    who are not in its file. nearest: {such a student: names in the roster}. shared: students who share a line of it.
+    """
+
+    output: Path
+    shown: Path
+    everything: Sequence[GradedFile]
+    listed: Sequence[tuple[str, str, MarkedAnswer]]
+    totals: Totals
+    settings: dict[str, str]
+    deadline: Deadline | None = None
+    roster: Sequence[Row] | None = None
+    gradebook: Platform = field(default_factory=Platform)
+    missing: Sequence[str] = ()
+    nearest: dict[str, list[str]] = field(default_factory=dict)
+    shared: Sequence[Sequence[str]] = ()
+
+    def on_the_page(self) -> "Outcome":
+        """Return the same as the page of the class has it: in equal bytes, wherever it was graded."""
+        settings = {name: v for name, v in self.settings.items() if name not in OF_ONE_RUN}
+        if "OUTPUT" in settings:
+            settings["OUTPUT"] = "the folder of this page"
+        return replace(self, shown=Path(), settings=settings)
+
+    def command(self, **changed: str) -> str:
+        """Return the command of this run, with other settings where they are given."""
+        settings = {name: value for name, value in (self.settings | changed).items() if value}
+        return " ".join(
+            ["make grade", *(f"{name}={shlex.quote(value)}" for name, value in settings.items())]
+        )
+
+
+def remaining(outcome: Outcome) -> list[Entry]:
+    """Return what the instructor has to do by hand, in the order in which it is best done."""
+    return [
+        *_files(outcome),
+        *_owners(outcome),
+        *_cells(outcome),
+        *_releases(outcome),
+        *_times(outcome),
+        *_marks(outcome),
+        *_gradebook(outcome),
+    ]
+
+
+def text(entries: Sequence[Entry]) -> str:
+    """Return the list as it stands on the terminal."""
+    if not entries:
+        return "Nothing is left to be done by hand."
+    lines = ["By hand, still:"]
+    for number, entry in enumerate(entries, 1):
+        lines.append(f"{number}. {entry.task}")
+        lines += [f"     {line}" for line in entry.about[:MAX_SHOWN]]
+        if len(entry.about) > MAX_SHOWN:
+            left = len(entry.about) - MAX_SHOWN
+            lines.append(f"     ... and {left} more, which class.html lists.")
+        if entry.command:
+            lines.append(f"   Then: {entry.command}")
+    return "\n".join(lines)
+
+
+# ---- files, and whose they are ----
+
+
+def _files(outcome: Outcome) -> Iterable[Entry]:
+    troubled = [
+        each
+        for each in outcome.everything
+        if each.unreadable or each.result.get("state") == "refused"
+    ]
+    if troubled:
+        yield Entry(
+            f"{count_noun(len(troubled), 'file')} could not be graded: correct the place or the "
+            "name, or ask the student for another file.",
+            tuple(f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled),
+            outcome.command(),
+        )
+    failed = [each for each in outcome.everything if each.result.get("state") == "not graded"]
+    if failed:
+        yield Entry(
+            f"The grader failed on {count_noun(len(failed), 'file')}: the same command tries again.",
+            tuple(f"{each.submission.place}: {each.result['problems'][0]}" for each in failed),
+            outcome.command(),
+        )
+
+
+def _owners(outcome: Outcome) -> Iterable[Entry]:
+    remarks = [
+        f"{each.submission.place}: {each.submission.remark}"
+        for each in outcome.everything
+        if each.submission.remark
+    ]
+    if remarks:
+        yield Entry("Say whose these are by their names.", tuple(remarks), outcome.command())
+    names = defaultdict(list)
+    for student in outcome.totals.students:
+        names[words(student)].append(student)
+    alike = [several for name, several in sorted(names.items()) if name and len(several) > 1]
+    if alike:
+        yield Entry(
+            "These names differ only in capitals, accents or the order of their words, and are "
+            "taken for different students. If they are one, give the files one name.",
+            tuple("; ".join(several) for several in alike),
+            outcome.command(),
+        )
+
+
+def _cells(outcome: Outcome) -> Iterable[Entry]:
+    lost = [
+        f"{each.student}, {each.notebook}: {problem}"
+        for each in outcome.everything
+        if each.graded and not each.superseded_by
+        for problem in each.result["problems"]
+        if NOT_CODE in problem
+    ]
+    if lost:
+        yield Entry(
+            "Answers stand in cells that are not of code, so they were not run and earn nothing. "
+            "If you accept them, set the cells to Code in JupyterLab.",
+            tuple(lost),
+            outcome.command(),
+        )
+
+
+def _releases(outcome: Outcome) -> Iterable[Entry]:
+    graded = [each for each in outcome.everything if each.graded and not each.unreadable]
+    counts = Counter(each.result["release"] for each in graded)
+    if len(counts) < 2:
+        return
+    most = max(counts, key=lambda name: (bool(name), counts[name]))
+    others = [each for each in graded if each.result["release"] != most]
+    yield Entry(
+        f"The notebooks are not all of one release: {counts[most]} of {len(graded)} are of "
+        f"{most}, those below of another or of none. All are graded by the tasks of this version: "
+        "compare the tasks that have changed since. No release is named if another program saved "
+        "the file, or if it is from the instructors' folder.",
+        tuple(
+            f"{each.student or each.submission.place}: {each.notebook}, "
+            f"{'release ' + each.result['release'] if each.result['release'] else 'no release'}"
+            for each in others
+        ),
+        outcome.command(),
+    )
+
+
+# ---- times and marks ----
+
+
+def _times(outcome: Outcome) -> Iterable[Entry]:
+    if not outcome.deadline:
+        return
+    unknown = without_time(outcome.everything, outcome.deadline)
+    if unknown:
+        yield Entry(
+            f"The time of submission of {count_noun(len(unknown), 'notebook')} is not known: write "
+            "it into a table with the columns student, notebook and time. Until then a mark LATE "
+            "counts as one day, and no mark as in time.",
+            tuple(
+                f"{each.student}: {each.notebook}{', marked LATE' if each.submission.late else ''}"
+                for each in unknown
+            ),
+            outcome.command(TIMES=outcome.settings.get("TIMES") or "times.csv"),
+        )
+
+
+def _marks(outcome: Outcome) -> Iterable[Entry]:
+    table = outcome.shown / "questions.csv"
+    waiting = Counter(notebook for _, notebook, answer in outcome.listed if answer.points is None)
+    if waiting:
+        yield Entry(
+            f"{count_noun(waiting.total(), 'written answer')} to be read: type marks into {table}, "
+            "where the rubric and a model answer stand beside each.",
+            tuple(f"{notebook}: {count}" for notebook, count in sorted(waiting.items())),
+            outcome.command(),
+        )
+    wrong = [
+        f"{student}: {notebook}, {answer.question}: {answer.wrong}"
+        for student, notebook, answer in outcome.listed
+        if answer.wrong
+    ]
+    if wrong:
+        yield Entry(
+            f"{count_noun(len(wrong), 'invalid mark')} in {table}: the column `state` says why.",
+            tuple(wrong),
+            outcome.command(),
+        )
+
+
+# ---- the gradebook ----
+
+
+def _gradebook(outcome: Outcome) -> Iterable[Entry]:
+    if outcome.roster:
+        missing = absent(outcome.totals, outcome.roster)
+        if missing:
+            yield Entry(
+                f"{count_noun(len(missing), 'student')} of the roster handed in nothing: ask them, "
+                "and put later files into the same folder.",
+                tuple(missing),
+                outcome.command(),
+            )
+    name = outcome.gradebook.name
+    if not name:
+        return
+    path = outcome.shown / f"{name}.csv"
+    if outcome.missing:
+        yield Entry(*_missing(outcome, path))
+    for students in outcome.shared:
+        yield Entry(
+            "One student of the roster, whose better points of each notebook count: "
+            f"{', '.join(students)}. Rename the files of one if they are two.",
+            (),
+            outcome.command(),
+        )
+    yield Entry(f"Import {path} into a copy of the course first. {outcome.gradebook.imports}")
+    if (outcome.output / "feedback" / name).is_dir():
+        zips = outcome.shown / "feedback" / name
+        yield Entry(f"Upload the zips in {zips} as feedback files, one for each notebook.")
+
+
+def _missing(outcome: Outcome, path: Path) -> tuple[str, tuple[str, ...], str]:
+    """Return the entry about students who are not in the gradebook's file."""
+    shown = list(outcome.missing[:MAX_SHOWN])
+    if len(outcome.missing) > MAX_SHOWN:
+        shown.append(f"... and {len(outcome.missing) - MAX_SHOWN} more")
+    task = (
+        f"Not in {path}, because no line of the roster fits, or several: {', '.join(shown)}. "
+        "Write each name into the column `student` of the right line."
+    )
+    about = tuple(
+        f"{student}: {'nearest in the roster: ' + '; '.join(names) if names else 'no near name'}"
+        for student, names in outcome.nearest.items()
+    )
+    return task, about, outcome.command(ROSTER=outcome.settings.get("ROSTER") or "roster.csv")

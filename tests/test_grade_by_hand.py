@@ -1,0 +1,207 @@
+"""What remains by hand is one list, with the next command under each entry, on the terminal and in the class page."""
+
+import re
+import shlex
+
+import pytest
+from grade_stand_in import grade, hand_in
+from hostile.build import answers, book, cell
+
+from course_lib.pack.grade import notebook_file
+from course_lib.pack.grade.__main__ import _duration, main, settings
+from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, text
+from course_lib.pack.grade.class_page import class_page
+
+
+def run(place, capsys, *options, **changed):
+    """Grade the folder `in`; return what is printed and the class page as text."""
+    arguments = [str(place / "in"), "--output", str(place / "out"), "--jobs", "1", *options]
+    assert main(arguments, grade=changed.get("grade", grade)) == 0
+    page = (place / "out/class.html").read_text(encoding="utf-8")
+    return capsys.readouterr().out, re.sub(r"<[^>]+>", "", page).replace("&#39;", "'")
+
+
+def both(said, page, words):
+    """Assert that the terminal and the page have the same words."""
+    assert words in said
+    assert words in page
+
+
+def test_nothing_is_left_if_nothing_is(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
+    said, page = run(tmp_path, capsys)
+    assert "Nothing is left to be done by hand." in said
+    assert "By hand, still" not in page
+
+
+def test_files_that_are_no_notebooks_are_listed_with_the_reason(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
+    (tmp_path / "in/bob.docx").write_text("x")
+    said, page = run(tmp_path, capsys)
+    both(said, page, "1 file could not be graded: correct the place or the name, or ask")
+    both(said, page, "bob.docx: It is not a notebook: its name does not end in .ipynb.")
+
+
+def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
+    for name in ("ana_01_rotations", "bob_01_rotations", "ana_02_rigid_motion"):
+        hand_in(tmp_path / "in", f"{name}.ipynb", points=[2], texts=["because"])
+    said, page = run(tmp_path, capsys)
+    both(said, page, "3 written answers to be read: type marks into")
+    both(said, page, "01_rotations: 2")
+    both(said, page, "02_rigid_motion: 1")
+
+
+def test_late_ones_without_a_time_are_named_with_the_table_to_write(tmp_path, capsys):
+    hand_in(tmp_path / "in", "doejane_LATE_1234_5_01_rotations.ipynb", points=[2])
+    hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
+    options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--late", "10%"]
+    said, page = run(tmp_path, capsys, *options)
+    both(said, page, "The time of submission of 2 notebooks is not known: write it into a table")
+    both(said, page, "doejane_1234: 01_rotations, marked LATE")
+    both(said, page, "bo_1235: 01_rotations")
+    assert "TIMES=times.csv" in said
+
+
+def test_names_that_differ_in_case_or_order_only_are_remarked_upon(tmp_path, capsys):
+    for name in ("Jane Doe/01_rotations", "doe, jane/02_rigid_motion", "bob/01_rotations"):
+        hand_in(tmp_path / "in", f"{name}.ipynb", points=[2])
+    said, page = run(tmp_path, capsys)
+    both(said, page, "Jane Doe; doe, jane")
+    both(said, page, "If they are one, give the files one name.")
+
+
+def test_whose_a_file_is_is_asked_where_its_name_does_not_say(tmp_path, capsys):
+    for name in ("bob_01_rotations", "bob_01_rotations_BR"):
+        hand_in(tmp_path / "in", f"{name}.ipynb", points=[2])
+    said, page = run(tmp_path, capsys)
+    both(said, page, "Say whose these are by their names.")
+    both(said, page, "bob_01_rotations_BR is taken for the student's name.")
+
+
+def test_notebooks_of_another_release_are_named_with_what_it_means(tmp_path, capsys):
+    for i in range(3):
+        hand_in(tmp_path / "in", f"s{i}_01_rotations.ipynb", points=[i])
+
+    def of_a_release(content, notebook, seed):
+        release = "" if b"[2]" in content else "1.1.0-7888b0b4"
+        return grade(content, notebook, seed) | {"release": release}
+
+    said, page = run(tmp_path, capsys, grade=of_a_release)
+    both(said, page, "not all of one release: 2 of 3 are of 1.1.0-7888b0b4")
+    both(said, page, "s2: 01_rotations, no release")
+    both(said, page, "compare the tasks that have changed since")
+
+
+def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys):
+    hand_in(tmp_path / "in", "Ana_1_assignsubmission_file_/01_rotations.ipynb", points=[2])
+    said, page = run(tmp_path, capsys, "--lms", "moodle")
+    both(said, page, "In Moodle, choose Grades, Import, CSV file")
+    both(said, page, "feedback/moodle as feedback files")
+    assert re.search(r"Import \S*out/moodle.csv into a copy of the course first", said)
+
+
+# ---- the commands ----
+
+
+def test_the_command_under_an_entry_is_the_one_of_this_run(tmp_path, capsys, monkeypatch):
+    place = tmp_path / "a class"
+    hand_in(place / "in", "ana_01_rotations.ipynb", points=[2], texts=["so"])
+    said, _ = run(place, capsys, "--more", "0.5", "--notebooks", "01")
+    (command,) = re.findall(r"Then: (make grade .*)", said)
+    words = dict(word.split("=", 1) for word in shlex.split(command)[2:])
+    assert words == {
+        "SUBMISSIONS": str(place / "in"),
+        "OUTPUT": str(place / "out"),
+        "JOBS": "1",
+        "MORE": "0.5",
+        "NOTEBOOKS": "01",
+    }
+
+
+def test_the_page_has_no_setting_of_the_machine_so_its_bytes_are_the_same(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2], texts=["so"])
+    _, page = run(tmp_path, capsys, "--seed", "7")
+    assert "make grade SUBMISSIONS=" in page
+    assert "JOBS=" not in page
+    assert "SEED=" not in page
+    assert "OUTPUT='the folder of this page'" in page
+    assert str(tmp_path / "out") not in page
+
+
+def test_a_long_entry_is_cut_on_the_terminal_only():
+    entry = Entry("Do it.", tuple(f"line {n:02}" for n in range(MAX_SHOWN + 5)), "make grade")
+    said = text([entry])
+    assert f"line {MAX_SHOWN:02}" not in said
+    assert "... and 5 more" in said
+    assert f"line {MAX_SHOWN + 4:02}" in class_page([], [], [entry])
+
+
+def test_what_students_wrote_is_escaped_in_the_list():
+    page = class_page([], [], [Entry("Ask.", ("<script>alert(1)</script>: x",))])
+    assert "<script>" not in page
+
+
+def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
+    said, _ = run(tmp_path, capsys)
+    assert "Grading 1 notebook of 1 student, 1 at once: about 1 minute on an idle machine" in said
+    assert _duration(12_000, 16) == "4 hours"
+    assert _duration(60, 2) == "10 minutes"
+
+
+def test_settings_are_those_that_were_typed():
+    from course_lib.pack.grade.__main__ import _parser
+
+    chosen = _parser().parse_args(["in", "--late", "10%", "--seed", "0"])
+    assert settings(chosen) == {"SUBMISSIONS": "in", "LATE": "10%", "SEED": "0"}
+
+
+# ---- an answer in a cell that is not of code ----
+
+
+@pytest.mark.parametrize("kind", ["markdown", "raw"])
+def test_an_answer_in_a_cell_that_is_not_of_code_is_said(kind, solutions):
+    first, right = answers(solutions)
+    name = next(iter(right))
+    cells = [cell(first)]
+    cells += [cell(source, kind if one == name else "code") for one, source in right.items()]
+    read, _ = notebook_file.read(book(cells=cells))
+    (said,) = notebook_file.not_code(notebook_file.courses()["01_rotations"], read)
+    assert said.startswith(f"{name} is written in cell 2, which is a ")
+    assert kind.lower() in said.lower()
+    assert notebook_file.NOT_CODE in said
+
+
+def test_an_answer_that_is_also_in_a_code_cell_is_not_lost(solutions):
+    first, right = answers(solutions)
+    name, source = next(iter(right.items()))
+    cells = [cell(first), cell(source), cell(source, "markdown")]
+    read, _ = notebook_file.read(book(cells=cells))
+    assert notebook_file.not_code(notebook_file.courses()["01_rotations"], read) == []
+    assert name in source
+
+
+def test_a_task_of_the_release_is_no_answer():
+    course = notebook_file.courses()["01_rotations"]
+    cells = [notebook_file.Cell("markdown", text) for text in sorted(course.texts)]
+    assert notebook_file.not_code(course, cells) == []
+
+
+def test_a_written_answer_in_a_cell_that_became_code_is_read():
+    (question, *_) = notebook_file.courses()["01_rotations"].questions
+    cells = [notebook_file.Cell("code", "Because of the axis.", name=question.name)]
+    assert notebook_file.answer(question, cells) == "Because of the axis."
+
+
+def test_the_instructor_and_the_student_read_of_it(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
+    problem = "vee is written in cell 7, which is a Markdown cell and not a code cell, "
+    problem += f"{notebook_file.NOT_CODE}."
+
+    def lost(content, notebook, seed):
+        return grade(content, notebook, seed) | {"problems": [problem]}
+
+    said, page = run(tmp_path, capsys, grade=lost)
+    both(said, page, f"ana, 01_rotations: {problem}")
+    feedback = (tmp_path / "out/feedback/ana/01_rotations.html").read_text(encoding="utf-8")
+    assert problem in feedback

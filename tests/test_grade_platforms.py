@@ -1,0 +1,424 @@
+"""Each learning platform's export and gradebook, as that platform writes them, and the way to add another."""
+
+import csv
+import importlib
+import io
+import os
+import re
+import shutil
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+from course_copy import ROOT
+from grade_stand_in import grade, hand_in
+
+from course_lib.pack.grade import platforms as package
+from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.collect import find, platform_of
+from course_lib.pack.grade.deadline import read_deadline
+from course_lib.pack.grade.gradebook import _fields, gradebook_text, read_roster
+from course_lib.pack.grade.platforms import Platform, named, platforms
+from course_lib.pack.grade.tables import Totals
+
+NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
+EVENING = datetime(2026, 11, 30, 18, 5)
+
+# What the platform exports: {path: (student, notebook)}; a student who is None is refused.
+EXPORTS = {
+    # D2L writes a folder for each submission, with number-number - name - time, and index.html
+    # (community.d2l.com, "Download assignment submissions"; folders as in the README of the grader
+    # ITI1121: 152711-351765 - John Doe - May 18, 2025 1224 PM).
+    "brightspace": {
+        "397063-2557369 - Zoë O'Neill - Nov 30, 2026 605 PM/01_rotations.ipynb": (
+            "Zoë O'Neill",
+            "01_rotations",
+        ),
+        "397064-2557369 - Al Bo-Li - 30 November 2026 1205 PM/work.ipynb": ("Al Bo-Li", "work"),
+        "397065-2557369 - Cy Ode - Sep 4, 2026 926 AM - 02_rigid_motion.ipynb": (
+            "Cy Ode",
+            "02_rigid_motion",
+        ),
+        "index.html": None,
+    },
+    # Blackboard Learn, "Assignment File Download": kwurst/bb-file-cleanup, bbcleanup.py;
+    # vangef/BBGradebookOrganiser, utils/organiser.py. A receipt names the student.
+    "blackboard": {
+        "Homework 1_jdoe_attempt_2026-11-30-18-05-00_01_rotations.ipynb": ("jdoe", "01_rotations"),
+        "Homework 1_jdoe_attempt_2026-11-29-18-05-00_01_rotations_v2.ipynb": (
+            "jdoe",
+            "01_rotations",
+        ),
+        "Homework 1_al_bo_attempt_2026-11-30-18-05-00_02_rigid_motion.ipynb": (
+            "al_bo",
+            "02_rigid_motion",
+        ),
+        "Homework 1_al_bo_attempt_2026-11-30-18-05-00.txt": None,
+        "Homework 1_jdoe_attempt_2026-11-30-18-05-00.txt": None,
+    },
+    # Google Classroom makes each student a copy of the assignment's file, named after the student,
+    # in Classroom/<class>/<assignment> of the teacher's Drive (support.google.com/edu/classroom);
+    # Drive downloads a folder as <folder>-<time>-<part>.zip.
+    "google-classroom": {
+        "Homework 1-20261130T180500Z-001/Homework 1/Ana Lee - 01_rotations.ipynb": (
+            "Ana Lee",
+            "01_rotations",
+        ),
+        "Homework 1-20261130T180500Z-001/Homework 1/Ana Lee - Copy of 01_rotations.ipynb": (
+            "Ana Lee",
+            "01_rotations",
+        ),
+        "Homework 1-20261130T180500Z-001/Homework 1/Bo Ray - 02_rigid_motion (1).ipynb": (
+            "Bo Ray",
+            "02_rigid_motion",
+        ),
+    },
+    # gh classroom clone student-repos: <assignment>-submissions/<assignment>-<login>
+    # (github/gh-classroom, cmd/gh-classroom/clone/student-repos/student-repos.go).
+    "github-classroom": {
+        "hw-01-submissions/hw-01-ana-lee/notebooks/01_rotations.ipynb": ("ana-lee", "01_rotations"),
+        "hw-01-submissions/hw-01-ana-lee/notebooks/02_rigid_motion.ipynb": (
+            "ana-lee",
+            "02_rigid_motion",
+        ),
+        "hw-01-submissions/hw-01-bo42/01_rotations.ipynb": ("bo42", "01_rotations"),
+    },
+    # Teams: Student Work/Submitted files/<name>/<assignment>/Version <n> on SharePoint, and Working
+    # files (lwchkg/teams_assignment_explorer, README.md).
+    "teams": {
+        "Student Work/Submitted files/Ana Lee/Homework 1/Version 1/01_rotations.ipynb": (
+            "Ana Lee",
+            "01_rotations",
+        ),
+        "Student Work/Submitted files/Ana Lee/Homework 1/Version 2/01_rotations.ipynb": (
+            "Ana Lee",
+            "01_rotations",
+        ),
+        "Student Work/Submitted files/Bo Ray/Homework 1/Version 1/Untitled.ipynb": (
+            "Bo Ray",
+            "Untitled",
+        ),
+    },
+}
+RECEIPT = """Name: {name} ({login})
+Assignment: Homework 1
+Date Submitted: Monday, November 30, 2026 6:05:00 PM EST
+Current Grade: Needs Grading
+
+Submission Field:
+There is no student submission text data for this assignment.
+"""
+
+
+def exported(folder, platform):
+    for place in EXPORTS[platform]:
+        path = folder / place
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("{}")
+    for login, name in {"al_bo": "Al Bo", "jdoe": "Jane Doe"}.items():
+        for path in folder.glob(f"*_{login}_attempt_*.txt"):
+            path.write_text(RECEIPT.format(name=name, login=login))
+    return folder
+
+
+@pytest.mark.parametrize("platform", EXPORTS)
+def test_an_export_is_read_as_the_platform_writes_it(tmp_path, platform):
+    found = find(exported(tmp_path, platform), NOTEBOOKS, platform)
+    seen = {each.place: (each.student, each.notebook) for each in found if not each.refused}
+    assert seen == {place: owner for place, owner in EXPORTS[platform].items() if owner}
+    assert [each.place for each in found if each.refused] == []
+
+
+@pytest.mark.parametrize("platform", EXPORTS)
+def test_whoever_does_not_name_the_platform_is_asked(tmp_path, capsys, platform):
+    exported(tmp_path / "in", platform)
+    assert platform_of(tmp_path / "in") == platform
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
+    title = named(platform).title
+    assert f"The names look as {title} exports them: add LMS={platform}" in capsys.readouterr().err
+
+
+def test_a_folder_that_fits_two_platforms_names_both(tmp_path, capsys):
+    """An assignment whose title ends in two numbers makes Blackboard's names look like Canvas's."""
+    name = "Sheet_1_2_bo_attempt_2026-11-30-18-05-00_01_rotations.ipynb"
+    hand_in(tmp_path / "in", name, points=[1])
+    assert platform_of(tmp_path / "in") == "blackboard, canvas"
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
+    said = capsys.readouterr().err
+    assert "as Blackboard and as Canvas export them" in said
+    assert "add LMS=blackboard or LMS=canvas, or LMS=none" in said
+
+
+def test_files_beside_an_export_are_listed_and_not_lost(tmp_path):
+    exported(tmp_path, "teams")
+    hand_in(tmp_path, "Student Work/Working files/Cy Ode/01_rotations.ipynb", points=[1])
+    hand_in(tmp_path, "Student Work/01_rotations.ipynb", points=[1])
+    found = find(tmp_path, NOTEBOOKS, "teams")
+    outside = {each.place: each.refused for each in found if each.refused}
+    assert list(outside) == ["Student Work/01_rotations.ipynb"]
+    assert "beside what the learning platform exports" in outside["Student Work/01_rotations.ipynb"]
+
+
+# ---- times ----
+
+
+@pytest.mark.parametrize("platform", ["brightspace", "blackboard"])
+def test_times_in_names_count_without_a_table(tmp_path, platform):
+    found = find(exported(tmp_path, platform), NOTEBOOKS, platform)
+    times = {datetime.fromtimestamp(each.modified) for each in found if each.timed}
+    assert EVENING in times
+    assert len(times) == len({each.place for each in found}) or platform == "blackboard"
+
+
+def test_a_deadline_needs_no_times_where_names_have_them(tmp_path, capsys):
+    for day in (29, 30):
+        name = f"Homework 1_s{day}_attempt_2026-11-{day}-18-05-00_01_rotations.ipynb"
+        hand_in(tmp_path / "in", name, points=[2])
+    options = ["--lms", "blackboard", "--deadline", "2026-11-30 18:00", "--late", "50%"]
+    out = ["--output", str(tmp_path / "out"), "--jobs", "1"]
+    assert main([str(tmp_path / "in"), *out, *options], grade=grade) == 0
+    assert "Late: 1 of 2 notebooks, 1 by up to an hour." in capsys.readouterr().out
+    totals = list(csv.DictReader(io.StringIO((tmp_path / "out/totals.csv").read_text("utf-8-sig"))))
+    assert {row["student"]: row["total"] for row in totals} == {"s29": "2", "s30": "1"}
+
+
+def test_github_classrooms_grades_have_the_times(tmp_path):
+    """The columns of github/gh-classroom, assignment_grades.go, gradeCSVHeaders."""
+    (tmp_path / "grades.csv").write_text(
+        "assignment_name,assignment_url,starter_code_url,github_username,roster_identifier,"
+        "student_repository_name,student_repository_url,submission_timestamp,points_awarded,"
+        "points_available\nhw-01,u,s,ana-lee,00123,hw-01-ana-lee,r,2026-11-30 18:05:00 UTC,0,0\n"
+    )
+    deadline = read_deadline("2026-11-30", "", "", str(tmp_path / "grades.csv"))
+    (time,) = deadline.times.values()
+    assert time == datetime.fromisoformat("2026-11-30T18:05:00+00:00").timestamp()
+
+
+# ---- gradebooks ----
+
+POINTS = {"01_rotations": 7.5}
+OF = {"01_rotations": 12}
+
+
+def rows(text):
+    return list(csv.reader(io.StringIO(text.removeprefix("\ufeff"))))
+
+
+def gradebook(tmp_path, platform, student, roster="", **known):
+    totals = Totals(OF, {student: POINTS}, identities={student: known})
+    table = None
+    if roster:
+        (tmp_path / "roster.csv").write_text(roster, encoding="utf-8")
+        table = read_roster(tmp_path / "roster.csv")
+    text, missing, _ = gradebook_text(platform, totals, table)
+    assert missing == []
+    return rows(text)
+
+
+def test_brightspace_takes_numbers_first_and_a_sign_at_the_end_of_each_line(tmp_path):
+    """community.d2l.com, "Importing grades": sample grading information. Its export has # before both."""
+    export = (
+        "OrgDefinedId,Username,Last Name,First Name,Email,End-of-Line Indicator\n"
+        "#400123,#jane.doe,Doe,Jane,jane@example.org,#\n"
+    )
+    assert gradebook(tmp_path, "brightspace", "Jane Doe", export) == [
+        ["OrgDefinedId", "Username", "01_rotations Points Grade", "End-of-Line Indicator"],
+        ["400123", "jane.doe", "7.5", "#"],
+    ]
+
+
+def test_blackboard_finds_its_own_column_by_the_number_in_its_heading(tmp_path):
+    """library.blackboard.com, "Uploading or Downloading Grade Center Items": columns have a Column ID."""
+    heading = "01_rotations [Total Pts: 12 Score] |337483"
+    export = f'"Last Name","First Name","Username","Student ID","{heading}"\n"Doe","Jane","jdoe","400123",""\n'
+    assert gradebook(tmp_path, "blackboard", "jdoe", export, login="jdoe") == [
+        ["Last Name", "First Name", "Username", "Student ID", heading],
+        ["Doe", "Jane", "jdoe", "400123", "7.5"],
+    ]
+
+
+def test_a_new_column_of_blackboards_has_its_points_in_the_heading(tmp_path):
+    table = gradebook(tmp_path, "blackboard", "jdoe", login="jdoe")
+    assert table[0][-1] == "01_rotations [Total Pts: 12 Score]"
+    assert table[1] == ["", "", "jdoe", "", "7.5"]
+
+
+@pytest.mark.parametrize(
+    ("platform", "roster", "student", "line"),
+    [
+        (
+            "google-classroom",
+            "Last Name,First Name,Email Address\nLee,Ana,ana@example.org\n",
+            "Ana Lee",
+            ["Lee", "Ana", "ana@example.org", "7.5"],
+        ),
+        (
+            "github-classroom",
+            'identifier,github_username,github_id,name\n"00123",ana-lee,1001,Ana Lee\n',
+            "ana-lee",
+            ["00123", "ana-lee", "1001", "Ana Lee", "7.5"],
+        ),
+        (
+            "teams",
+            "First Name,Last Name,Email Address\nAna,Lee,ana@example.org\n",
+            "Ana Lee",
+            ["Ana", "Lee", "ana@example.org", "7.5"],
+        ),
+        (
+            "gradescope",
+            "First Name,Last Name,SID,Email,Sections\nAna,Lee,00123,ana@example.org,A\n",
+            "Ana Lee",
+            ["Ana", "Lee", "00123", "ana@example.org", "A", "7.5"],
+        ),
+    ],
+)
+def test_the_other_platforms_have_a_table_in_their_columns(
+    tmp_path, platform, roster, student, line
+):
+    assert gradebook(tmp_path, platform, student, roster)[1] == line
+
+
+def test_points_of_one_platforms_files_go_into_the_gradebook_of_another(tmp_path):
+    for login in ("ana-lee", "bo42"):
+        hand_in(tmp_path / "in", f"hw-submissions/hw-{login}/01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(
+        "Student,ID,SIS User ID,SIS Login ID,Section,github_username\n"
+        '"Lee, Ana",11,u1,alee,A,ana-lee\n"Ray, Bo",12,u2,bray,A,Bo42\n'
+    )
+    options = ["--lms", "github-classroom", "--gradebook", "canvas", "--jobs", "1"]
+    out = ["--output", str(tmp_path / "out"), "--roster", str(tmp_path / "roster.csv")]
+    assert main([str(tmp_path / "in"), *out, *options], grade=grade) == 0
+    table = rows((tmp_path / "out/canvas.csv").read_text("utf-8"))
+    assert [row[:5] for row in table[2:]] == [
+        ["Lee, Ana", "11", "u1", "alee", "A"],
+        ["Ray, Bo", "12", "u2", "bray", "A"],
+    ]
+
+
+@pytest.mark.parametrize("platform", platforms())
+def test_every_platform_says_all_that_is_needed(platform):
+    each = named(platform)
+    assert each.title
+    assert each.columns
+    assert each.imports.endswith(".")
+    assert set(each.columns.values()) & {"number", "login", "address"}
+
+
+# ---- another platform ----
+
+
+def test_a_platform_that_is_added_as_the_guide_shows_is_found_everywhere(
+    tmp_path, monkeypatch, capsys
+):
+    """The guide's class for ILIAS, whose folders ilExSubmission::getDirectoryNameFromUserData names."""
+    guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"```python\n(.*?class Ilias.*?)```", guide, re.DOTALL)
+    assert len(block.splitlines()) <= 25
+    (tmp_path / "more").mkdir()
+    (tmp_path / "more/ilias.py").write_text(block, encoding="utf-8")
+    monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path / "more")])
+    for cached in (platforms, _fields):
+        cached.cache_clear()
+    importlib.invalidate_caches()
+    try:
+        for name in ("Doe_Jane_jdoe_301", "Bo_Al_abo_302"):
+            hand_in(tmp_path / "in", f"{name}/01_rotations.ipynb", points=[2])
+        folders = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
+        assert main(folders, grade=grade) == 1
+        assert "as ILIAS exports them: add LMS=ilias" in capsys.readouterr().err
+        assert main([*folders, "--lms", "ilias"], grade=grade) == 0
+        table = rows((tmp_path / "out/ilias.csv").read_text("utf-8"))
+        assert [row[0] for row in table[1:]] == ["abo", "jdoe"]
+    finally:
+        monkeypatch.undo()
+        for cached in (platforms, _fields):
+            cached.cache_clear()
+
+
+def test_no_file_outside_the_folder_asks_for_a_platform_by_its_name():
+    names = "|".join(map(re.escape, platforms()))
+    for path in sorted((ROOT / "course_lib/pack").rglob("*.py")):
+        if path.parent.name != "platforms":
+            code = re.sub(r'""".*?"""', "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+            assert re.findall(rf"""["'](?:{names})["']""", code) == [], path
+
+
+def test_a_platform_of_own_names_reads_nothing():
+    assert Platform().read_name("doejane_1234_5678_x") is None
+    assert named("none").name == named("").name == ""
+
+
+def test_a_hostile_receipt_names_no_other_student(tmp_path):
+    """Mallory's receipt is replaced by a link or a text that claims another login."""
+    for login in ("mallory", "victim"):
+        hand_in(tmp_path, f"HW_{login}_attempt_2026-11-30-18-05-00_01_rotations.ipynb", points=[1])
+    receipt = tmp_path / "HW_mallory_attempt_2026-11-30-18-05-00.txt"
+    receipt.write_text(RECEIPT.format(name="V", login="victim"))
+    students = {each.student for each in find(tmp_path, NOTEBOOKS, "blackboard")}
+    assert students == {"mallory", "victim"}
+    receipt.unlink()
+    receipt.symlink_to("/etc/passwd")
+    students = {each.student for each in find(tmp_path, NOTEBOOKS, "blackboard")}
+    assert students == {"mallory", "victim"}
+
+
+def test_links_in_the_place_of_an_export_are_not_followed(tmp_path):
+    exported(tmp_path / "elsewhere", "github-classroom")
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in/hw-01-submissions").symlink_to(tmp_path / "elsewhere/hw-01-submissions")
+    (each,) = find(tmp_path / "in", NOTEBOOKS, "github-classroom")
+    assert "links are not followed" in each.refused
+    shutil.rmtree(tmp_path / "elsewhere")
+    assert Path(each.path).is_symlink()
+
+
+# ---- exports that are not alone, or not the one that was named ----
+
+
+def asked(folder, capsys, *options):
+    """Return what a run says that stops with a question."""
+    arguments = [str(folder / "in"), "--output", str(folder / "out"), "--jobs", "1", *options]
+    assert main(arguments, grade=grade) == 1
+    return capsys.readouterr().err
+
+
+def test_an_export_with_a_stray_folder_leads_to_a_question_too(tmp_path, capsys):
+    for number in (42, 43):
+        name = f"Al Bo {number}_{number}_assignsubmission_file_/01_rotations.ipynb"
+        hand_in(tmp_path / "in", name, points=[1])
+    hand_in(tmp_path / "in", "Cy/01_rotations.ipynb", points=[1])
+    said = asked(tmp_path, capsys)
+    assert "2 of 3 names look as Moodle exports them: add LMS=moodle" in said
+
+
+def test_an_export_of_another_platform_than_the_named_one_leads_to_a_question(tmp_path, capsys):
+    for number in (42, 43):
+        hand_in(tmp_path / "in", f"bo{number}_{number}_9{number}_01_rotations.ipynb", points=[1])
+    said = asked(tmp_path, capsys, "--lms", "moodle")
+    assert "as Canvas exports them: add LMS=canvas" in said
+    assert "GRADEBOOK=moodle still names where the points go." in said
+
+
+def test_own_names_go_into_the_gradebook_of_a_platform_without_a_question(tmp_path):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[1])
+    arguments = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
+    assert main([*arguments, "--lms", "canvas"], grade=grade) == 0
+    assert (tmp_path / "out/canvas.csv").is_file()
+
+
+def test_a_folder_that_cannot_be_read_stops_no_platform(tmp_path, monkeypatch):
+    hand_in(tmp_path, "ana/01_rotations.ipynb", points=[1])
+    hand_in(tmp_path, "locked/x/01_rotations.ipynb", points=[1])
+    listdir, scandir = os.listdir, os.scandir
+
+    def refuse(path, real):
+        if "locked" in str(path):
+            raise PermissionError(13, "Permission denied")
+        return real(path)
+
+    monkeypatch.setattr(os, "listdir", lambda path=".": refuse(path, listdir))
+    monkeypatch.setattr(os, "scandir", lambda path=".": refuse(path, scandir))
+    assert platform_of(tmp_path) == ""
+    found = {each.student: each.refused for each in find(tmp_path, NOTEBOOKS)}
+    assert found["ana"] == ""
+    assert "cannot be read: Permission denied" in found["locked"]
