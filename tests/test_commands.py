@@ -4,6 +4,7 @@ The guide for instructors runs make student, grade and html (test_guide_for_inst
 test_lab.py make lab.
 """
 
+import importlib
 import os
 import re
 import shutil
@@ -17,6 +18,7 @@ from site_notebooks import cell, output, write
 
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
+from course_lib.pack.grade import __main__ as grade_command
 
 
 @pytest.fixture(scope="module")
@@ -182,3 +184,59 @@ def test_make_clean_leaves_the_environment(course):
     assert not (course / "build").exists()
     assert not (course / "notebooks/__pycache__").exists()
     assert (course / ".venv/bin/python").is_file()
+
+
+# ---- what a command says about itself ----
+
+COMMANDS = (
+    "grade",
+    "release",
+    "release.exercises",
+    "site",
+    "notebooks",
+    "animations",
+    "bench",
+    "data",
+)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_explains_itself(command, capsys):
+    name = f"course_lib.pack.{command}"
+    has_main = (ROOT / "course_lib/pack" / command.replace(".", "/") / "__main__.py").is_file()
+    module = importlib.import_module(f"{name}.__main__" if has_main else name)
+    with pytest.raises(SystemExit) as ended:
+        module.main(["--help"])
+    assert ended.value.code == 0
+    text = capsys.readouterr().out
+    assert f"python -m {name}" in text
+    assert "example:" in text
+    lines = re.sub(r"\n {8,}", " ", text.partition("\n\n")[2])  # each option with its help on one
+    for line in re.findall(r"^  (?:-|[A-Z]).*$", lines, re.MULTILINE):
+        assert len(line.split()) > 4, f"{line} has no help"
+
+
+def test_grading_has_a_group_of_options_for_each_question():
+    parser = grade_command._parser()
+    groups = {group.title: group._group_actions for group in parser._action_groups}
+    for title in ("what to grade", "when it was due", "how to grade", "where the results go"):
+        assert groups[title], title
+    options = [action for actions in groups.values() for action in actions]
+    assert all(action.help for action in options)
+    assert all(action.metavar for action in options if action.dest != "help")
+
+
+def test_every_option_of_grading_is_a_setting_of_make():
+    recipe = (ROOT / "Makefile").read_text().partition("\ngrade:")[2].partition("\n\n")[0]
+    for action in grade_command._parser()._actions:
+        if action.option_strings and action.dest != "help":
+            assert f"--{action.dest} " in recipe
+            assert f"$({action.dest.upper()})" in recipe
+            assert f"{action.dest.upper()}=" in grade_command.SHORT
+
+
+def test_make_grade_alone_says_the_short_of_it(course):
+    done = run(course, "make", "grade")
+    assert done.returncode != 0
+    assert "make grade SUBMISSIONS=folder grades what students handed in" in done.stderr
+    assert "--help explains each" in done.stderr

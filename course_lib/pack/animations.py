@@ -3,9 +3,11 @@
 They are photographed in a headless browser, as the pages draw them.
 """
 
+import argparse
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import nbformat
@@ -21,8 +23,18 @@ FOLDER = Path("build/animations")
 RATE = 20  # pictures a second
 
 
-def main(notebooks):
-    """Write the animations of some notebooks, by their paths; return an exit code."""
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write the animations of some notebooks; return an exit code."""
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.animations",
+        description="Write the films that notebooks hold as GIF, and as MP4 if ffmpeg is installed, "
+        f"to {FOLDER}/. A browser photographs them: Chrome or Chromium.",
+        epilog="example: make animations NOTEBOOKS=notebooks/02_rigid_motion.ipynb",
+    )
+    parser.add_argument(
+        "notebooks", metavar="NOTEBOOK", nargs="*", help="a notebook with its outputs"
+    )
+    notebooks = parser.parse_args(arguments).notebooks
     try:
         movies = [
             movie
@@ -43,10 +55,10 @@ def main(notebooks):
         try:
             print(*write(movie, FOLDER / movie["movie"]), sep="\n")
         except TimeoutError as error:
-            print(f"A film needs a browser: {error}", file=sys.stderr)
+            print(f"The films were not written, because {error}.", file=sys.stderr)
             return 1
     if shutil.which("ffmpeg") is None:
-        print("No MP4: ffmpeg was not found.")
+        print("There is no MP4, because ffmpeg was not found: install it to have both.")
     return 0
 
 
@@ -86,4 +98,4 @@ def write(movie, path):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

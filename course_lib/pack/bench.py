@@ -1,12 +1,12 @@
 """Compare the library with others, and write README.md's table of speed: `python -m course_lib.pack.bench [NUMBER]`."""
 
+import argparse
 import contextlib
 import importlib
 import platform
 import re
-import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import metadata
@@ -30,6 +30,7 @@ AGREE = 1e-9
 REACHED = 1e-6  # metres and radians, by inverse kinematics
 LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
 ROUNDS = 40
+POSES = 10_000
 LOOP = "pinocchio in a loop"
 ARM = panda()
 
@@ -49,11 +50,25 @@ class Task:
     convert: dict = field(default_factory=dict)
 
 
-def main(arguments):
+def main(arguments: Sequence[str] | None = None) -> None:
     """Compare, print, and write the table if no library is missing; a number of items is for a trial, not written."""
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.bench",
+        description="Measure the library beside numpy, scipy, pinocchio and the Robotics Toolbox, "
+        f"and write the table of speed in {README}.",
+        epilog="example: make bench, which measures in an environment of its own",
+    )
+    parser.add_argument(
+        "poses",
+        metavar="POSES",
+        nargs="?",
+        type=_number,
+        help=f"how many poses to compute in a trial, whose table is printed only; {POSES} without it",
+    )
+    poses = parser.parse_args(arguments).poses
     peers, missing = installed()
     lines = ["| | time for one | beside | ratio |", "|---|---|---|---|"]
-    for task in tasks(peers, int(arguments[0]) if arguments else 10_000):
+    for task in tasks(peers, poses or POSES):
         print(task.title, "...", flush=True)
         seconds, found = shares(task)
         one = np.format_float_positional(1e6 * seconds, 2, fractional=False, trim="-")
@@ -65,16 +80,21 @@ def main(arguments):
     ]
     text = "\n".join([*lines, "", f"With {', '.join(versions)},\non {processor()}.", ""])
     print(text)
-    if missing or arguments:
-        print(
-            "README.md stays as it is.",
-            *(f"Missing: {name}, {why}." for name, why in missing.items()),
-            sep="\n",
-        )
+    if missing or poses:
+        print(f"{README} stays as it is.")
+        for name, why in missing.items():
+            print(f"{name} cannot be loaded: {why}.")
         return
     before, _, rest = README.read_text(encoding="utf-8").partition(BEGIN)
     write_atomically(README, f"{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}")
-    print("Written to README.md.")
+    print(f"The table is written to {README}.")
+
+
+def _number(typed: str) -> int:
+    """Return a number of poses."""
+    if not typed.isdecimal() or int(typed) < 10:
+        raise argparse.ArgumentTypeError(f"{typed} is not a whole number, 10 or more")
+    return int(typed)
 
 
 def installed():
@@ -218,4 +238,4 @@ def _pinocchio(pin):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

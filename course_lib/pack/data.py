@@ -5,6 +5,8 @@ freedom; the smallest joint velocity at every instant, q' = J^+ p', determines t
 differential equation for q, and its right side is the velocity that is stored with each sample.
 """
 
+import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -65,8 +67,13 @@ def iiwa_trajectory():
     return Trajectory(TIMES, *(np.round(values, 10) + 0.0 for values in (q, qd)))
 
 
-def main():
+def main(arguments: Sequence[str] | None = None) -> None:
     """Write the trajectory that notebook 4 uses."""
+    argparse.ArgumentParser(
+        prog="python -m course_lib.pack.data",
+        description=f"Compute the iiwa's joint trajectory and write {FILE}. It takes a few seconds.",
+        epilog="example: make data",
+    ).parse_args(arguments)
     save(FILE, iiwa_trajectory())
     print(
         f"{FILE}: {len(TIMES)} samples. If git shows a change, run: make notebooks, and then: make "

@@ -8,6 +8,7 @@ still picture is stored, for places that run no script (a repository's web view,
 
 from __future__ import annotations
 
+import argparse
 import base64
 import os
 import re
@@ -47,11 +48,21 @@ class NotebookFailed(Exception):
     """A file that is not a notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
 
 
-def main(arguments: Sequence[str]) -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Run the notebooks named on the command line; return an exit code."""
-    if not arguments:
-        print("No notebooks to run.")
-    for path in map(Path, arguments):
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.notebooks",
+        description="Run notebooks from top to bottom, each in a new kernel, and write their outputs "
+        "into them. A notebook in which a cell fails stays as it was.",
+        epilog="example: make notebooks NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb",
+    )
+    parser.add_argument(
+        "notebooks", metavar="NOTEBOOK", nargs="*", type=Path, help="a notebook to run"
+    )
+    notebooks = parser.parse_args(arguments).notebooks
+    if not notebooks:
+        print("No notebook was named, so none was run: make notebooks runs all of them.")
+    for path in notebooks:
         begin = time.monotonic()
         print(f"{path} ... ", end="", flush=True)
         try:
@@ -252,4 +263,4 @@ def keep(metadata: dict, keys: Sequence[str]) -> dict:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

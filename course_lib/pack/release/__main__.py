@@ -2,20 +2,41 @@
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """Write the students' zip; return an exit code, after a plain sentence if that fails."""
-    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.release", description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path("."), help="folder of the project")
-    parser.add_argument(
-        "--output", type=Path, default=Path("build/student.zip"), help="file to write"
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.release",
+        description="Write the zip that students get: the notebooks without solutions and outputs, "
+        "the package, the data and the locked environment.",
+        epilog="example: make student MORE=no",
     )
-    parser.add_argument("--more", default="yes", help="no: leave out the sections of More")
+    parser.add_argument(
+        "--root",
+        type=Path,
+        default=Path("."),
+        metavar="FOLDER",
+        help="the folder of the project; this one without it",
+    )
+    parser.add_argument(
+        "--output",
+        type=Path,
+        default=Path("build/student.zip"),
+        metavar="FILE",
+        help="the zip to write; build/student.zip without it",
+    )
+    parser.add_argument(
+        "--more",
+        default="yes",
+        metavar="yes|no",
+        help="no leaves out the folded sections called More; yes (the default) keeps them",
+    )
     chosen = parser.parse_args(arguments)
     try:
         if chosen.more not in ("yes", "no"):

@@ -7,6 +7,7 @@ interrupts that, the student's work is in ``exercises/`` or in a folder that the
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import hashlib
 import shutil
@@ -28,7 +29,19 @@ PENDING = "pending"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Make or update the folder; return an exit code: 1 if something could not be carried over."""
-    update = "--update" in (sys.argv[1:] if arguments is None else arguments)
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.release.exercises",
+        description=f"Make {FOLDER}/, the students' notebooks of this checkout for your own work. No "
+        "file that is there is changed.",
+        epilog="example: make update",
+    )
+    parser.add_argument(
+        "--update",
+        action="store_true",
+        help="make a new folder beside one of an earlier version, carry your answers over, and keep "
+        "the earlier one aside",
+    )
+    update = parser.parse_args(arguments).update
     root = Path.cwd()
     lines = []
     try:

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from course_lib.pack.site import SiteError
@@ -9,20 +10,37 @@ from course_lib.pack.site.build import build
 from course_lib.pack.site.pdf import check_browser, write_pdf
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Build the site; return an exit code, after a plain sentence if the build fails."""
-    parser = argparse.ArgumentParser(prog="python -m course_lib.pack.site", description=__doc__)
-    parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="folder to read")
+    parser = argparse.ArgumentParser(
+        prog="python -m course_lib.pack.site",
+        description="Write the notebooks as pages of a static site, which needs no network.",
+        epilog="example: make html SOLUTIONS=no",
+    )
+    parser.add_argument(
+        "--notebooks",
+        type=Path,
+        default=Path("notebooks"),
+        metavar="FOLDER",
+        help="the folder of the notebooks; notebooks without it",
+    )
     parser.add_argument(
         "--output",
         type=Path,
-        help="folder to write; build/html, or build/html-students without solutions",
+        metavar="FOLDER",
+        help="the folder to write; without it build/html, or build/html-students without solutions",
     )
     parser.add_argument(
-        "--solutions", default="yes", help="yes: fold them; no: leave them out; model: only text"
+        "--solutions",
+        default="yes",
+        metavar="yes|no|model",
+        help="yes (the default) folds the solutions, no leaves them out, model shows only the model "
+        "answers to the written questions",
     )
-    parser.add_argument("--pdf", type=Path, help="file to write, too: the pages as one PDF")
-    chosen = parser.parse_args()
+    parser.add_argument(
+        "--pdf", type=Path, metavar="FILE", help="also write the pages as one PDF, to this file"
+    )
+    chosen = parser.parse_args(arguments)
     try:
         if chosen.solutions not in ("yes", "no", "model"):
             raise SiteError(f"SOLUTIONS={chosen.solutions} is neither yes nor no nor model.")
