@@ -18,7 +18,7 @@ from site_notebooks import cell, output, write
 
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
-from course_lib.pack.grade import __main__ as grade_command
+from course_lib.pack.grade import options
 
 
 @pytest.fixture(scope="module")
@@ -217,22 +217,22 @@ def test_every_command_explains_itself(command, capsys):
 
 
 def test_grading_has_a_group_of_options_for_each_question():
-    parser = grade_command._parser()
+    parser = options.parser()
     groups = {group.title: group._group_actions for group in parser._action_groups}
     for title in ("what to grade", "when it was due", "how to grade", "where the results go"):
         assert groups[title], title
-    options = [action for actions in groups.values() for action in actions]
-    assert all(action.help for action in options)
-    assert all(action.metavar for action in options if action.dest != "help")
+    actions = [action for several in groups.values() for action in several]
+    assert all(action.help for action in actions)
+    assert all(action.metavar for action in actions if action.dest != "help")
 
 
 def test_every_option_of_grading_is_a_setting_of_make():
     recipe = (ROOT / "Makefile").read_text().partition("\ngrade:")[2].partition("\n\n")[0]
-    for action in grade_command._parser()._actions:
+    for action in options.parser()._actions:
         if action.option_strings and action.dest != "help":
             assert f"--{action.dest} " in recipe
             assert f"$({action.dest.upper()})" in recipe
-            assert f"{action.dest.upper()}=" in grade_command.SHORT
+            assert f"{action.dest.upper()}=" in options.SHORT
 
 
 def test_make_grade_alone_says_the_short_of_it(course):

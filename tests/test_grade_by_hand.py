@@ -8,9 +8,10 @@ from grade_stand_in import grade, hand_in
 from hostile.build import answers, book, cell
 
 from course_lib.pack.grade import notebook_file
-from course_lib.pack.grade.__main__ import _duration, main, settings
+from course_lib.pack.grade.__main__ import _duration, main
 from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, text
 from course_lib.pack.grade.class_page import class_page
+from course_lib.pack.grade.options import parser, settings
 
 
 def run(place, capsys, *options, **changed):
@@ -150,9 +151,7 @@ def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
 
 
 def test_settings_are_those_that_were_typed():
-    from course_lib.pack.grade.__main__ import _parser
-
-    chosen = _parser().parse_args(["in", "--late", "10%", "--seed", "0"])
+    chosen = parser().parse_args(["in", "--late", "10%", "--seed", "0"])
     assert settings(chosen) == {"SUBMISSIONS": "in", "LATE": "10%", "SEED": "0"}
 
 

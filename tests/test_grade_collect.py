@@ -19,16 +19,10 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import collect, zips
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import (
-    Refused,
-    Submission,
-    file_names,
-    find,
-    printable,
-    read,
-    split,
-)
+from course_lib.pack.grade.collect import Refused, Submission, find, read
+from course_lib.pack.grade.csv_text import printable
 from course_lib.pack.grade.gradebook import Roster
+from course_lib.pack.grade.names import file_names, split
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 

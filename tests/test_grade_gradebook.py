@@ -471,6 +471,13 @@ def test_login_and_address_come_after_the_number_and_before_the_name(roster):
         assert [row["First name"] for row in finder.find("Ana Lee", identity=identity)] == [name]
 
 
+def test_a_number_in_a_column_id_counts_where_no_other_column_has_numbers(roster):
+    (row,) = roster("Name,ID,Email\nAna Lee,00123,ana@x\n")
+    assert Roster([row]).find("Annie", identity={"number": "123"}) == [row]
+    canvas = roster(f'{STUDENTS}"Ray, Bo",123,u1,bray,A\n')
+    assert Roster(canvas).find("Annie", identity={"number": "123"}) == []
+
+
 def test_students_of_one_name_are_told_apart_by_the_number_behind_it(roster):
     rows = roster(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n"Lee, Ana",12,00124,alee2,A\n')
     assert [row["ID"] for row in Roster(rows).find("Ana Lee 00124")] == ["12"]

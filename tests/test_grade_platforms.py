@@ -335,6 +335,20 @@ def test_a_platform_that_is_added_as_the_guide_shows_is_found_everywhere(
             cached.cache_clear()
 
 
+def test_a_platform_that_cannot_be_loaded_is_named(tmp_path, monkeypatch, capsys):
+    (tmp_path / "more").mkdir()
+    (tmp_path / "more/broken.py").write_text("import no_such_module\n")
+    monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path / "more")])
+    platforms.cache_clear()
+    try:
+        assert main(["in"], grade=grade) == 1
+    finally:
+        monkeypatch.undo()
+        platforms.cache_clear()
+    said = capsys.readouterr().err
+    assert "The learning platform in broken.py cannot be loaded: ModuleNotFoundError" in said
+
+
 def test_no_file_outside_the_folder_asks_for_a_platform_by_its_name():
     names = "|".join(map(re.escape, platforms()))
     for path in sorted((ROOT / "course_lib/pack").rglob("*.py")):

@@ -20,9 +20,10 @@ from pygments.token import Comment, Name, String
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.collect import EACH_ENTRY, find, read
+from course_lib.pack.grade.collect import find, read
 from course_lib.pack.grade.csv_text import words
 from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.holders import EACH_ENTRY
 from course_lib.pack.grade.jobs import course_hash
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, Unreadable, code, course_of
 from course_lib.pack.grade.student_view import PACKAGE

@@ -6,24 +6,20 @@ is refused with a question, which the instructor answers before anything is grad
 """
 
 import collections
-import fnmatch
-import hashlib
 import os
-import re
 import stat
-import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from course_lib.pack.grade import GradingStopped, zips
+from course_lib.pack.grade import zips
 from course_lib.pack.grade.csv_text import listing, printable
+from course_lib.pack.grade.holders import EACH_ENTRY, Holder, holders_in
+from course_lib.pack.grade.names import split, unknown_ending
 from course_lib.pack.grade.owners import owners
 from course_lib.pack.grade.platforms import HandIn, Platform, fitting, named, platforms
 from course_lib.pack.grade.platforms.base import (
     READ,
-    entries,
-    entries_inside,
     is_clutter,
     is_folder,
     plain_name,
@@ -36,16 +32,6 @@ MAX_ENTRIES = 20_000  # files and folders of one student that are looked at
 MAX_GRADED = 60  # notebooks of one student that are graded; there are six
 MAX_UNASKED = 20  # notebooks and links of one student that are taken for one student's
 MAX_LISTED = 200  # notebooks and links of one student that get a line of their own
-EACH_ENTRY = "*"  # STUDENTS=*: each file and folder directly in the folder is one student's
-# What programs and people write behind the name of a notebook that they save again. The possessive
-# ++ keep a name that was made to slow down the search from doing so.
-AGAIN = (
-    r"copy ?\(?\d*+\)?|\d++|v ?\d++(?:\.\d++)*|version ?\d*+|final(?:ly)?|fixed|new|old|draft|done"
-    r"|checkpoint|nbconvert|backup|updated?|corrected|edited|latest|finished|completed?|revised"
-    r"|resubmi(?:t|tted|ssion)|submi(?:t|tted|ssion)|late|solutions?|answers?"
-)
-COPY = rf"(?:(?:[\s_-]*+\(\d++\)|[\s_.-]++(?:{AGAIN}))(?![^\W_])){{0,4}}"
-COPY_OF = re.compile(r"(?:copy of\s+)+|(?:[\s_-]*\bcopy of)+\s*$", re.IGNORECASE)
 LINK = "It is a link to another file, and links are not followed."
 CLASS = (
     "It looks like a learning platform's export of a class: put its files directly into the folder "
@@ -113,7 +99,7 @@ def find(
     """
     exporter = named(platform)
     found = []
-    for holder in _holders(folder, exporter, students):
+    for holder in holders_in(folder, exporter, students):
         try:
             found += _of_holder(holder, folder, notebooks, exporter, students)
         except Exception as problem:  # any problem of one file must not affect the others
@@ -149,95 +135,6 @@ def platform_of(folder: Path) -> str:
     Several names are separated by commas.
     """
     return ", ".join(platform.name for platform in fitting(folder))
-
-
-@dataclass(frozen=True)
-class Holder:
-    """A file or folder that is one student's, or one group's.
-
-    hand_ins: what a platform says of it, one for each student; empty if the name is the student's
-    own. outside: why it holds nobody's work. parent: the folders between the folder of submissions
-    and this, by which two students of the same name are told apart.
-    """
-
-    path: Path
-    hand_ins: tuple[HandIn, ...] = ()
-    outside: str = ""
-    parent: str = ""
-
-
-def _holders(folder: Path, exporter: Platform, students: str) -> list[Holder]:
-    """Return what holds the students' work in a folder."""
-    if students not in ("", EACH_ENTRY):
-        return _by_pattern(folder, students, exporter)
-    always = [each for each in platforms().values() if not each.asks]
-    holders = {}
-    for platform in [*always, exporter]:
-        for path, hand_ins in platform.hand_ins(folder).items():
-            holders[path] = Holder(path, tuple(hand_ins))
-    inside = {folder / path.relative_to(folder).parts[0] for path in holders if path != folder}
-    for path in entries(folder):
-        own_files = any(platform.ignores(path) for platform in [*always, exporter])
-        if path not in inside and not own_files:
-            holders[path] = Holder(path)
-    for top in sorted(inside - holders.keys()):
-        for path in _beside(top, holders.keys()):
-            if not exporter.ignores(path):
-                reason = "It lies beside what the learning platform exports."
-                holders[path] = Holder(path, outside=reason)
-    return [holders[path] for path in sorted(holders)]
-
-
-def _beside(top: Path, holders: Iterable[Path]) -> list[Path]:
-    """Return the notebooks, zips and folders below a folder that are outside of all holders."""
-    holders = set(holders)
-    above = {parent for path in holders for parent in path.parents}
-    found = []
-    for path in entries_inside(top):
-        if path in holders:
-            continue
-        if path in above:
-            found += _beside(path, holders)
-        elif is_folder(path) or path.suffix.lower() in READ:
-            found.append(path)
-    return found
-
-
-def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:
-    """Return what holds the students' work by a pattern such as */*; other files are outside."""
-    *above, last = pattern.strip("/").split("/")
-    holders = []
-    places = [folder]
-    for level in above:
-        inner = []
-        for path in (path for place in places for path in entries_inside(place)):
-            if is_folder(path) and fnmatch.fnmatchcase(path.name, level):
-                inner.append(path)
-            elif not exporter.ignores(path):
-                holders.append(Holder(path, outside=f"It is not what STUDENTS={pattern} names."))
-        places = inner
-    for place in places:
-        for path in entries_inside(place):
-            if exporter.ignores(path):
-                continue
-            if not fnmatch.fnmatchcase(path.name, last):
-                holders.append(Holder(path, outside=f"It is not what STUDENTS={pattern} names."))
-                continue
-            hand_in = exporter.read_name(plain_name(path))
-            parent = "" if place == folder else printable(place.relative_to(folder))
-            holders.append(Holder(path, (hand_in,) if hand_in else (), parent=parent))
-    return sorted(holders, key=lambda holder: holder.path)
-
-
-def read_pattern(typed: str) -> str:
-    """Return the pattern that was typed for STUDENTS=; raises GradingStopped if it is none."""
-    parts = typed.split("/")
-    if typed and (len(parts) > MAX_DEPTH or "" in parts or {".", "..", "**"} & {*parts}):
-        raise GradingStopped(
-            f"STUDENTS={typed} is not a pattern: write * if each file and folder directly in the "
-            "folder of submissions is one student's, */* if each in one of its folders is."
-        )
-    return typed
 
 
 def _submission(hand_in: HandIn, path: Path, folder: Path) -> Submission:
@@ -307,7 +204,7 @@ def _flat(
         notebook = split(hand_in.rest, notebooks)[1] or hand_in.rest
         whole = replace(_of_student(whole, hand_in), in_folder=False)
     elif not notebook:
-        remark = _unknown_ending(stem, notebooks)
+        remark = unknown_ending(stem, notebooks)
     refused = ""
     if path.is_symlink():
         refused = LINK
@@ -326,26 +223,6 @@ def _flat(
     if ending == ".zip" and not refused:
         return _in_zip(whole, notebooks, students)
     return [replace(whole, refused=refused)]
-
-
-def _unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
-    """Return a remark on a name that has a notebook's inside, and behind it what we do not know; or ""."""
-    for name in notebooks:
-        for title in (name, name.partition("_")[2]):
-            found = re.fullmatch(
-                rf"(?:(.*?)[_\s-]+)?{re.escape(title)}[_\s.-]+(.+)", stem, re.IGNORECASE | re.DOTALL
-            )
-            if found and found[1]:
-                return (
-                    f"{stem} is taken for the student's name. If the file is {found[1]}'s, call it "
-                    f"{found[1]}_{name}.ipynb."
-                )
-            if found:
-                return (
-                    f"{stem} is taken for the student's name. If the file is {found[2]}'s, call it "
-                    f"{found[2]}_{name}.ipynb."
-                )
-    return ""
 
 
 def _in_folder(
@@ -539,27 +416,6 @@ def _apart(found: list[Submission]) -> list[Submission]:
     return separated
 
 
-def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
-    """Return the student and the notebook that a file's name without its ending contains; both "" if none.
-
-    The notebook's name comes last, with or without its number; what programs and people write
-    behind it for another copy, such as " (1)" or "_final", may follow, and "Copy of" may precede.
-    """
-    for name in sorted(notebooks, key=lambda name: (-len(name), name)):
-        for title in name, name.partition("_")[2]:
-            found = re.fullmatch(
-                rf"(?:(.*)[_\s-])?{re.escape(title)}{COPY}", stem, re.IGNORECASE | re.DOTALL
-            )
-            if found:
-                return _without_copy_of(found[1] or ""), name
-    return "", ""
-
-
-def _without_copy_of(student: str) -> str:
-    """Return the part of a name that is before a notebook's, without "Copy of" and separators."""
-    return COPY_OF.sub("", student).strip().rstrip("-_ ")
-
-
 # ---- reading ----
 
 
@@ -586,29 +442,3 @@ def read(submission: Submission) -> bytes:
             f"again."
         )
     return content
-
-
-# ---- names of files ----
-
-
-def file_names(names: Iterable[str]) -> dict[str, str]:
-    """Return {name: file name}, all different, also on file systems that ignore case."""
-    plain = {name: _plain(name) for name in names}
-    taken = collections.Counter(text.casefold() for text in plain.values())
-    unique = {}
-    for name, text in plain.items():
-        if text == name and taken[text.casefold()] == 1:
-            unique[name] = text
-        else:
-            digest = hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()
-            unique[name] = f"{text}-{digest[:8]}"
-    return unique
-
-
-def _plain(name: str) -> str:
-    """Return the name without characters that have a meaning in paths, cut to a moderate length."""
-    allowed = " _-.@+,()'"
-    text = "".join(
-        c if c.isalnum() or unicodedata.combining(c) or c in allowed else "_" for c in name[:60]
-    )
-    return text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"

@@ -14,9 +14,9 @@ from markupsafe import Markup
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
-from course_lib.pack.grade.collect import file_names
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.marks import MarkedAnswer
+from course_lib.pack.grade.names import file_names
 from course_lib.pack.grade.platforms import Platform, platforms
 from course_lib.pack.grade.tables import GradedFile, final_message, final_state, lateness
 

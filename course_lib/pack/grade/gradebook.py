@@ -68,7 +68,7 @@ def read_roster(path: Path) -> list[Row]:
     Each row has its own headings and, for what they hold, those of every platform. Raises
     GradingStopped if the file is no roster.
     """
-    known = {ALIAS, "LastName", "FirstName", *COMMON}
+    known = {ALIAS, *COMMON}
     for platform in platforms().values():
         known |= platform.columns.keys() | platform.headings.keys()
     table = read_table(path, known)
@@ -178,7 +178,9 @@ class Roster:
             yield self._rows["id"].get(_key(user_id), [])
         for field in KEYS[1:]:
             if identity.get(field):
-                yield self._rows[field].get(_key(identity[field]), [])
+                # A roster of no platform may call the number ID, which is Canvas's own in its.
+                there = self._rows[field] or (self._rows["id"] if field == "number" else {})
+                yield there.get(_key(identity[field]), [])
         for field in (ALIAS, *KEYS):
             yield self._rows[field].get(_key(student), [])
         yield self._rows["name"].get(words(student), [])

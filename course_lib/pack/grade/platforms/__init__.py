@@ -18,11 +18,20 @@ OWN_NAMES = "none"  # LMS=none: the names of files and folders are the students'
 
 @functools.cache
 def platforms() -> dict[str, Platform]:
-    """Return {name: platform} of all learning platforms, sorted by name."""
+    """Return {name: platform} of all learning platforms, sorted by name.
+
+    Raises GradingStopped if a file of the folder cannot be loaded.
+    """
     found = {}
     for module in pkgutil.iter_modules(__path__):
-        content = vars(importlib.import_module(f"{__name__}.{module.name}"))
-        for value in content.values():
+        try:
+            loaded = importlib.import_module(f"{__name__}.{module.name}")
+        except Exception as error:  # of a file that an instructor has added
+            raise GradingStopped(
+                f"The learning platform in {module.name}.py cannot be loaded: "
+                f"{type(error).__name__}: {error}."
+            ) from error
+        for value in vars(loaded).values():
             if isinstance(value, type) and issubclass(value, Platform) and value.name:
                 found[value.name] = value()
     return dict(sorted(found.items()))

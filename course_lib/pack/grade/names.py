@@ -1,0 +1,81 @@
+"""Names of files: which student and notebook a handed-in file's name says, and names of files that we write."""
+
+import collections
+import hashlib
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+
+# What programs and people write behind the name of a notebook that they save again. The possessive
+# ++ keep a name that was made to slow down the search from doing so.
+AGAIN = (
+    r"copy ?\(?\d*+\)?|\d++|v ?\d++(?:\.\d++)*|version ?\d*+|final(?:ly)?|fixed|new|old|draft|done"
+    r"|checkpoint|nbconvert|backup|updated?|corrected|edited|latest|finished|completed?|revised"
+    r"|resubmi(?:t|tted|ssion)|submi(?:t|tted|ssion)|late|solutions?|answers?"
+)
+COPY = rf"(?:(?:[\s_-]*+\(\d++\)|[\s_.-]++(?:{AGAIN}))(?![^\W_])){{0,4}}"
+COPY_OF = re.compile(r"(?:copy of\s+)+|(?:[\s_-]*\bcopy of)+\s*$", re.IGNORECASE)
+
+
+def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
+    """Return the student and the notebook that a file's name without its ending contains; both "" if none.
+
+    The notebook's name comes last, with or without its number; what programs and people write
+    behind it for another copy, such as " (1)" or "_final", may follow, and "Copy of" may precede.
+    """
+    for name in sorted(notebooks, key=lambda name: (-len(name), name)):
+        for title in name, name.partition("_")[2]:
+            found = re.fullmatch(
+                rf"(?:(.*)[_\s-])?{re.escape(title)}{COPY}", stem, re.IGNORECASE | re.DOTALL
+            )
+            if found:
+                return _without_copy_of(found[1] or ""), name
+    return "", ""
+
+
+def _without_copy_of(student: str) -> str:
+    """Return the part of a name that is before a notebook's, without "Copy of" and separators."""
+    return COPY_OF.sub("", student).strip().rstrip("-_ ")
+
+
+def unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
+    """Return a remark on a name that has a notebook's inside, and behind it what we do not know; or ""."""
+    for name in notebooks:
+        for title in (name, name.partition("_")[2]):
+            found = re.fullmatch(
+                rf"(?:(.*?)[_\s-]+)?{re.escape(title)}[_\s.-]+(.+)", stem, re.IGNORECASE | re.DOTALL
+            )
+            if found and found[1]:
+                return (
+                    f"{stem} is taken for the student's name. If the file is {found[1]}'s, call it "
+                    f"{found[1]}_{name}.ipynb."
+                )
+            if found:
+                return (
+                    f"{stem} is taken for the student's name. If the file is {found[2]}'s, call it "
+                    f"{found[2]}_{name}.ipynb."
+                )
+    return ""
+
+
+def file_names(names: Iterable[str]) -> dict[str, str]:
+    """Return {name: file name}, all different, also on file systems that ignore case."""
+    plain = {name: _plain(name) for name in names}
+    taken = collections.Counter(text.casefold() for text in plain.values())
+    unique = {}
+    for name, text in plain.items():
+        if text == name and taken[text.casefold()] == 1:
+            unique[name] = text
+        else:
+            digest = hashlib.sha256(name.encode("utf-8", "backslashreplace")).hexdigest()
+            unique[name] = f"{text}-{digest[:8]}"
+    return unique
+
+
+def _plain(name: str) -> str:
+    """Return the name without characters that have a meaning in paths, cut to a moderate length."""
+    allowed = " _-.@+,()'"
+    text = "".join(
+        c if c.isalnum() or unicodedata.combining(c) or c in allowed else "_" for c in name[:60]
+    )
+    return text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"
