@@ -98,7 +98,15 @@ def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys
     said, page = run(tmp_path, capsys, "--lms", "moodle")
     both(said, page, "In Moodle, choose Grades, Import, CSV file")
     both(said, page, "feedback/moodle as feedback files")
-    assert re.search(r"Import \S*out/moodle.csv into a copy of the course first", said)
+    assert re.search(r"The points are in \S*out/moodle.csv\. In Moodle", said)
+    both(said, page, "Try it in a copy of the course first.")
+
+
+def test_points_that_no_platform_imports_are_to_be_typed_in(tmp_path, capsys):
+    hand_in(tmp_path / "in", "Homework 1/Ana Lee - 01_rotations.ipynb", points=[2])
+    said, page = run(tmp_path, capsys, "--lms", "google-classroom")
+    both(said, page, "Google Classroom imports no points from a table: type them in.")
+    assert "copy of the course" not in said
 
 
 # ---- the commands ----

@@ -253,7 +253,8 @@ def _gradebook(outcome: Outcome) -> Iterable[Entry]:
             (),
             outcome.command(),
         )
-    yield Entry(f"Import {path} into a copy of the course first. {outcome.gradebook.imports}")
+    first = " Try it in a copy of the course first." if outcome.gradebook.takes_tables else ""
+    yield Entry(f"The points are in {path}. {outcome.gradebook.imports}{first}")
     if (outcome.output / "feedback" / name).is_dir():
         zips = outcome.shown / "feedback" / name
         yield Entry(f"Upload the zips in {zips} as feedback files, one for each notebook.")

@@ -53,18 +53,39 @@ class HandIn:
 class Platform:
     """A learning platform. This class is one that exports nothing: all names are the students' own.
 
-    name: what LMS= takes, and the name of the gradebook's file. title: its name in sentences.
-    columns: {heading: one of FIELDS} of the gradebook, in the order in which it wants them.
-    headings: {heading: one of FIELDS} of its other tables, such as rosters. imports: how the
-    gradebook takes the file. files, folders: whether hand-ins are files or folders of the export.
-    asks: whether only the instructor can say that the files are its; False if a list of its own
-    does. vague: whether its names are like any others. export_folder: what the folder of an export
-    is called, if that is certain.
-    carries_times: whether its names or lists have the time of each hand-in. marks_late: whether
-    its names mark what is late. time_columns: the headings of the student and of the time in a
-    table of times that it exports. formulas: whether the gradebook's file may hold cells that a
-    spreadsheet takes for formulas. mark: whether that file, which is UTF-8, begins with the mark
-    by which Excel knows that.
+    Attributes
+    ----------
+    name : str
+        What LMS= takes, and the name of the gradebook's file.
+    title : str
+        Its name in sentences.
+    columns : dict
+        {heading: one of FIELDS} of the gradebook, in the order in which it wants them.
+    headings : dict
+        {heading: one of FIELDS} of its other tables, such as rosters.
+    imports : str
+        How the gradebook takes the file, as a sentence for the instructor.
+    takes_tables : bool
+        Whether it takes a file at all, or points are typed in.
+    files, folders : bool
+        Whether hand-ins are files or folders of the export.
+    asks : bool
+        Whether only the instructor can say that the files are its; False if a list of its own does.
+    vague : bool
+        Whether its names are like any others, so that only whole folders of them say something.
+    export_folder : re.Pattern or None
+        What the folder of an export is called, if that is certain.
+    carries_times : bool
+        Whether its names or lists have the time of each hand-in.
+    marks_late : bool
+        Whether its names mark what is late.
+    time_columns : tuple
+        The headings of the student and of the time in a table of times that it exports.
+    formulas : bool
+        Whether the gradebook's file may hold cells that a spreadsheet takes for formulas.
+    mark : bool
+        Whether that file, which is UTF-8, begins with the mark by which Excel knows that.
+
     """
 
     name = ""
@@ -72,6 +93,7 @@ class Platform:
     columns: dict[str, str] = {}
     headings: dict[str, str] = {}
     imports = ""
+    takes_tables = True
     files = True
     folders = True
     asks = True

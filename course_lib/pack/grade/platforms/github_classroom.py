@@ -35,6 +35,7 @@ class GitHubClassroom(Platform):
     }
     headings = {"roster_identifier": "number"}
     imports = "GitHub Classroom imports no points: name your gradebook by GRADEBOOK= instead."
+    takes_tables = False
     files = False
     time_columns = ("github_username", "submission_timestamp")
 

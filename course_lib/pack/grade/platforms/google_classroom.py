@@ -25,6 +25,7 @@ class GoogleClassroom(Platform):
     title = "Google Classroom"
     columns = {"Last Name": "last", "First Name": "first", "Email Address": "address"}
     imports = "Google Classroom imports no points from a table: type them in."
+    takes_tables = False
     folders = False
     vague = True
 

@@ -40,6 +40,7 @@ class Gradescope(Platform):
     imports = (
         "Gradescope imports no points of others: copy them, or use the gradebook of your course."
     )
+    takes_tables = False
     asks = False
     export_folder = EXPORT
     carries_times = True

@@ -29,6 +29,7 @@ class Teams(Platform):
     title = "Microsoft Teams"
     columns = {"First Name": "first", "Last Name": "last", "Email Address": "address"}
     imports = "Teams imports no points from a table: type them in."
+    takes_tables = False
     files = False
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
