@@ -339,7 +339,7 @@ def test_a_text_of_the_student_s_carries_no_case_into_the_feedback(few, way):
     )
     own_text = row["message"].partition("\nFor M = ")[0].replace(source, "")
     assert not re.search(r"\d\.\d{4}", own_text), row["message"]
-    assert "secret".encode().hex() not in own_text, row["message"]
+    assert b"secret".hex() not in own_text, row["message"]
 
 
 def test_another_file_gets_other_cases_with_the_same_seed():
@@ -407,8 +407,9 @@ def test_a_module_of_the_student_s_own_is_named_in_the_message_and_to_the_instru
     assert any("my_rotations" in problem for problem in result["problems"]), result["problems"]
 
 
-FORMER = "import numpy as np\nfrom course_lib import rigid, rotations\nfrom course_lib.checks import rotations as check"
-PRESENT = "import numpy as np\nfrom course_lib import rigid, rotations\nfrom course_lib.lessons.rotations import check, figures"
+MATHEMATICS = "import numpy as np\nfrom course_lib import rigid, rotations\n"
+FORMER = MATHEMATICS + "from course_lib.checks import rotations as check"
+PRESENT = MATHEMATICS + "from course_lib.lessons.rotations import check, figures"
 
 
 @pytest.mark.parametrize("imports", [FORMER, PRESENT], ids=["former", "present"])
