@@ -55,17 +55,18 @@ def panda_toy(q):
         "Denavit-Hartenberg table one by one; another swings the elbow while the flange keeps its "
         "pose."
     )
-    names = [f"{{{i}}}" for i in range(1, 8)] + ["flange"]
+    names = [f"{{{i}}}" for i in range(1, 8)] + ["{f}"]
     caption = (
         "The flange can stay where it is while the elbow swings: seven joints, and six numbers for "
         "a pose."
     )
     model = arm_view(panda(), q, "The Franka Panda and its joints")
     more = {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
+    more["frameNames"] = ["0", "f"]
     return Toy("arm", model | more, alt, caption=caption)
 
 
-def jog(arm, fk=None, *, q, base=None):
+def jog(arm, fk=None, *, q, base=None, names=None):
     """Return a toy: an arm with a slider for each joint, moved by your own forward kinematics in a live notebook.
 
     Where ``fk`` and the library differ, both arms are drawn, the library's pale, so that a mistake
@@ -83,6 +84,9 @@ def jog(arm, fk=None, *, q, base=None):
         Joint angles at the start, in radians.
     base : array_like, shape (4, 4), optional
         Pose of the arm's base in the frame in which ``fk(q)`` answers; the identity if None.
+    names : (str, str), optional
+        Names of the base frame and of the end-effector's frame, as the text around the figure has
+        them; "s" and "b" if None.
     """
     if fk is not None and not callable(fk):
         raise ValueError(f"fk must be a function of joint angles; it is {fk!r:.60}")
@@ -92,6 +96,8 @@ def jog(arm, fk=None, *, q, base=None):
     base = np.eye(4) if base is None else real_array(base, "base", (4, 4))
     if not is_se(base):
         raise ValueError("base must be a pose (rigid.nearest_se gives one near it)")
+    if names is not None and not _are_two_names(names):
+        raise ValueError(f"names must be two names, of base and end-effector; it is {names!r:.60}")
     alt = (
         f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw "
         f"axes as dashed lines."
@@ -101,7 +107,15 @@ def jog(arm, fk=None, *, q, base=None):
     )
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
     caption = "Which of the dashed axes move with a joint, and which stay?"
-    return Toy("arm", model | {"parts": ["axes"]}, alt, answer, caption)
+    more = {"parts": ["axes"]}
+    if names is not None:
+        more["frameNames"] = list(names)
+    return Toy("arm", model | more, alt, answer, caption)
+
+
+def _are_two_names(names):
+    is_pair = isinstance(names, list | tuple) and len(names) == 2
+    return is_pair and all(isinstance(name, str) and name.strip() for name in names)
 
 
 def build_up_toy(arm, *, q):

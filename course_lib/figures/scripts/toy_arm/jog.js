@@ -18,6 +18,7 @@
   function build(card, meta, kernel) {
     const { arm, limits, names, size } = meta;
     const n = arm.screws.length;
+    const frameNames = meta.frameNames ?? ["s", "b"]; // of the base and of the end-effector
     const view = card.armSpace(-1.25);
     const has = (part) => meta.parts.includes(part);
     const state = card.state({
@@ -173,7 +174,10 @@
     }
     function drawFrame(frame, k) {
       view.frame(frame, 0.075 * size, { thick: 0.005 * size });
-      view.text(M.add(M.positionOf(frame), [0, 0, 0.045 * size]), names[k]);
+      // Frames that share an origin have different z axes. The label stands behind the origin,
+      // since the next frame may stand before it; nothing stands before the end-effector.
+      const along = k < n ? -0.05 * size : 0.1 * size;
+      view.text(M.move(frame, [0, 0, along]), names[k]);
     }
 
     return () => {
@@ -196,7 +200,7 @@
       view.arm(now.shownBodies, { opacity, shadow: true, ...grips });
       if (now.differs) view.arm(now.bodies, { opacity: 0.45, colour: COLOURS.pale });
       view.frame(M.eye(4), 0.12 * size, { thick: 0.004 * size });
-      view.text([0, 0, -0.04 * size], "s");
+      view.text([0, 0, -0.04 * size], frameNames[0]);
       drawEndFrames(now);
       axes.forEach(drawAxis);
       drawEllipsoids(now);
@@ -209,7 +213,8 @@
     // ---- words ----
 
     function linesOf({ shownEnd, J }) {
-      const lines = [["<span>T<sub>sb</sub> =</span>", P.matrix(shownEnd)]];
+      const pose = `<span>T<sub>${P.escape(frameNames.join(""))}</sub> =</span>`;
+      const lines = [[pose, P.matrix(shownEnd)]];
       if (has("ellipsoids")) {
         const translational = P.list(M.singularValues(J.slice(3)), 3);
         const least = P.number(M.singularValues(J)[5], 4);
