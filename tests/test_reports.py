@@ -8,7 +8,7 @@ import nbformat
 import numpy as np
 import pytest
 
-from course_lib import arms
+from course_lib import arms, rigid, rotations
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 PAGE = (NOTEBOOKS / "reports.md").read_text(encoding="utf-8")
@@ -91,3 +91,28 @@ def test_the_two_bases_of_the_public_cases_follow_from_the_data():
         ).reshape(-1, 6)
         found = np.linalg.lstsq(A, (target - next_start[:, :3, 3]).ravel())[0]
         np.testing.assert_allclose(found, [*base, 0, 0, -0.037], atol=1.5e-3)
+
+
+def test_published_poses_and_jacobians_follow_from_a_product_of_exponentials_and_finite_differences():
+    """A second way, without DH parameters and cross products: screws from the arm, columns from differences."""
+    table = np.genfromtxt(
+        NOTEBOOKS / "data/panda_fk_cases.csv", delimiter=",", skip_header=1, usecols=range(1, 57)
+    )
+    q, published = table[:, :7], table[:, 14:].reshape(-1, 6, 7)
+    to_e = rigid.transform(rotations.rot_z(-np.pi / 4), [0, 0, -0.037])
+
+    def end(angles):
+        T = panda.home[-1] @ to_e
+        for screw, angle in zip(panda.screw_axes[::-1], angles.T[::-1], strict=True):
+            T = rigid.exp_se3(angle[:, None] * screw) @ T
+        return T
+
+    panda, h = arms.panda(), 1e-6
+    T = end(q)
+    np.testing.assert_allclose(T[:, :3, 3] + [-0.2, 0.13, 0.6], table[:, 7:10], atol=1.5e-3)
+    for i, step in enumerate(h * np.eye(7)):
+        change = (end(q + step) - end(q - step)) / (2 * h)
+        spin = change[:, :3, :3] @ T[:, :3, :3].mT
+        omega = np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], -1)
+        column = np.concatenate([change[:, :3, 3], omega], -1)
+        np.testing.assert_allclose(column, published[:, :, i], atol=2e-5)
