@@ -8,6 +8,7 @@ from course_lib import rotations
 from course_lib.arms import planar_arm
 from course_lib.figures.style import BLUE
 from course_lib.lessons.decomposition_ik import figures as nb6
+from course_lib.lessons.panda_dh_ik import figures as nb5
 from course_lib.lessons.poe_kuka_iiwa import figures as nb4
 from course_lib.lessons.rigid_motion import figures as nb2
 from course_lib.lessons.subproblems_damped_ik import figures as nb3
@@ -78,6 +79,36 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
     for line, points in zip(ax.lines, expected, strict=False):
         assert_allclose(np.transpose(line.get_data()), points, atol=1e-9)
         assert ((low <= points) & (points <= high)).all() or name == "gains"
+
+
+# A start at full speed: its acceleration is far above the bound, and no curve may be cut.
+GAP = np.array([0.2, -0.01, 0.1])
+MOTION = nb5.motion(np.arange(3), {"mug": GAP}, np.arange(3), [1.5, 1.5, 0], [19.3, 3e-13, 19.3])
+
+
+def test_a_motion_is_drawn_without_a_cut_and_without_rounding_errors():
+    expected = [100 * GAP, [1.5, 1.5, 0], [19.3, 0, 19.3]]
+    for panel, heights in enumerate(expected):
+        (curve,) = curves_of_chart(MOTION.fig, panel)
+        assert_allclose(curve, np.stack([np.arange(3), heights], -1), atol=1e-12)
+
+
+def test_panels_of_a_motion_have_one_time_axis():
+    assert len({x_axis for x_axis, _ in MOTION.fig.layout.meta["panels"]}) == 1
+
+
+def test_lengths_of_errors_that_rounding_decides_are_drawn_alike():
+    fig = nb5.descents({"one": np.array([1, 3e-16]), "other": np.array([1, 7e-15])}).fig
+    one, other = curves_of_chart(fig, 0)
+    assert_allclose(one, other)
+    assert_allclose(one[:, 1], [1, 1e-8])
+
+
+def test_each_target_is_counted_in_the_bar_of_its_iterations():
+    fig = nb5.iterations({"one": np.array([0, 3, 4, 7, 8, 99])}, 8).fig
+    (bars,) = fig.data
+    words = [row[0] for row in bars.customdata]
+    assert dict(zip(words, bars.y, strict=True)) == {"0 to 3": 2, "4 to 7": 2, "8 or more": 2}
 
 
 XY = np.array([[1.0, 1.0], [0.0, 1.0], [2.0, 0.0]])

@@ -39,8 +39,8 @@ PREDICTIONS = (
             ),
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
             "c": (
-                "Yes: all beyond this sign is rotated by 180 degrees about a horizontal line, so "
-                "above becomes below."
+                "Yes: the arm beyond joint 1 is rotated by 180 degrees about a horizontal line through "
+                "the shoulder. A flange that should be 47 cm above the shoulder is 47 cm below it."
             ),
         },
     ),

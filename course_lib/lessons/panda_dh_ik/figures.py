@@ -8,8 +8,9 @@ import numpy as np
 
 from course_lib import rigid
 from course_lib.arms import panda
+from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns, lines
+from course_lib.figures.plots import in_columns
 from course_lib.figures.solids import (
     Model,
     Part,
@@ -20,205 +21,248 @@ from course_lib.figures.solids import (
     shell,
     shells,
 )
-from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Z_BLUE
+from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREEN, Z_BLUE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.figures.toys.film import beside, film, still
 from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
+# Errors below it are drawn at it: their digits are rounding errors, which differ between machines.
+SMALLEST_ERROR = 1e-8
+# Shares of a bound below it are drawn as 0, for the same reason.
+SMALLEST_SHARE = 1e-6
+
 
 def through_the_table(q):
-    """Return the Panda on its table at joint angles q, shape (7,), with its flange below the top."""
+    """Return the Panda on its table, with its flange below the top.
+
+    Parameters
+    ----------
+    q : array_like, shape (7,)
+        Joint angles, in radians.
+
+    Returns
+    -------
+    Picture
+    """
     height = panda().fk(q)[2, 3]
     return _panda(
         q,
         scene.triad(7, panda().home[-1], 0.1),
-        f"The Panda on its table. Its flange is {-100 * height:.0f} cm below the table's top.",
-        "The arm bends down beside its base, through the table.",
+        f"The Panda on a worktop. Its flange is {-100 * height:.0f} cm below the worktop.",
+        "The arm bends down beside its base, through the worktop.",
         view=(-1.5, 0.7, 0.15),
     )
 
 
-def _panda(q, extra, alt, caption, **look):
-    """The Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base frame at q = 0."""
+def _panda(q, further_parts, alt, caption, **options):
+    """Return the Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base frame at q = 0."""
     poses = link_poses(panda(), np.asarray(q, float))[None]
-    return film([*shell(panda()), *extra], poses, [0.0], alt, caption, ground=0.0, **look)
+    return film(
+        [*shell(panda()), *further_parts], poses, [0.0], alt, caption, ground=0.0, **options
+    )
 
 
 # ---- DH parameters ----
 
 
 def four_parameters(a, alpha, d, theta):
-    """Return two joint axes and the two perpendiculars beside them, with the four parameters of a modified DH table."""
-    along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
-    after = along_x @ rigid.transform(rot_z(theta), [0, 0, d])
-    z1, o1, o2 = np.array([0, 0, 1.0]), np.zeros(3), along_x[:3, 3]
-    x1, z2, x2, foot = along_x[:3, 0], after[:3, 2], after[:3, 0], after[:3, 3]
+    """Return two joint axes and the two perpendiculars, with the four parameters of a modified DH table.
+
+    Parameters
+    ----------
+    a, d : float
+        Lengths along x and z, in metres.
+    alpha, theta : float
+        Angles about x and z, in radians.
+
+    Returns
+    -------
+    Picture
+    """
+    after_x = rigid.transform(rot_x(alpha), [a, 0, 0])
+    after_z = after_x @ rigid.transform(rot_z(theta), [0, 0, d])
+    origin_1, foot_2, origin_2 = np.zeros(3), after_x[:3, 3], after_z[:3, 3]
+    x1, z1 = np.eye(3)[[0, 2]]
+    x2, z2 = after_z[:3, 0], after_z[:3, 2]
     parts = [
-        Part(0, X_RED, meshes.arrow(o1, x1, a, 0.016)),
-        Part(0, X_RED, meshes.arrow(foot, x2, 0.6, 0.016)),
+        Part(0, X_RED, meshes.arrow(origin_1, x1, a, 0.016)),
+        Part(0, X_RED, meshes.arrow(origin_2, x2, 0.6, 0.016)),
+        Part(0, Z_BLUE, meshes.arrow(foot_2, z2, d, 0.016)),
+        *_joint_axis(origin_1, z1, 0.5),
+        *_joint_axis(foot_2, z2, d + 0.35),
     ]
-    parts.append(Part(0, Z_BLUE, meshes.arrow(o2, z2, d, 0.016)))
-    for o, z, high in ((o1, z1, 0.5), (o2, z2, d + 0.35)):
-        parts += [Part(0, STEEL, meshes.capsule(o - 0.25 * z, o + high * z, 0.012))]
-        parts += [Part(0, STEEL, meshes.drum(o, z, 0.07, 0.11))]
-    tilt, swing = _arc(o2, z1, z2, 0.33), _arc(foot, x1, x2, 0.364)
+    arc_of_alpha = _arc(foot_2, z1, z2, 0.33)
+    arc_of_theta = _arc(origin_2, x1, x2, 0.364)
     paths = [
-        (np.array([o, o + long * e]), GREY, (7, 5))
-        for o, long, e in ((o2, 0.75, z1), (foot, 0.5, x1))
+        (np.array([foot_2, foot_2 + 0.75 * z1]), GREY, (7, 5)),  # parallel to the first axis
+        (np.array([origin_2, origin_2 + 0.5 * x1]), GREY, (7, 5)),  # and to the first x
+        (_right_angle(origin_1, x1, z1), INK, ()),
+        (_right_angle(foot_2, -x1, z2), INK, ()),
+        (arc_of_alpha, ORANGE, ()),
+        (arc_of_theta, ORANGE, ()),
     ]
-    paths += [(tilt, ORANGE, ()), (swing, ORANGE, ())]
-    ends = {
-        "z₁": 0.56 * z1,
-        "z₂": o2 + (d + 0.41) * z2,
-        "x₁": 0.35 * a * x1 - 0.06 * z1,
-        "x₂": foot + 0.66 * x2,
-    }
-    middles = {"a": 0.7 * a * x1 - 0.06 * z1, "d": o2 + 0.6 * d * z2 - 0.07 * x1}
-    middles |= {"\u03b1": tilt[8] + 0.1 * (tilt[8] - o2), "θ": swing[8] + 0.15 * (swing[8] - foot)}
     words = [
-        (word, at, colour)
-        for named, colour in ((ends, INK), (middles, BLUE))
-        for word, at in named.items()
+        ("z₁", 0.56 * z1, INK),
+        ("z₂", foot_2 + (d + 0.41) * z2, INK),
+        ("x₁", 0.35 * a * x1 - 0.06 * z1, INK),
+        ("x₂", origin_2 + 0.66 * x2, INK),
+        ("a", 0.7 * a * x1 - 0.06 * z1, BLUE),
+        ("d", foot_2 + 0.6 * d * z2 - 0.07 * x1, BLUE),
+        ("α", arc_of_alpha[8] + 0.1 * (arc_of_alpha[8] - foot_2), BLUE),
+        ("θ", arc_of_theta[8] + 0.15 * (arc_of_theta[8] - origin_2), BLUE),
     ]
     return still(
         parts,
-        f"Two joint axes, z1 and z2, that do not meet. The common perpendicular along x1 has the "
-        f"length a = {a:g} m; "
-        f"about it, z2 is rotated against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, "
-        f"the next "
-        f"perpendicular x2 is d = {d:g} m further on, and about z2 it is rotated by theta = "
-        f"{np.rad2deg(theta):.0f} degrees.",
-        "Two numbers belong to $x$, the length $a$ and the angle $\\alpha$; two belong to $z$, $d$ "
-        "and $\\theta$. "
-        "Only $\\theta$ changes when the joint rotates.",
+        f"Two joint axes, z1 and z2, that do not meet. Their common perpendicular, along x1, has a "
+        f"right angle with each of them and the length a = {a:g} m; about it, z2 is rotated against z1 by alpha = "
+        f"{np.rad2deg(alpha):.0f} degrees. Along z2, the next perpendicular x2 is d = {d:g} m "
+        f"further on, and about z2 it is rotated by theta = {np.rad2deg(theta):.0f} degrees.",
+        "$x_1$ is perpendicular to both axes. Two numbers belong to $x$, the length $a$ and the "
+        "angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. Only $\\theta$ changes when the "
+        "joint rotates.",
         paths=paths,
         words=words,
         view=(0.75, -1.25, 0.35),
     )
 
 
+def _joint_axis(point, direction, end):
+    """Return a joint at a point of its axis, which is drawn as far as `end` metres."""
+    return [
+        Part(0, STEEL, meshes.capsule(point - 0.25 * direction, point + end * direction, 0.012)),
+        Part(0, STEEL, meshes.drum(point, direction, 0.07, 0.11)),
+    ]
+
+
+def _right_angle(corner, first, second):
+    """Return points (3, 3) of the mark of a right angle between two unit vectors."""
+    side = 0.17  # so that it is seen beside the joint
+    return corner + side * np.array([first, first + second, second])
+
+
 def _arc(centre, start, end, radius):
-    """Points (17, 3) of the arc from one unit vector to another."""
+    """Return points (17, 3) of the arc from one unit vector to another."""
     angle = np.arccos(np.clip(start @ end, -1, 1))
-    t = np.linspace(0, 1, 17)[:, None]
-    return centre + radius * (np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(
-        angle
-    )
+    share = np.linspace(0, 1, 17)[:, None]
+    from_start = np.sin((1 - share) * angle) * start
+    from_end = np.sin(share * angle) * end
+    return centre + radius * (from_start + from_end) / np.sin(angle)
 
 
 def conventions(modified, standard, base):
     """Return the Panda twice, seen through, with the frames 1 to n of both conventions.
 
-    modified, standard: (n, 4, 4), poses of the frames in the world; the arm is drawn where the
-    modified ones, those of `arms.panda()`, are. base: (3,), where the arm stands.
+    Parameters
+    ----------
+    modified, standard : array_like, shape (n, 4, 4)
+        Poses of the frames in the world. The arm is drawn where the modified ones, those of
+        `arms.panda()`, are.
+    base : array_like, shape (3,)
+        Where the arm stands, in metres.
+
+    Returns
+    -------
+    Picture
     """
-    stands = rigid.transform(np.eye(3), -np.asarray(base))
-    poses, groups, said = stands @ body_poses(panda(), modified, base), {}, []
+    from_base = rigid.transform(np.eye(3), -np.asarray(base))
+    poses = from_base @ body_poses(panda(), modified, base)
     arm = [Part(0, part.colour, part.mesh.moved(poses[part.body])) for part in shell(panda())]
-    for title, frames in {"modified": stands @ modified, "standard": stands @ standard}.items():
+    groups, in_words = {}, []
+    for title, frames in {"modified": modified, "standard": standard}.items():
+        frames = from_base @ frames
         numbers = _numbers(frames)
         triads = [part for T in frames for part in scene.triad(0, T, 0.13)]
-        words = [(word, np.add(at, [0, 0, 0.06]), INK) for word, at in numbers.items()]
+        words = [(number, np.add(origin, [0, 0, 0.06]), INK) for number, origin in numbers.items()]
         groups[title] = triads, arm, (), words
-        shared = [f"{key.replace(', ', ' and ')} share an origin" for key in numbers if ", " in key]
-        said.append(f"{title}, {'; '.join(shared) or 'all origins apart'}")
+        shared = [number.replace(", ", " and ") for number in numbers if ", " in number]
+        origins = [f"{number} share an origin" for number in shared] or ["all origins differ"]
+        in_words.append(f"{title}, {'; '.join(origins)}")
     return beside(
         groups,
         1.0,
         f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: "
-        f"{'; '.join(said)}.",
-        "A modified frame lies on its own joint's axis, a standard one on the axis of the next "
-        "joint.",
+        f"{'; '.join(in_words)}.",
+        "In the modified convention the origin of frame $i$ lies on the axis of joint $i$, in the "
+        "standard convention on the axis of joint $i + 1$.",
         view=(1.3, -1.5, 0.7),
         high=-0.12,
     )
 
 
 def _numbers(frames):
-    """Where the number of each frame (n, 4, 4) belongs, {numbers: origin}; frames with one origin stand together."""
+    """Return the numbers of the frames (n, 4, 4) with their origins: frames of one origin are named together."""
     names = {}
-    for i, point in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
-        names.setdefault(tuple(point), []).append(str(i))
-    return {", ".join(numbers): point for point, numbers in names.items()}
+    for i, origin in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
+        names.setdefault(tuple(origin), []).append(str(i))
+    return {", ".join(numbers): origin for origin, numbers in names.items()}
 
 
 # ---- errors of a pose ----
 
 
 def pose_errors(T, T_target):
-    """Return the linear velocity of three pose errors from T to T_target (4, 4), in the plane, one panel each.
+    """Return the linear velocity of three pose errors, in the plane, one panel for each.
 
-    Both poses lie in the plane z = 0 and are rotated about z.
+    Parameters
+    ----------
+    T, T_target : array_like, shape (4, 4)
+        The current and the target pose. Both lie in the plane z = 0 and are rotated about z.
+
+    Returns
+    -------
+    Picture
     """
     space = rigid.log_se3(T_target @ rigid.inverse(T))
     body = rigid.log_se3(rigid.inverse(T) @ T_target)
-    straight, R = (T_target - T)[:2, 3], T[:2, :2]
-    angle, zero = np.rad2deg(space[2]), np.zeros(2)
-    contents = {  # the title, where the arrow starts, the arrow, along whose axes
-        "space: the point at the base's origin": (zero, space[3:5], np.eye(2)),
+    difference = (T_target - T)[:2, 3]
+    R = T[:2, :2]
+    origin = np.zeros(2)
+    contents = {  # the title: where the arrow starts, the arrow, and the axes of its components
+        "space: the point at the base's origin": (origin, space[3:5], np.eye(2)),
         "body: along its own axes": (T[:2, 3], R @ body[3:5], R),
-        "geometric: along the base's axes": (T[:2, 3], straight, np.eye(2)),
+        "geometric: along the base's axes": (T[:2, 3], difference, np.eye(2)),
     }
     fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
-    for ax, (title, (start, arrow, along)) in zip(axes, contents.items(), strict=True):
-        for pose, colour, name in (
-            (T, BLUE, "now"),
-            (T_target, GREEN, "    target"),
-            (np.eye(4), INK, "base"),
-        ):
-            for k, width in ((0, 3), (1, 1.5)):
-                ax.plot(
-                    *np.transpose([pose[:2, 3], pose[:2, 3] + 0.16 * pose[:2, k]]),
-                    color=colour,
-                    linewidth=width,
-                )
-            ax.text(
-                *pose[:2, 3] - [0.03, 0.09],
-                name,
-                color=colour,
-                ha="left" if pose is T_target else "right",
-            )
-        for part in along.T:
-            ax.plot(
-                *np.transpose([start, start + part * (part @ arrow)]),
-                ":",
-                color=CRIMSON,
-                linewidth=2,
-                zorder=3,
-            )
-        drawn = {
-            "arrowstyle": "-|>",
-            "color": CRIMSON,
-            "linewidth": 2.5,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
-        ax.annotate("", start + arrow, start, arrowprops=drawn)
-        ax.set(
-            title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95), aspect="equal"
-        )
-        ax.text(
-            0.98,
-            0.04,
-            f"{np.linalg.norm(arrow):.2f} m",
-            transform=ax.transAxes,
-            ha="right",
-            color=CRIMSON,
-        )
-    lengths = ", ".join(
-        f"{title} {np.linalg.norm(each[1]):.2f} m long" for title, each in contents.items()
-    )
+    lengths = []
+    for ax, (title, (start, arrow, directions)) in zip(axes, contents.items(), strict=True):
+        _draw_plane_frame(ax, T, BLUE, "now")
+        _draw_plane_frame(ax, T_target, GREEN, "    target", align="left")
+        _draw_plane_frame(ax, np.eye(4), INK, "base")
+        _draw_arrow_with_components(ax, start, arrow, directions)
+        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95))
+        ax.set_aspect("equal")
+        length = f"{np.linalg.norm(arrow):.2f} m"
+        ax.text(0.98, 0.04, length, transform=ax.transAxes, ha="right", color=CRIMSON)
+        lengths.append(f"{title} {length} long")
     return Picture(
         fig,
-        f"A base, a current pose, blue, and a target, green, rotated by {angle:.0f} degrees "
-        f"against it. Three panels "
-        f"show the linear part of one error each as a red arrow: {lengths}.",
-        "The same motion by three arrows, dotted their components. Only the last one ends at the "
-        "target; the first "
-        "belongs to a point of the body that is, at this moment, at the base.",
+        f"A base, a current pose, blue, and a target, green, rotated by "
+        f"{np.rad2deg(space[2]):.0f} degrees against it. Three panels show the linear part of one "
+        f"error each as a red arrow: {', '.join(lengths)}.",
+        "The same motion is described by three arrows; their components are dotted. Only the last "
+        "arrow ends at the target. The first is the velocity of the point of the body that is at "
+        "the base's origin at this moment.",
     )
+
+
+def _draw_plane_frame(ax, T, colour, name, align="right"):
+    """Draw the x and y axis of a pose (4, 4), x thick, with its name below."""
+    origin = T[:2, 3]
+    for k, width in ((0, 3), (1, 1.5)):
+        ax.plot(*np.transpose([origin, origin + 0.16 * T[:2, k]]), color=colour, linewidth=width)
+    ax.text(*origin - [0.03, 0.09], name, color=colour, ha=align)
+
+
+def _draw_arrow_with_components(ax, start, arrow, directions):
+    """Draw an arrow (2,) from a start (2,), and dotted its components along the columns of directions (2, 2)."""
+    for direction in directions.T:
+        component = direction * (direction @ arrow)
+        ends = np.transpose([start, start + component])
+        ax.plot(*ends, ":", color=CRIMSON, linewidth=2, zorder=3)
+    look = {"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", start + arrow, start, arrowprops=look)
 
 
 # ---- the pick of a mug ----
@@ -227,200 +271,406 @@ def pose_errors(T, T_target):
 def pinhole(K, T_cm, key_points):
     """Return a pinhole camera from the side, with the ray to the key point that is farthest from its axis.
 
-    K: (3, 3), of a camera. T_cm: (4, 4), the mug in the camera's frame. key_points: (n, 3), in the
-    mug's frame.
+    Parameters
+    ----------
+    K : array_like, shape (3, 3)
+        Intrinsics of the camera, in pixels.
+    T_cm : array_like, shape (4, 4)
+        The mug's pose in the camera's frame.
+    key_points : array_like, shape (n, 3)
+        In the mug's frame, in metres.
+
+    Returns
+    -------
+    Picture
     """
     seen = key_points @ T_cm[:3, :3].T + T_cm[:3, 3]
     k = np.abs(seen[:, 0]).argmax()
     x, _, z = seen[k]
-    fig, (side,) = plane_figure(5.4, 3.7)
-    f = 0.3 * z  # where the image plane is drawn; any distance would do
+    pixels = abs(K[0, 0] * x / z)
+    # A pixel is a few micrometres in a real camera. Both lengths in pixels are drawn larger, by
+    # the same factor, so that the triangles remain similar.
+    focal = 0.3 * z
+    fig, (side,) = plane_figure(6.4, 3.9)
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
-    side.plot([0, f, f, f], [0, 0, -0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
+    side.plot([0, focal, focal, focal], [0, 0, -0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
     side.plot([0, z], [0, x], color=CRIMSON, linewidth=2)
     side.plot([z, z], [0, x], color=GREEN, linewidth=2)
     side.plot(z, x, "o", color=CRIMSON, markersize=9)
     side.plot(0, 0, "o", color=INK, markersize=8)
-    side.plot(f, f * x / z, "o", color=BLUE, markersize=7)
-    for words, at, colour in (
-        ("camera", (-0.01, -0.3 * x), INK),
-        ("$f_x$", (0.45 * f, -0.12 * x), BLUE),
-        ("$u - c_x$", (f * 1.06, f * x / z / 2), BLUE),
-        ("$x$", (1.02 * z, x / 2), GREEN),
+    side.plot(focal, focal * x / z, "o", color=BLUE, markersize=7)
+    labels = (
+        ("camera", (-0.01, -0.42 * x), INK),
+        (f"$f_x$ =\n{K[0, 0]:.0f} pixels", (0.02 * z, -0.17 * x), BLUE),
+        (f"$|u - c_x|$ =\n{pixels:.0f} pixels", (1.08 * focal, 0.75 * focal * x / z), BLUE),
+        ("$|x|$", (1.02 * z, x / 2), GREEN),
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
-    ):
-        side.text(*at, words, color=colour, fontsize=12, va="center")
+    )
+    for text, position, colour in labels:
+        side.text(*position, text, color=colour, fontsize=12, va="center")
     side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,
-        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm beside the optical axis at a "
-        f"depth of {z:.2f} m, "
-        f"is seen {abs(K[0, 0] * x / z):.0f} pixels beside the principal point.",
-        "The blue line is the image plane. Similar triangles: $u - c_x$ is to $f_x$ as $x$ is to "
-        "$z$.",
+        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm from the optical axis at a "
+        f"depth of {z:.2f} m, is seen {pixels:.0f} pixels from the principal point, with a focal "
+        f"length of {K[0, 0]:.0f} pixels.",
+        "The axes are in metres. The two blue lengths are in pixels; they are drawn larger than "
+        "they are, by the same factor. The triangles are similar: $u - c_x$ is to $f_x$ as $x$ is "
+        "to $z$.",
     )
 
 
 def motion(times, clearances, trajectory_times, speeds, accelerations):
     """Return how near a motion comes to its surroundings, and what share of their bounds the motors use.
 
-    times (m,) and clearances {what: (m,)} in metres; trajectory_times, speeds, accelerations (n,),
-    1 is a bound.
+    The three panels have one time axis: the pointer shows the values of all of them at a time.
+
+    Parameters
+    ----------
+    times : array_like, shape (m,)
+        Times of the clearances, in seconds.
+    clearances : dict
+        What the arm may touch to its distance from the arm, shape (m,), in metres. It is negative
+        where they touch.
+    trajectory_times : array_like, shape (n,)
+        Times of the trajectory's rows, in seconds.
+    speeds, accelerations : array_like, shape (n,)
+        Shares of the bounds, as `pick.shares` returns them: 1 is a bound.
+
+    Returns
+    -------
+    Picture
     """
-    fig, (near, hard) = plane_figure(9, 3.4, 2)
-    for what, gap in clearances.items():
-        near.plot(times, 100 * gap, label=what, linewidth=2)
-    worst = {what: gap.min() for what, gap in clearances.items()}
-    near.axhspan(min(-2, 100 * min(worst.values()) - 1), 0, color=CRIMSON, alpha=0.15)
-    near.set(
+    fig = charts.panels(
+        [
+            "clearance: below 0 is contact",
+            "speed of the joint nearest to its bound",
+            "acceleration of the joint nearest to its bound",
+        ],
         xlabel="time (s)",
-        ylabel="clearance (cm)",
-        ylim=(min(-2, 100 * min(worst.values()) - 1), 25),
+        ylabel=["clearance (cm)", "share of the bound", "share of the bound"],
+        columns=1,
+        share="x",
+        height=640,
     )
-    top = min(3, 1.1 * max(1.2, speeds.max(), accelerations.max()))
-    for share, name in ((speeds, "speed"), (accelerations, "acceleration")):
-        hard.plot(
-            trajectory_times,
-            np.minimum(share, top),
-            label=name,
-            linewidth=2,
-            drawstyle="steps-post",
-        )
-        if share.max() > top:
-            hard.annotate(
-                f"to {share.max():.0f}",
-                (trajectory_times[share.argmax()], top),
-                (6, -14),
-                textcoords="offset points",
-            )
-    hard.axhline(1, color=CRIMSON, linewidth=1.5)
-    hard.set(xlabel="time (s)", ylabel="share of the bound", ylim=(0, top))
-    for ax in (near, hard):
-        ax.legend(frameon=False)
-    said = ", ".join(f"{what} {100 * gap:.1f} cm" for what, gap in worst.items())
+    for obstacle, distances in clearances.items():
+        charts.add_line(fig, times, 100 * np.asarray(distances), obstacle, panel=0)
+    charts.add_rule(fig, y=0.0, panel=0)
+    shares = {"speed": np.asarray(speeds), "acceleration": np.asarray(accelerations)}
+    for panel, (name, share) in enumerate(shares.items(), 1):
+        drawn = np.where(share < SMALLEST_SHARE, 0.0, share)
+        charts.add_line(fig, trajectory_times, drawn, name, panel=panel, dash="solid")
+        fig.data[-1].line.shape = "hv"  # a value holds until the next row
+        charts.add_rule(fig, y=1.0, text="bound", panel=panel)
+    margin = 0.02 * trajectory_times[-1]  # so that a peak at the first or last row is seen
+    fig.layout.xaxis.range = [-margin, trajectory_times[-1] + margin]
+    least = {obstacle: 100 * distances.min() for obstacle, distances in clearances.items()}
+    least_in_words = ", ".join(f"{obstacle} {gap:.1f} cm" for obstacle, gap in least.items())
     return Picture(
         fig,
-        f"Left, the clearance over time; its least value: {said}. Right, the largest share of a "
-        f"joint's bound: speed "
-        f"{speeds.max():.3g}, acceleration {accelerations.max():.3g}.",
-        "Left, the red band is contact. Right, nothing may be above the red line.",
+        f"Three panels over time. First the clearance; its least value: {least_in_words}. Then the "
+        f"largest share of a joint's bound: speed {shares['speed'].max():.3g}, acceleration "
+        f"{shares['acceleration'].max():.3g}.",
+        "No clearance may be below 0, and no share above 1. Point at a curve for its values at a "
+        "time.",
     )
 
 
 def at_the_mug(q, T_mug, base):
-    """Return the Panda's open gripper, large, at joint angles q (7,) of the arm, and a mug at T_mug (4, 4).
+    """Return the Panda's open gripper, large, and a mug.
 
-    base: (3,), where the arm stands in the world.
+    Parameters
+    ----------
+    q : array_like, shape (7,)
+        Joint angles of the arm, in radians.
+    T_mug : array_like, shape (4, 4)
+        Pose of the mug in the world.
+    base : array_like, shape (3,)
+        Where the arm stands in the world, in metres.
+
+    Returns
+    -------
+    Picture
     """
-    mug = [
-        Part(0, MUG_RED, meshes.mug().moved(rigid.transform(np.eye(3), -np.asarray(base)) @ T_mug))
-    ]
-    tip = panda().home[-1] @ IN_FLANGE
-    gripper = shells.gripper(7, tip)
+    from_base = rigid.transform(np.eye(3), -np.asarray(base))
+    mug = [Part(0, MUG_RED, meshes.mug().moved(from_base @ T_mug))]
+    fingertips = panda().home[-1] @ IN_FLANGE
+    gripper = shells.gripper(7, fingertips)
     for side in (1, -1):
-        at = tip @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
-        gripper += [part.moved(at) for part in shells.finger(7, side)]
-    near = Model.of(gripper + mug).placed(link_poses(panda(), np.asarray(q, float)))[::9]
+        opened = fingertips @ rigid.transform(np.eye(3), [0, -0.04 * side, 0])
+        gripper += [part.moved(opened) for part in shells.finger(7, side)]
+    poses = link_poses(panda(), np.asarray(q, float))
+    contained = Model.of(gripper + mug).placed(poses)[::9]
     alt = (
         "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
     )
     caption = "Rotate the picture: which part of the gripper is in the mug?"
-    return _panda(q, gripper + mug, alt, caption, view=(1.0, -1.4, 0.3), near=near)
+    return _panda(q, gripper + mug, alt, caption, view=(1.0, -1.4, 0.3), near=contained)
 
 
 def pick(frames, grippers, openings, mugs, times, base, camera):
     """Return a film of the Panda that picks a mug up from a round table and puts it down.
 
-    Of the m times: frames: (m, 8, 4, 4), poses of the frames of `arms.panda()` in the world.
-    grippers: (m, 4, 4), the pose between the fingertips: z away from the arm, the fingers move
-    along y. openings: (m,), distances between the fingertips. mugs: (m, 4, 4), poses of the mug:
-    the middle of its bottom, the handle along x.
+    Parameters
+    ----------
+    frames : array_like, shape (m, 8, 4, 4)
+        Poses of the frames of `arms.panda()` in the world, at each of m times.
+    grippers : array_like, shape (m, 4, 4)
+        Poses between the fingertips: z away from the arm; the fingers move along y.
+    openings : array_like, shape (m,)
+        Distances between the fingertips, in metres.
+    mugs : array_like, shape (m, 4, 4)
+        Poses of the mug: the middle of its bottom, the handle along x.
+    times : array_like, shape (m,)
+        In seconds.
+    base : array_like, shape (3,)
+        Where the arm stands on the table, in metres.
+    camera : array_like, shape (4, 4)
+        Pose of a camera, which looks along its z axis.
 
-    base: (3,), where the arm stands: on the table. camera: (4, 4), the pose of a camera, which
-    looks along its z axis.
+    Returns
+    -------
+    Picture
     """
-    length = abs(
-        np.median(((grippers[:, :3, 3] - frames[:, -1, :3, 3]) * grippers[:, :3, 2]).sum(-1))
-    )
-    parts = (
-        shells.gripper(8, np.eye(4), length)
-        + shells.finger(9, 1, length)
-        + shells.finger(10, -1, length)
-    )
-    parts = [*shell(panda()), *parts, Part(11, MUG_RED, meshes.mug())]
-    pads = [
-        grippers @ rigid.transform(np.eye(3), np.outer(side * openings / 2, [0, 1, 0]))
-        for side in (-1, 1)
-    ]
-    poses = np.concatenate(
-        [body_poses(panda(), frames[:, :-1], base), np.stack([grippers, *pads, mugs], 1)], 1
-    )
-    poses = np.concatenate([poses, np.broadcast_to(camera, (len(poses), 1, 4, 4))], 1)
-    lens = meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)
-    parts += [
+    to_fingertips = grippers[:, :3, 3] - frames[:, -1, :3, 3]
+    along_gripper = (to_fingertips * grippers[:, :3, 2]).sum(-1)
+    length = abs(np.median(along_gripper))
+    half_openings = np.outer(openings / 2, [0, 1, 0])
+    fingers = [grippers @ rigid.transform(np.eye(3), side * half_openings) for side in (-1, 1)]
+    arm = body_poses(panda(), frames[:, :-1], base)
+    cameras = np.broadcast_to(camera, (len(times), 4, 4))
+    poses = np.concatenate([arm, np.stack([grippers, *fingers, mugs, cameras], 1)], 1)
+    parts = [
+        *shell(panda()),
+        *shells.gripper(8, np.eye(4), length),
+        *shells.finger(9, 1, length),
+        *shells.finger(10, -1, length),
+        Part(11, MUG_RED, meshes.mug()),
         Part(12, BLACK, meshes.box([-0.05, -0.035, -0.08], [0.05, 0.035, 0])),
-        Part(12, STEEL, lens),
+        Part(12, STEEL, meshes.drum([0, 0, 0.02], [0, 0, 1], 0.022, 0.025)),
     ]
-    look = {"name": "pick", "paths": [(grippers[:, :3, 3], BLUE, ())], "ground": base[2]}
     lifted = mugs[:, 2, 3].max() - mugs[0, 2, 3]
-    over = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
+    carried = np.linalg.norm(mugs[-1, :2, 3] - mugs[0, :2, 3])
     return film(
         parts,
         poses,
         times,
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on "
-        f"the table, comes down "
-        f"with open fingers on both sides of it, closes them, lifts it by {100 * lifted:.0f} cm, "
-        f"carries it "
-        f"{100 * over:.0f} cm across the table, sets it down, opens and rises. "
-        "A camera hangs above the table and looks down.",
+        f"the table, comes down with open fingers on both sides of it, closes them, lifts it by "
+        f"{100 * lifted:.0f} cm, carries it {100 * carried:.0f} cm across the table, sets it down, "
+        f"opens and rises. A camera hangs above the table and looks down.",
         "The blue line is the path between the fingertips, which close on both sides of the mug.",
         view=(1.2, 1.2, 0.7),
-        **look,
+        name="pick",
+        paths=[(grippers[:, :3, 3], BLUE, ())],
+        ground=base[2],
     )
+
+
+# ---- wrong matches ----
+
+
+def matches(template, scene_points, T, wrong):
+    """Return a mug's key points in its own frame, and those of the scene with the mug laid on them.
+
+    Parameters
+    ----------
+    template, scene_points : array_like, shape (n, 3)
+        Key points in the mug's frame, and their partners in the scene, in metres.
+    T : array_like, shape (4, 4)
+        Pose of the mug in the scene, from the good matches.
+    wrong : array_like of int
+        Indices of the wrong matches. They are red, with dashes to where they should be.
+
+    Returns
+    -------
+    Picture
+    """
+    template, scene_points = np.asarray(template, float), np.asarray(scene_points, float)
+    R = rigid.transform(T[:3, :3], np.zeros(3))
+    rotated = template @ T[:3, :3].T  # where the matches should be, seen from the mug's origin
+    seen = scene_points - T[:3, 3]
+    distances = np.linalg.norm(rotated - seen, axis=1)
+    mug = Part(0, STEEL, meshes.mug())
+    scene_colours = [MUG_RED if k in wrong else Y_GREEN for k in range(len(seen))]
+    dashes = [(np.array([seen[k], rotated[k]]), CRIMSON, (5, 4)) for k in wrong]
+    groups = {
+        "template": (_dots(template, [Z_BLUE] * len(template)), [mug], (), _beside_dots(template)),
+        "scene": (_dots(seen, scene_colours), [mug.moved(R)], dashes, _beside_dots(seen)),
+    }
+    gaps = " and ".join(f"point {k}, {1000 * distances[k]:.0f} mm away" for k in wrong)
+    return beside(
+        groups,
+        0.13,
+        f"Left the template, a mug with {len(template)} numbered key points on it. Right the "
+        f"scene, with the same mug placed by the good matches. "
+        f"{int((distances < 0.005).sum())} points of the scene are within 5 mm of their places; "
+        f"dashes lead to their places from {gaps}.",
+        "Both wrong matches are shifted by the same vector, so they agree with each other.",
+        view=(1.2, -1.3, 0.8),
+        high=-0.03,
+    )
+
+
+def _dots(points, colours):
+    """Return a ball at each of the points (n, 3), each in its colour."""
+    radius = 0.0025
+    return [
+        Part(0, colour, meshes.ball(point, radius))
+        for point, colour in zip(points, colours, strict=True)
+    ]
+
+
+def _beside_dots(points):
+    """Return the number of each of the points (n, 3), just above it."""
+    return [(str(k), np.add(point, [0, 0, 0.008]), INK) for k, point in enumerate(points)]
 
 
 # ---- methods of inverse kinematics ----
 
 
 def descents(errors):
-    """Return the length of the error after each step of several methods, {method: n lengths}."""
-    shown = {name: np.maximum(size, 1e-15) for name, size in errors.items()}
-    ends = [
-        f"{name} below 1e-6 after step {np.argmax(size < 1e-6)}"
-        if size.min() < 1e-6
-        else f"{name} {size[-1]:.2g}"
-        for name, size in shown.items()
-    ]
+    """Return the length of the error after each step of several methods.
+
+    Parameters
+    ----------
+    errors : dict
+        Method to the lengths of the error, shape (n,), the first before any step. Lengths below
+        1e-8 are drawn at 1e-8, because their digits are rounding errors.
+
+    Returns
+    -------
+    Picture
+    """
+    drawn = {name: np.maximum(lengths, SMALLEST_ERROR) for name, lengths in errors.items()}
     steps = np.arange(len(next(iter(errors.values()))))
+    fig = charts.lines(
+        steps, drawn, xlabel="iteration", ylabel="length of the error", log="y", markers=True
+    )
+    ends = [_end_of_descent(name, lengths) for name, lengths in drawn.items()]
     return Picture(
-        lines(steps, shown, xlabel="iteration", ylabel="length of the error", log="y"),
+        fig,
         f"The length of the pose error after each step, on a logarithmic axis. At the end: "
         f"{'; '.join(ends)}.",
-        "A straight line is a constant factor with each step. A line that bends down gains ever "
-        "more digits, as "
-        "Newton's method does.",
+        "A straight line means that each step divides the error by the same factor. A line that "
+        "bends down gains more and more digits with each step, as Newton's method does. Lengths "
+        "below $10^{-8}$ are drawn at $10^{-8}$.",
+    )
+
+
+def _end_of_descent(name, lengths):
+    """Return in words where a descent with these lengths of the error (n,) ends."""
+    if lengths.min() < 1e-6:
+        return f"{name} below 1e-6 after step {np.argmax(lengths < 1e-6)}"
+    return f"{name} {lengths[-1]:.2g}"
+
+
+def share_reached(x, shares, xlabel, caption):
+    """Return the share of targets that is reached over a setting of the method.
+
+    Parameters
+    ----------
+    x : array_like, shape (n,)
+        The setting: numbers of steps or of starts, or dampings. An axis of more than a factor of
+        ten is logarithmic.
+    shares : array_like, shape (n,)
+        From 0 to 1. They are drawn in whole per cent: rounding errors decide single targets.
+    xlabel : str
+        Name of the setting.
+    caption : str
+
+    Returns
+    -------
+    Picture
+    """
+    x, percent = np.asarray(x, float), np.round(100 * np.asarray(shares))
+    log = "x" if x.max() > 10 * x.min() and x.min() < 1 else ""
+    fig = charts.lines(
+        x,
+        {"targets reached": percent},
+        xlabel=xlabel,
+        ylabel="targets reached (%)",
+        log=log,
+        markers=True,
+        height=320,
+    )
+    fig.layout.yaxis.range = [-3, 103]
+    alt = (
+        f"The share of targets that is reached over the {xlabel}: {percent[0]:.0f} % at {x[0]:g}, "
+        f"{percent[-1]:.0f} % at {x[-1]:g}, and the most, {percent.max():.0f} %, at "
+        f"{x[percent.argmax()]:g}."
+    )
+    return Picture(fig, alt, caption)
+
+
+def fastest_joint(times, speeds):
+    """Return the speed of the fastest joint over time, for several methods.
+
+    Parameters
+    ----------
+    times : array_like, shape (n,)
+        In seconds.
+    speeds : dict
+        Method to the largest joint speed, shape (n,), in rad/s.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.lines(times, speeds, xlabel="time (s)", ylabel="fastest joint (rad/s)")
+    largest = ", ".join(f"{name} {speed.max():.2g} rad/s" for name, speed in speeds.items())
+    return Picture(
+        fig,
+        f"The speed of the fastest joint over time. Its largest value: {largest}.",
+        "When the arm is nearly stretched, the undamped joints would have to be faster and faster. "
+        "The other two methods limit the speed, and the flange falls behind.",
     )
 
 
 def iterations(counts, most):
-    """Return histograms of how many iterations each reached target took, {method: (n,)}, one panel for each method.
+    """Return histograms of how many iterations the reached targets took, one panel for each method.
 
-    The axis ends at `most` iterations; the last bar counts what took more, too.
+    Parameters
+    ----------
+    counts : dict
+        Method to the numbers of iterations, shape (n,), one for each target that it reached.
+    most : int
+        The last bar counts all targets that took so many iterations or more.
+
+    Returns
+    -------
+    Picture
     """
-    fig, axes = plane_figure(3.3 * len(counts), 3.2, len(counts))
-    for ax, colour, (title, taken) in zip(axes, COLOURS, counts.items(), strict=False):
-        ax.hist(np.minimum(taken, most), np.linspace(0, most, 26), color=colour)
-        ax.set(title=title, xlabel="iterations")
-    axes[0].set_ylabel("targets reached")
-    some = {name: taken for name, taken in counts.items() if len(taken)}
-    said = [
+    width = 4  # iterations in a bar: about 25 bars up to 100 iterations
+    bars = most // width + 1
+    first = width * np.arange(bars)  # the least number of iterations in each bar
+    fig = charts.panels(
+        [name.replace(", ", ",<br>") for name in counts],
+        xlabel="iterations",
+        ylabel="targets reached",
+        height=360,
+    )
+    fig.layout.margin.t = 70  # a title may have two lines
+    for panel, (name, taken) in enumerate(counts.items()):
+        bar = np.minimum(np.asarray(taken, int), first[-1]) // width
+        heights = np.bincount(bar, minlength=bars)
+        edges = np.append(first, first[-1] + width) - 0.5
+        charts.add_bars(fig, edges, heights, name, panel=panel, colour=COLOURS[panel])
+        in_words = [f"{low} to {low + width - 1}" for low in first[:-1]]
+        in_words.append(f"{first[-1]} or more")
+        fig.data[-1].customdata = [[words] for words in in_words]
+        fig.data[
+            -1
+        ].hovertemplate = f"{name}<br>%{{customdata[0]}} iterations: %{{y}} targets<extra></extra>"
+    fig.layout.showlegend = False  # the panels have titles
+    in_words = [
         f"{name} {len(taken)} targets, median {np.median(taken):.0f}"
-        for name, taken in some.items()
+        for name, taken in counts.items()
+        if len(taken)
     ]
     return Picture(
         fig,
-        f"Histograms: how many iterations the reached targets took. {'; '.join(said)}.",
-        f"Each panel has its own scale. The last bar also counts the targets that took more than "
-        f"{most}.",
+        f"Histograms: how many iterations the reached targets took. {'; '.join(in_words)}.",
+        f"Each panel has its own scale. The last bar counts all targets that took {first[-1]} "
+        f"iterations or more.",
     )

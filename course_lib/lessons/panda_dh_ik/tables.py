@@ -6,7 +6,13 @@ from course_lib.figures.tables import table
 
 
 def dh_tables(modified, standard):
-    """Print two DH tables side by side, their angles in degrees: rows a, alpha, d (n, 3), metres and radians."""
+    """Print two DH tables side by side, their angles in degrees.
+
+    Parameters
+    ----------
+    modified, standard : array_like, shape (n, 3)
+        Rows a, alpha, d, in metres and radians.
+    """
     print("joint   modified: a    alpha     d   standard: a    alpha     d")
     for i, rows in enumerate(np.hstack([modified, standard]), 1):
         shown = rows * np.tile([1, 180 / np.pi, 1], 2) + 0.0
@@ -16,25 +22,67 @@ def dh_tables(modified, standard):
 def mirrored(n, as_given, corrected):
     """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
 
-    Of three points rounding decides: no two machines count the same, and the words say "about
-    half". as_given, corrected: (m,), errors in degrees, one for each shape.
+    Parameters
+    ----------
+    n : int
+        Number of points. Of three points rounding decides: no two machines count the same, and the
+        words are "about half".
+    as_given, corrected : array_like, shape (m,)
+        Errors in degrees, one for each set of points.
+
+    Returns
+    -------
+    words : str
+    median : float
+        In degrees, of the corrected registration.
     """
-    count, m = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum()), len(corrected)
-    about = n == 3 and 0.36 * m < count < 0.64 * m
-    return "about half" if about else f"{count} of {m}", float(np.median(corrected))
+    shapes = len(corrected)
+    count = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum())
+    words = f"{count} of {shapes}"
+    if n == 3 and 0.36 * shapes < count < 0.64 * shapes:
+        words = "about half"
+    return words, float(np.median(corrected))
 
 
 def reached(results, rough=()):
-    """Print how often each method reaches its targets, {method: (reached (n,), iterations (n,))}.
+    """Print how often each method reaches its targets, and in how many iterations.
 
-    rough: methods whose numbers are rounded to one digit, because rounding errors decide many of
-    their targets.
+    Parameters
+    ----------
+    results : dict
+        Method to which targets it reached, a bool array (n,), and its iterations, shape (n,).
+    rough : sequence of str, optional
+        Methods whose numbers are rounded to one digit, because rounding errors decide many of
+        their targets.
     """
     rows = {}
-    for name, (there, taken) in results.items():
-        share, median = 100 * there.mean(), np.median(taken[there]) if there.any() else np.nan
-        if name in rough:
+    for name, (is_reached, taken) in results.items():
+        share = 100 * is_reached.mean()
+        median = np.median(taken[is_reached]) if is_reached.any() else None
+        if median is None:
+            rows[name] = [f"{share:.0f}", "-"]
+        elif name in rough:
             rows[name] = [f"about {float(f'{number:.1g}'):.0f}" for number in (share, median)]
         else:
-            rows[name] = [f"{share:.0f}", f"{median:.0f}" if there.any() else "-"]
+            rows[name] = [f"{share:.0f}", f"{median:.0f}"]
     table(["reached (%)", "iterations (median)"], rows)
+
+
+def share_mirrored(n, mirrored):
+    """Return in words which share of registrations of n points is a mirror image.
+
+    Parameters
+    ----------
+    n : int
+        Number of points. Of three points rounding decides: no two machines count the same, and the
+        words are "about half".
+    mirrored : array_like of bool, shape (m,)
+
+    Returns
+    -------
+    str
+    """
+    share = np.mean(mirrored)
+    if n == 3 and 0.45 < share < 0.55:
+        return "about half"
+    return f"{100 * share:.1f} %"
