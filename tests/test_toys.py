@@ -103,6 +103,8 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
         ("planar_arm_toy", {"step": 7}, "step"),
         ("panda_toy", {"q": "up"}, "q"),
         ("jog", {"arm": iiwa14(), "q": Q, "fk": np.eye(4)}, "fk"),
+        ("jog", {"arm": iiwa14(), "q": Q, "names": "sb"}, "names"),
+        ("jog", {"arm": iiwa14(), "q": Q, "names": ("0", "")}, "names"),
         ("reach", {"arm": iiwa14(), "q": Q, "target": [1]}, "target"),
         ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
         ("table", {"at": [1, 1, 1]}, "at"),

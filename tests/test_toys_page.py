@@ -547,6 +547,11 @@ def test_the_elbow_moves_and_the_flange_stays_within_a_micrometre(visit):
         before = box.evaluate(JOINTS)
 
 
+def test_each_toy_names_its_pose_as_its_notebook_does(visit):
+    for name, pose in (("panda_toy", "T0f"), ("jog", "Tsb")):
+        expect(figure_of(visit, name).locator(".numbers")).to_contain_text(f"{pose} =")
+
+
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
