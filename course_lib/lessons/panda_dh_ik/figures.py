@@ -30,8 +30,9 @@ from course_lib.rotations import rot_x, rot_z
 
 # Errors below it are drawn at it: their digits are rounding errors, which differ between machines.
 SMALLEST_ERROR = 1e-8
-# Shares of a bound below it are drawn as 0, for the same reason.
-SMALLEST_SHARE = 1e-6
+# Of centimetres, shares of a bound and rad/s in charts: the last digits of joint angles differ
+# between machines, and a chart's numbers must not.
+DECIMALS = 3
 
 
 def through_the_table(q):
@@ -342,23 +343,22 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     Picture
     """
     fig = charts.panels(
-        [
-            "clearance: below 0 is contact",
-            "speed of the joint nearest to its bound",
-            "acceleration of the joint nearest to its bound",
-        ],
+        ["clearance", "speed", "acceleration"],
         xlabel="time (s)",
         ylabel=["clearance (cm)", "share of the bound", "share of the bound"],
         columns=1,
         share="x",
         height=640,
     )
+    times, trajectory_times = np.round(times, 4), np.round(trajectory_times, 4)
     for obstacle, distances in clearances.items():
-        charts.add_line(fig, times, 100 * np.asarray(distances), obstacle, panel=0)
-    charts.add_rule(fig, y=0.0, panel=0)
+        centimetres = np.round(100 * np.asarray(distances), DECIMALS)
+        charts.add_line(fig, times, centimetres, obstacle, panel=0)
+    lowest = min(distances.min() for distances in clearances.values())
+    _add_contact(fig, min(-2.0, 100 * lowest - 1))
     shares = {"speed": np.asarray(speeds), "acceleration": np.asarray(accelerations)}
     for panel, (name, share) in enumerate(shares.items(), 1):
-        drawn = np.where(share < SMALLEST_SHARE, 0.0, share)
+        drawn = np.round(share, DECIMALS)
         charts.add_line(fig, trajectory_times, drawn, name, panel=panel, dash="solid")
         fig.data[-1].line.shape = "hv"  # a value holds until the next row
         charts.add_rule(fig, y=1.0, text="bound", panel=panel)
@@ -371,8 +371,18 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
         f"Three panels over time. First the clearance; its least value: {least_in_words}. Then the "
         f"largest share of a joint's bound: speed {shares['speed'].max():.3g}, acceleration "
         f"{shares['acceleration'].max():.3g}.",
-        "No clearance may be below 0, and no share above 1. Point at a curve for its values at a "
-        "time.",
+        "The red band is contact. Below it, the speed and the acceleration of the joint that is "
+        "nearest to its bound at that time; no share may be above 1. Point at a curve for the "
+        "values at a time.",
+    )
+
+
+def _add_contact(fig, low):
+    """Colour the first panel from low to 0 cm, where the arm touches something."""
+    x_axis, y_axis = fig.layout.meta["panels"][0]
+    look = {"fillcolor": CRIMSON, "opacity": 0.15, "line_width": 0, "layer": "below"}
+    fig.add_shape(
+        type="rect", xref=f"{x_axis} domain", yref=y_axis, x0=0, x1=1, y0=low, y1=0, **look
     )
 
 
@@ -617,7 +627,8 @@ def fastest_joint(times, speeds):
     -------
     Picture
     """
-    fig = charts.lines(times, speeds, xlabel="time (s)", ylabel="fastest joint (rad/s)")
+    drawn = {name: np.round(speed, DECIMALS) for name, speed in speeds.items()}
+    fig = charts.lines(times, drawn, xlabel="time (s)", ylabel="fastest joint (rad/s)")
     largest = ", ".join(f"{name} {speed.max():.2g} rad/s" for name, speed in speeds.items())
     return Picture(
         fig,
