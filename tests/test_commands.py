@@ -76,18 +76,6 @@ def test_make_update_makes_the_folder_of_exercises_and_says_that_it_is_new(cours
     shutil.rmtree(course / "exercises")
 
 
-def test_make_data_gives_what_is_stored(course):
-    file = course / "notebooks/data/iiwa_trajectory.csv"
-    file.write_text(file.read_text())  # of its own, should copies be links
-    made(course, "data")
-    again, before = (
-        np.loadtxt(path, delimiter=",", skiprows=1)
-        for path in (file, ROOT / file.relative_to(course))
-    )
-    np.testing.assert_allclose(again, before, rtol=0, atol=2e-10)
-    assert "-0.0000000000" not in file.read_text()
-
-
 @pytest.mark.tools("browser")
 def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(course):
     path = "notebooks/01_small.ipynb"

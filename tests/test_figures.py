@@ -34,7 +34,7 @@ IIWA, PANDA, GENERIC = arms.iiwa14(), arms.panda(), np.array([0.3, 0.5, 0, -1.2,
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 FRAMES = PANDA.frames(READY + np.linspace(0, 0.3, 3)[:, None])
 POINTS = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
-DOWN = np.column_stack([np.zeros(5), np.zeros(5), np.linspace(0.5, 0.1, 5)])
+LOWERED = np.outer(np.linspace(0, 0.3, 5), [0, 1, 0, -1, 0, 1, 0])  # angles of the iiwa
 ERRORS = np.array([[0.1, 0.4], [0.3, 0.2], [0.5, np.nan]])
 XY = np.array([[0.0, 1.0], [1.0, 1.0], [2.0, 0.0]])
 ELBOWS = np.array([[0, np.pi / 2], [np.pi / 2, -np.pi / 2]])
@@ -90,17 +90,19 @@ PICTURES = [
      "centimetre; right of it 0 %. Circles mark 1 run."),
     (nb3.two_arms, ({0.5: T[:, None] / 2}, points_of), "The last elbow bends at most by epsilon = 0.5 m²: 1.0 rad."),
     (nb3.manipulability_along, ([2.0], np.array([[1.0, 2.0]])), "(m²) over the steps. epsilon = 2 m²: 1.0 to 2.0."),
-    (nb4.wrong_frame, ({"A": DOWN[:2] * 0, "B": DOWN}, 0.25), "One path goes into the table."),
-    (nb4.wrong_frame, ({"A": DOWN[:2] + Z, "B": DOWN + Z}, 0.05),
-     "B: the gripper moves by 40 cm. No path touches the table."),
+    (nb4.wrong_frame, (IIWA, {"A": 0 * LOWERED, "B": LOWERED}, 1.25), "One path goes into the table."),
+    (nb4.wrong_frame, (IIWA, {"A": 0 * LOWERED, "B": LOWERED}, 0.05),
+     "B: the gripper moves by 46 cm. No path touches the table."),
     (nb4.screw_motion, (SCREW, np.zeros(3), Z), "rises by 0.60 m."),
     (nb4.arc_of_a_twist, (np.pi / 3,), "from (0, 0) to (0.866, 0.5) m."),
     (velocities_of_the_tip, ({"bent": np.array([[0, 0], [2, 0], [2, 1]])},), "1: (-1, 2) m/s; bent, joint 2: (-1, 0)"),
     (nb4.arm_movie, (IIWA, trajectory.Trajectory(T, T[:, None] * GENERIC, 0 * T[:, None] * GENERIC)), "2.0 s: the"),
-    (nb4.plane_projections, (SCREW[:, :3, 3],), "1.00 by 1.00 by 0.60 m."),
+    (nb4.plane_projections, (np.arange(len(SCREW)), SCREW[:, :3, 3]), "1.00 by 1.00 by 0.60 m."),
     (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}), "space up to 0.00 m/s, body up to 1.00"),
-    (nb4.velocities_against_each_other, ({"space": R[0], "body": R[1]},), "a row for each of: space, body."),
+    (nb4.velocities_against_each_other, (np.arange(len(R[0])), {"space": R[0], "body": R[1]}),
+     "a row for each of: space, body."),
     (nb4.singular_values, (IIWA, GENERIC, GENERIC * [1, 1, 1, 1, 1, 0, 1]), "q6 varies (wrist): least 0.11 at -0.08"),
+    (nb4.near_its_bounds, (T, 0.1 + 0 * T, T[:, None] * GENERIC, IIWA.limits), "manipulability is between 0.100 and"),
     (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
     (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the worktop."),
     (nb5.four_parameters, (0.8, 0.7, 0.6, 0.9),

@@ -1,14 +1,11 @@
 """Arms from DH parameters, the iiwa and the Panda: against products of their own, print, and one another."""
 
-from pathlib import Path
 
 import numpy as np
 import pytest
 from helpers import close
 
-from course_lib import trajectory
-from course_lib.arms import DHRow, SerialArm, iiwa14, panda, ur5e
-from course_lib.pack import data
+from course_lib.arms import DHRow, SerialArm, panda, ur5e
 
 QUARTER = np.pi / 2
 # The Panda's standard table, which moves like the manufacturer's modified one.
@@ -98,23 +95,3 @@ def test_an_arm_moves_as_its_standard_table_and_as_its_screws(arm, table):
     ):
         close(other.fk(q), arm.fk(q), 1e-14)
         close(other.space_jacobian(q), arm.space_jacobian(q), 1e-13)
-
-
-def test_the_trajectory_that_comes_with_the_course():
-    arm = iiwa14()
-    moved = trajectory.load(
-        Path(__file__).parent.parent / "notebooks/data/iiwa_trajectory.csv", arm.limits
-    )
-    assert moved.t.shape == (200,)
-    t = moved.t  # notebook 4 looks at the positions
-    velocity = (arm.position_jacobian(moved.q) @ moved.qd[..., None])[..., 0]
-    np.testing.assert_allclose(
-        velocity, data.end_effector_velocity(t), rtol=0, atol=1e-6
-    )  # the first sample included
-    h = t[1] - t[0]
-    q = (
-        moved.q
-    )  # the derivative of q by differences of the eighth order, exact to 1e-7 or so at this step
-    weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
-    by_differences = sum(w * q[i : len(q) - 8 + i] for i, w in enumerate(weights))
-    close(by_differences, moved.qd[4:-4], 1e-6)

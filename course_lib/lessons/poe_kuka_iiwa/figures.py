@@ -6,11 +6,12 @@ radians.
 
 import numpy as np
 
+from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import STYLES, in_metres, legend_above, pi_ticks, plain
+from course_lib.figures.plots import in_metres
 from course_lib.figures.solids import Part, link_poses, scene, shell
-from course_lib.figures.solids.meshes import arrow
-from course_lib.figures.solids.model import VIOLET
+from course_lib.figures.solids.meshes import arrow, box, revolve
+from course_lib.figures.solids.model import DARK, LIGHT_BLUE, VIOLET
 from course_lib.figures.style import (
     BLACK,
     BLUE,
@@ -20,35 +21,85 @@ from course_lib.figures.style import (
     GREY,
     plane_figure,
 )
-from course_lib.figures.toys.film import film
+from course_lib.figures.toys.film import beside, film
+from course_lib.rigid import inverse, transform
+
+# Below it rounding decides a number, and rounding differs between machines: it is drawn as zero.
+_ROUNDING = 1e-8
 
 
-def wrong_frame(paths, table):
-    """Return the paths {label: positions (n, 3)} of a gripper in the plane of x and z, above a table of that height."""
-    fig, (ax,) = plane_figure(5.4, 3.4)
-    for colour, (label, path) in zip((BLUE, CRIMSON), paths.items(), strict=False):
-        ax.plot(path[:, 0], path[:, 2], color=colour, linewidth=2.5, label=label)
-        ax.plot(*path[-1, [0, 2]], "o", color=colour, markersize=9)
-    ax.axhspan(table - 0.06, table, color="#b08a5a", alpha=0.8)
-    ax.text(
-        0.01, table - 0.03, "table", transform=ax.get_yaxis_transform(), va="center", color="white"
-    )
-    in_metres(ax, ylabel="z (m)", xlim=(-0.9, -0.1))
-    ax.legend(frameon=False, loc="upper right")
-    ax.margins(y=0.15)
-    moved = {label: 100 * np.linalg.norm(path[-1] - path[0]) for label, path in paths.items()}
+def wrong_frame(arm, motions, table):
+    """Return an arm that tilts a glass above a table, side by side for several programs.
+
+    Each arm is drawn at the end of its motion, and translucent at the beginning.
+
+    Parameters
+    ----------
+    arm : SerialArm
+        The iiwa.
+    motions : dict
+        Label to joint angles, shape (n, 7), in radians. All motions begin at the same angles, and
+        the glass stands upright there.
+    table : float
+        Height of the table in metres.
+
+    Returns
+    -------
+    Picture
+    """
+    groups, moved, lowest = {}, {}, {}
+    for colour, (label, q) in zip((BLUE, CRIMSON), motions.items(), strict=False):
+        poses = arm.fk(q)
+        path = poses[:, :3, 3]
+        glass_in_gripper = inverse(poses[0]) @ transform(np.eye(3), path[0])
+        body = shell(arm)
+        first, last = link_poses(arm, q[[0, -1]])
+        solid = [_placed(part, last) for part in body]
+        solid.append(Part(0, LIGHT_BLUE, _glass().moved(poses[-1] @ glass_in_gripper)))
+        corner = np.array([-1.0, path[0, 1] - 0.25, table - _BOARD])
+        opposite = np.array([-0.2, path[0, 1] + 0.25, table])
+        pale = [_placed(part, first) for part in body]
+        pale.append(Part(0, DARK, box(corner, opposite, 0.05, 8)))  # see what is below it
+        pale.append(Part(0, LIGHT_BLUE, _glass().moved(poses[0] @ glass_in_gripper)))
+        groups[label] = solid, pale, [(path, colour, ())], []
+        moved[label] = 100 * np.linalg.norm(path[-1] - path[0])
+        lowest[label] = path[:, 2].min()
     ends = "; ".join(f"{label}: the gripper moves by {far:.0f} cm" for label, far in moved.items())
-    lowest = min(path[:, 2].min() for path in paths.values())
-    through = "One path goes into the table." if lowest < table else "No path touches the table."
-    farthest, nearest = (choice(moved, key=moved.get) for choice in (max, min))
-    first, second = (label[0].upper() + label[1:] for label in (farthest, nearest))
+    through = "No path touches the table."
+    if min(lowest.values()) < table:
+        through = "One path goes into the table."
+    farthest, nearest = max(moved, key=moved.get), min(moved, key=moved.get)
     caption = (
-        f"{first}: the gripper ends {moved[farthest]:.0f} cm from where it began. {second}: it "
-        f"stays there."
+        f"{_capital(farthest)}: the gripper ends {moved[farthest]:.0f} cm from where it began. "
+        f"{_capital(nearest)}: it stays there. The beginning is translucent."
     )
-    return Picture(
-        fig, f"The gripper's path seen from the side, above a table. {ends}. {through}", caption
+    return beside(
+        groups,
+        1.3,
+        f"The arm with a glass in its gripper, above a table, at the end of its motion. {ends}. "
+        f"{through}",
+        caption,
+        view=(0.3, 1.0, 0.16),
+        high=1.0,
     )
+
+
+_BOARD = 0.04  # thickness of the table in metres
+
+
+def _placed(part, poses):
+    """Return a part of an arm's body where the poses (bodies, 4, 4) put it, as a part of body 0."""
+    return Part(0, part.colour, part.mesh.moved(poses[part.body]))
+
+
+def _glass():
+    """Return the mesh of a glass around the origin, 16 cm high, its axis along z."""
+    profile = [(0.035, -0.1), (0.045, 0.06), (0.04, 0.06), (0.03, -0.09), (0.001, -0.09)]
+    return revolve(np.zeros(3), [0, 0, 1], profile, 16)
+
+
+def _capital(words):
+    return words[0].upper() + words[1:]
 
 
 def arc_of_a_twist(a):
@@ -126,15 +177,36 @@ def arm_movie(arm, motion):
     )
 
 
-def plane_projections(path):
-    """Return a path in space, shape (n, 3), projected along z, along y and along x."""
-    fig, axes = plane_figure(10.2, 3.4, 3)
-    for ax, (i, j) in zip(axes, ((0, 1), (0, 2), (1, 2)), strict=True):
-        ax.plot(path[:, i], path[:, j], color=BLUE, linewidth=2)
-        ax.plot(*path[0, [i, j]], "o", color=CRIMSON, label="start")
-        in_metres(ax, xlabel=f"{'xyz'[i]} (m)", ylabel=f"{'xyz'[j]} (m)")
-        ax.margins(0.15)
-    legend_above(fig, 1, axes[0])
+def plane_projections(t, path):
+    """Return a path in space, projected onto the three coordinate planes, with the time under the pointer.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+        Times in seconds.
+    path : array_like, shape (n, 3)
+        Positions in metres.
+
+    Returns
+    -------
+    Picture
+    """
+    path = np.asarray(path, float)
+    planes = ((0, 1), (0, 2), (1, 2))
+    fig = charts.panels(
+        [f"{'xyz'[i]}-{'xyz'[j]}" for i, j in planes],
+        xlabel=[f"{'xyz'[i]} (m)" for i, _ in planes],
+        ylabel=[f"{'xyz'[j]} (m)" for _, j in planes],
+        equal=True,
+        height=330,
+    )
+    fig.update_xaxes(nticks=4, tickangle=0)  # the panels are narrow
+    fig.update_traces(cliponaxis=False)
+    for panel, (i, j) in enumerate(planes):
+        charts.add_line(
+            fig, path[:, i], path[:, j], "path", panel=panel, details={"time (s)": _seconds(t)}
+        )
+        charts.add_points(fig, path[:1, i], path[:1, j], "start", panel=panel, colour=CRIMSON)
     size = " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
     alt = (
         f"The path of the end-effector in the three coordinate planes; in space it takes {size} m."
@@ -144,49 +216,108 @@ def plane_projections(path):
     )
 
 
-def _mark(samples):
-    """Return the marker with which so few samples are seen."""
-    return "o" if len(samples) < 6 else ""
+def _seconds(t):
+    """Return times as floats, so that the pointer shows four digits of them."""
+    return np.asarray(t, float)
+
+
+def _without_rounding(values):
+    """Return values with those that rounding decides replaced by zero."""
+    values = np.asarray(values, float)
+    return np.where(np.abs(values) < _ROUNDING, 0.0, values)
 
 
 def velocities_over_time(t, v):
-    """Return the components of linear velocities over times (n,), one panel for each of {frame: velocities (n, 3)}."""
-    fig, axes = plane_figure(5.4, 6.4, rows=len(v), sharex=True, sharey=True)
-    for ax, (frame, part) in zip(axes, v.items(), strict=True):
-        for letter, values, style, colour in zip(
-            "xyz", part.T, STYLES, FRAME_COLOURS, strict=False
+    """Return the components of linear velocities over time, one panel for each frame.
+
+    The panels share their time axis: who zooms in one of them zooms in all.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+        Times in seconds.
+    v : dict
+        Name of a frame to velocities, shape (n, 3), in m/s.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        list(v),
+        xlabel="time (s)",
+        ylabel="v (m/s)",
+        columns=1,
+        share="xy",
+        height=150 + 190 * len(v),
+    )
+    for panel, velocities in enumerate(v.values()):
+        for letter, values, colour in zip(
+            "xyz", np.transpose(velocities), FRAME_COLOURS, strict=True
         ):
-            ax.plot(
+            charts.add_line(
+                fig,
                 t,
-                values,
-                marker=_mark(t),
-                label=f"$v_{letter}$",
-                linestyle=style,
-                color=colour,
-                linewidth=2,
+                _without_rounding(values),
+                f"v<sub>{letter}</sub>",
+                panel=panel,
+                colour=colour,
+                markers=_few(t),
             )
-        ax.set_ylabel(f"{frame}: v (m/s)")
-    axes[-1].set_xlabel("time (s)")
-    legend_above(fig, 3, axes[0])
-    speeds = ", ".join(f"{frame} up to {np.abs(part).max():.2f} m/s" for frame, part in v.items())
+    speeds = ", ".join(
+        f"{frame} up to {np.abs(velocities).max():.2f} m/s" for frame, velocities in v.items()
+    )
     return Picture(
         fig,
-        f"Three panels: the components of the linear velocity over time, as each frame sees it: "
+        f"{len(v)} panels: the components of the linear velocity over time, as each frame sees it: "
         f"{speeds}.",
         "The body and the hybrid twist have the same speed at each instant; only the axes differ.",
     )
 
 
-def velocities_against_each_other(v):
-    """Return the components of linear velocities {frame: (n, 3)} plotted against one another, a row for each frame."""
-    fig, axes = plane_figure(6.2, 6.6, 3, rows=len(v))
-    for row, colour, (title, part) in zip(axes.reshape(-1, 3), COLOURS, v.items(), strict=False):
-        for ax, (i, j) in zip(row, ((1, 0), (2, 0), (1, 2)), strict=True):
-            ax.plot(part[:, i], part[:, j], marker=_mark(part), color=colour, linewidth=1.8)
-            ax.set(xlabel=f"$v_{'xyz'[i]}$ (m/s)", ylabel=f"$v_{'xyz'[j]}$ (m/s)")
-            ax.set_aspect("equal", adjustable="datalim")
-            ax.locator_params(nbins=3)
-        row[1].set_title(title, fontweight="bold", pad=10)
+def _few(samples):
+    """Return whether there are so few samples that a curve needs dots to be seen."""
+    return len(samples) < 6
+
+
+def velocities_against_each_other(t, v):
+    """Return the components of linear velocities plotted against one another, a row for each frame.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+        Times in seconds, which the pointer shows.
+    v : dict
+        Name of a frame to velocities, shape (n, 3), in m/s.
+
+    Returns
+    -------
+    Picture
+    """
+    pairs = ((1, 0), (2, 0), (1, 2))  # x over y, x over z, z over y: a parabola opens upwards
+    fig = charts.panels(
+        [frame for frame in v for _ in pairs],
+        xlabel=len(v) * [f"v<sub>{'xyz'[i]}</sub> (m/s)" for i, _ in pairs],
+        ylabel=len(v) * [f"v<sub>{'xyz'[j]}</sub> (m/s)" for _, j in pairs],
+        columns=len(pairs),
+        equal=True,
+        height=90 + 250 * len(v),
+    )
+    fig.update_xaxes(nticks=4, tickangle=0)  # the panels are narrow
+    for row, (frame, velocities) in enumerate(v.items()):
+        drawn = _without_rounding(velocities)
+        for column, (i, j) in enumerate(pairs):
+            charts.add_line(
+                fig,
+                drawn[:, i],
+                drawn[:, j],
+                frame,
+                panel=row * len(pairs) + column,
+                dash="solid",
+                markers=_few(t),
+                details={"time (s)": _seconds(t)},
+            )
+    fig.layout.showlegend = False  # each panel has its frame for a title
     return Picture(
         fig,
         f"Components of the linear velocity plotted against one another, a row for each of: "
@@ -198,29 +329,92 @@ def velocities_against_each_other(v):
 def singular_values(arm, generic, straight):
     """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
 
-    arm: the iiwa. generic, straight: joint angles (7,) of an ordinary configuration, and of it with
-    a straight wrist.
+    Parameters
+    ----------
+    arm : SerialArm
+        The iiwa.
+    generic, straight : array_like, shape (7,)
+        Joint angles in radians of an ordinary configuration, and of the same one with a straight
+        wrist.
+
+    Returns
+    -------
+    Picture
     """
     varied = {
-        "$q_4$ varies (elbow)": (4, generic),
-        "$q_6$ varies (wrist)": (6, generic),
-        "$q_5$ varies, $q_6 = 0$": (5, straight),
+        "q<sub>4</sub> varies (elbow)": (4, generic),
+        "q<sub>6</sub> varies (wrist)": (6, generic),
+        "q<sub>5</sub> varies, q<sub>6</sub> = 0": (5, straight),
     }
-    fig, (ax,) = plane_figure(5.4, 3.4)
-    angles, said = np.linspace(-2, 2, 201), []
-    for colour, (label, (joint, q)) in zip(COLOURS, varied.items(), strict=False):
-        at = np.tile(np.asarray(q, float), (len(angles), 1))
-        at[:, joint - 1] = angles
-        smallest = np.linalg.svd(arm.space_jacobian(at), compute_uv=False)[:, 5]
-        ax.plot(angles, smallest, color=colour, linewidth=2, label=label)
-        least = "0" if smallest.min() < 1e-9 else f"{smallest.min():.2g}"
-        said.append(f"{label}: least {least} at {angles[smallest.argmin()]:.2f} rad")
-    ax.set(xlabel="the angle that varies (rad)", ylabel="smallest singular value", ylim=(0, None))
-    pi_ticks(ax.xaxis, 4)
-    ax.legend(frameon=False)
-    alt = f"The smallest singular value of the Jacobian over an angle. {plain('; '.join(said))}."
+    angles = np.linspace(-2, 2, 201)
+    fig = charts.panels(
+        xlabel="the angle that varies (rad)", ylabel="smallest singular value", parts_of_pi=4
+    )
+    fig.layout.hovermode = "x unified"
+    minima = []
+    for name, (joint, q) in varied.items():
+        configurations = np.tile(np.asarray(q, float), (len(angles), 1))
+        configurations[:, joint - 1] = angles
+        all_values = np.linalg.svd(arm.space_jacobian(configurations), compute_uv=False)
+        smallest = _without_rounding(all_values[:, 5])
+        charts.add_line(fig, angles, smallest, name)
+        words = name.replace("<sub>", "").replace("</sub>", "")
+        minima.append(f"{words}: least {smallest.min():.2g} at {angles[smallest.argmin()]:.2f} rad")
+    alt = f"The smallest singular value of the Jacobian over an angle. {'; '.join(minima)}."
     return Picture(
         fig,
         alt,
         "Where a curve touches zero the arm is singular; a straight wrist alone is not enough.",
+    )
+
+
+def near_its_bounds(t, manipulability, q, limits):
+    """Return over time how near an arm comes to a singular configuration, and how near its joints to their limits.
+
+    Parameters
+    ----------
+    t : array_like, shape (n,)
+        Times in seconds.
+    manipulability : array_like, shape (n,)
+    q : array_like, shape (n, k)
+        Joint angles in radians.
+    limits : array_like, shape (k, 2)
+        Lowest and highest angle of each joint in radians.
+
+    Returns
+    -------
+    Picture
+    """
+    low, high = np.transpose(limits)
+    shares = 100 * np.abs(q - (low + high) / 2) / ((high - low) / 2)
+    titles = ["manipulability", "angles, measured from the middle between both limits"]
+    fig = charts.panels(
+        titles,
+        xlabel="time (s)",
+        ylabel=["manipulability", "share of the way to a limit (%)"],
+        columns=1,
+        share="x",
+        height=560,
+    )
+    charts.add_line(fig, t, manipulability, "manipulability", colour=BLACK, markers=_few(t))
+    fig.data[0].showlegend = False  # its panel has its name
+    for joint, share in enumerate(shares.T):
+        charts.add_line(
+            fig,
+            t,
+            _without_rounding(share),
+            f"q<sub>{joint + 1}</sub>",
+            panel=1,
+            colour=COLOURS[joint % len(COLOURS)],
+            markers=_few(t),
+        )
+    charts.add_rule(fig, y=100, text="limit", panel=1)
+    nearest = shares.max(0)
+    return Picture(
+        fig,
+        f"Two panels over time. The manipulability is between {np.min(manipulability):.3f} and "
+        f"{np.max(manipulability):.3f}. Joint {nearest.argmax() + 1} comes nearest to a limit, "
+        f"{nearest.max():.0f} % of the way.",
+        "The nearer the manipulability is to zero, the nearer the arm is to a singular "
+        "configuration. Zoom in one panel: the other follows.",
     )

@@ -71,6 +71,7 @@ def _read_by(notebooks, root, pages):
         *root.glob("notebooks/data/*.csv"),
         *root.glob("notebooks/data/*.json"),
         *root.glob("notebooks/data/*.urdf"),
+        *root.glob("notebooks/data/*.txt"),  # licences of the data
     ]
     asked = [path.relative_to(root / "notebooks").as_posix() for path in beside]
     return [
