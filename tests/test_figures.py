@@ -94,6 +94,7 @@ PICTURES = [
     (nb4.wrong_frame, (IIWA, {"A": 0 * LOWERED, "B": LOWERED}, 0.05),
      "B: the gripper moves by 46 cm. No path touches the table."),
     (nb4.screw_motion, (SCREW, np.zeros(3), Z), "rises by 0.60 m."),
+    (nb4.digits_lost, (lambda a: (1 - np.cos(a)) / a,), "below 1e-9 from 0.001 rad on, larger"),
     (nb4.arc_of_a_twist, (np.pi / 3,), "from (0, 0) to (0.866, 0.5) m."),
     (velocities_of_the_tip, ({"bent": np.array([[0, 0], [2, 0], [2, 1]])},), "1: (-1, 2) m/s; bent, joint 2: (-1, 0)"),
     (nb4.arm_movie, (IIWA, trajectory.Trajectory(T, T[:, None] * GENERIC, 0 * T[:, None] * GENERIC)), "2.0 s: the"),

@@ -127,6 +127,42 @@ def arc_of_a_twist(a):
     )
 
 
+def digits_lost(formula):
+    """Return the relative error of a formula for (1 - cos a)/a over the angle, both axes logarithmic.
+
+    Rounding decides each dot, and rounding differs between machines. The figure is therefore a
+    plot by matplotlib, which the notebook's test does not compare.
+
+    Parameters
+    ----------
+    formula : callable
+        Takes angles, shape (n,), in radians.
+
+    Returns
+    -------
+    Picture
+    """
+    angles = np.logspace(-10, 0, 201)
+    exact = 2 * np.sin(angles / 2) ** 2 / angles  # subtracts nothing, so that all digits are right
+    errors = np.abs(formula(angles) / exact - 1)
+    drawn = np.maximum(errors, 1e-16)  # a logarithmic axis has no zero
+    fig, (ax,) = plane_figure(5.4, 3.4)
+    ax.loglog(angles, drawn, ".", color=BLUE, markersize=5)
+    ax.set(xlabel="angle a (rad)", ylabel="relative error")
+    # Bounds, because the errors themselves differ between machines.
+    large = "below" if errors[angles > 9e-4].max() < 1e-9 else "above"
+    tiny = "1" if np.allclose(errors[angles < 5e-9], 1) else "another number"
+    alt = (
+        f"The relative error of (1 - cos a)/a over the angle a, on logarithmic axes: {large} 1e-9 "
+        f"from 0.001 rad on, larger for smaller angles, and {tiny} below 5e-9 rad."
+    )
+    caption = (
+        "With each power of ten by which the angle falls, two digits are lost. Below $10^{-8}$ "
+        "none is left."
+    )
+    return Picture(fig, alt, caption)
+
+
 def screw_motion(poses, through, axis):
     """Return a frame at four instants of its motion along a screw, and the path of its origin.
 
