@@ -236,8 +236,7 @@ def plane_projections(t, path):
         equal=True,
         height=330,
     )
-    fig.update_xaxes(nticks=4, tickangle=0)  # the panels are narrow
-    fig.update_traces(cliponaxis=False)
+    _leave_margins(fig, [(path[:, i], path[:, j]) for i, j in planes])
     for panel, (i, j) in enumerate(planes):
         charts.add_line(
             fig, path[:, i], path[:, j], "path", panel=panel, details={"time (s)": _seconds(t)}
@@ -250,6 +249,19 @@ def plane_projections(t, path):
     return Picture(
         fig, alt, "One path in space, three projections. In which of them does it cross itself?"
     )
+
+
+def _leave_margins(fig, contents):
+    """Give each panel of a chart room around its curve, and few ticks, because panels are narrow.
+
+    contents: the abscissas and ordinates, each (n,), of each panel.
+    """
+    fig.update_xaxes(nticks=4, tickangle=0)
+    for (x_name, y_name), points in zip(fig.layout.meta["panels"], contents, strict=True):
+        margin = max(0.05 * np.ptp(points, axis=1).max(), 0.01)
+        low, high = np.min(points, axis=1) - margin, np.max(points, axis=1) + margin
+        fig.layout[f"xaxis{x_name[1:]}"].range = [low[0], high[0]]
+        fig.layout[f"yaxis{y_name[1:]}"].range = [low[1], high[1]]
 
 
 def _seconds(t):
@@ -339,7 +351,9 @@ def velocities_against_each_other(t, v):
         equal=True,
         height=90 + 250 * len(v),
     )
-    fig.update_xaxes(nticks=4, tickangle=0)  # the panels are narrow
+    _leave_margins(
+        fig, [(part[:, i], part[:, j]) for part in map(np.asarray, v.values()) for i, j in pairs]
+    )
     for row, (frame, velocities) in enumerate(v.items()):
         drawn = _without_rounding(velocities)
         for column, (i, j) in enumerate(pairs):
@@ -423,7 +437,7 @@ def near_its_bounds(t, manipulability, q, limits):
     """
     low, high = np.transpose(limits)
     shares = 100 * np.abs(q - (low + high) / 2) / ((high - low) / 2)
-    titles = ["manipulability", "angles, measured from the middle between both limits"]
+    titles = ["manipulability", "joint angles"]
     fig = charts.panels(
         titles,
         xlabel="time (s)",
@@ -452,5 +466,6 @@ def near_its_bounds(t, manipulability, q, limits):
         f"{np.max(manipulability):.3f}. Joint {nearest.argmax() + 1} comes nearest to a limit, "
         f"{nearest.max():.0f} % of the way.",
         "The nearer the manipulability is to zero, the nearer the arm is to a singular "
-        "configuration. Zoom in one panel: the other follows.",
+        "configuration. The angles are measured from the middle between their limits. Zoom in one "
+        "panel: the other follows.",
     )
