@@ -77,7 +77,7 @@ def test_holds_what_students_need_and_nothing_else(files):
         r"Makefile|README\.md|carry_over\.py|older_cells\.json|(environment|lock)\.txt|pyproject\.toml",
         r"notebooks/\d\d_\w+\.ipynb",
         r"notebooks/(notation|reports|places|changes)\.md",
-        r"notebooks/data/\w+\.(csv|json|urdf)",
+        r"notebooks/data/(\w+\.(csv|json|urdf)|\w+_LICENSE\.txt)",
         r"course_lib/(trajectory/)?\w+\.py",
         r"course_lib/(checks|figures|lessons)/(\w+/){0,2}\w+\.py",
         r"course_lib/figures/scripts/(\w+/)?\w+\.js",
