@@ -24,6 +24,44 @@ def test_a_screw_motion_shows_its_path_and_four_of_its_poses():
             assert np.linalg.norm(film.at(0) - tip, axis=1).min() < 1e-3
 
 
+# ---- charts of a trajectory ----
+
+T = np.array([0.0, 0.5, 2.0])
+V = {"space": np.arange(9.0).reshape(3, 3), "body": -np.eye(3)}
+
+
+def test_a_point_of_a_curve_without_a_time_axis_says_its_time():
+    path = figures.plane_projections(T, V["space"]).fig.data[0]
+    velocity = figures.velocities_against_each_other(T, V).fig.data[0]
+    for curve in (path, velocity):
+        assert [list(row) for row in curve.customdata] == [[0.0], [0.5], [2.0]]
+        assert "time: %{customdata[0]" in curve.hovertemplate
+
+
+def test_the_panels_of_velocities_over_time_have_one_time_axis():
+    chart = figures.velocities_over_time(T, V).fig
+    assert {curve.xaxis for curve in chart.data} == {"x"}
+    assert len({curve.yaxis for curve in chart.data}) == len(V)
+
+
+def test_what_rounding_decides_is_drawn_as_zero():
+    chart = figures.velocities_over_time(T, {"space": np.full((3, 3), 3e-12)}).fig
+    assert not np.any([curve.y for curve in chart.data])
+
+
+def test_each_arm_holds_its_glass_at_the_beginning_and_at_the_end():
+    q = np.array([[0, 0.5, 0, -1.2, 0, 0.8, 0], [0, 0.9, 0, -1.2, 0, 0.8, 0]])
+    film = Film(figures.wrong_frame(ARMS["iiwa"], {"A": q}, 0.1))
+    T = ARMS["iiwa"].fk(q)
+    rim = np.array([0, 0, 0.06])  # the middle of the rim, upright at the beginning
+    in_gripper = rigid.inverse(T[0])[:3, :3] @ rim
+    for pose, vertices in ((T[0], film.pale()), (T[1], film.at(0))):
+        middle = pose[:3, :3] @ in_gripper + pose[:3, 3]
+        away = np.linalg.norm(vertices - middle, axis=1)
+        on_the_rim = np.abs(away - 0.045) < 1e-3
+        assert on_the_rim.sum() >= 16
+
+
 # ---- the dimensioned drawings ----
 
 
