@@ -1,6 +1,7 @@
 """The checks as a student meets them: messages, hints, progress."""
 
 import html
+import math
 import re
 from dataclasses import replace
 
@@ -264,14 +265,16 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
             lambda M: panda().home[-1, :2, :2].__imatmul__(M),
             "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
         ),
+        (lambda M: 1 / 0, "something is divided by zero"),
         (
-            lambda M: 1 / 0,
-            "something is divided by zero, or the result, nan or infinity, is used further",
+            lambda M: rotations.rot_x(M[0, 0] * np.nan),
+            "nan or infinity comes out of an earlier line, and is used in this one",
         ),
-        (
-            lambda M: np.atleast_2d(M[0])[1],
-            "an array has another shape than this line takes it to have",
-        ),
+        (lambda M: math.acos(M[0, 0]), "a function is asked for a number outside its domain"),
+        (lambda M: [M[k] for k in range(6)], "an index goes beyond the last entry"),
+        (lambda M: M[0, 0, 0], "an array has fewer axes than this line takes it to have"),
+        (lambda M: M @ np.ones(7), "two arrays are combined whose shapes do not fit"),
+        (lambda M: np.vstack([]), "arrays are stacked of which there is none"),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):

@@ -34,16 +34,35 @@ _READ_ONLY = Mistake(
     "Others still need it, so it is read-only. x = x + ... and T = T @ ... make a new array.",
 )
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
+_NOTHING_TO_STACK = Mistake(
+    "arrays are stacked of which there is none",
+    "For this input the list is empty. What does the task ask for in this case?",
+)
 _OTHER_SHAPE = Mistake(
-    "an array has another shape than this line takes it to have",
+    "an array has fewer axes than this line takes it to have",
     "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is (n, 1).",
+)
+_BEYOND_THE_END = Mistake(
+    "an index goes beyond the last entry",
+    "The indices of n entries are 0 to n - 1. Print the .shape of the array, or the len of the list, "
+    "before this line: how many entries are there, and how many does your code expect?",
 )
 _RAISED = Mistake(
     "your own line raises this error", "What does the task want to be returned in this case?"
 )
-_NOT_FINITE = Mistake(
-    "something is divided by zero, or the result, nan or infinity, is used further",
+_DIVIDED = Mistake(
+    "something is divided by zero",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
+)
+_NOT_FINITE = Mistake(
+    "nan or infinity comes out of an earlier line, and is used in this one",
+    "Print each intermediate value for this input. Is something divided by 0, or is a root or an "
+    "arccos asked outside its domain?",
+)
+_OUTSIDE_THE_DOMAIN = Mistake(
+    "a function is asked for a number outside its domain",
+    "Print the number that it is given. For which numbers is the function defined, and how far may "
+    "rounding take a number out of that range?",
 )
 # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
 _KNOWN = (
@@ -64,7 +83,8 @@ _KNOWN = (
         _NUMBER_FOR_ARRAY,
     ),
     ("IndexError", "invalid index to scalar variable", _NUMBER_FOR_ARRAY),
-    ("IndexError", "out of bounds for axis|too many indices for array", _OTHER_SHAPE),
+    ("IndexError", "too many indices for array", _OTHER_SHAPE),
+    ("IndexError", "out of bounds for axis|index out of range", _BEYOND_THE_END),
     ("TypeError", r"operand type\(s\) for \^|bitwise_xor", _NO_POWER),
     (
         "TypeError",
@@ -73,13 +93,19 @@ _KNOWN = (
     ),
     ("ValueError", "truth value of an array", _ARRAY_FOR_NUMBER),
     ("ValueError", "must be finite; ", _NOT_FINITE),
-    ("ZeroDivisionError", "", _NOT_FINITE),
+    ("ZeroDivisionError", "", _DIVIDED),
+    (
+        "ValueError",
+        "math domain error|expected a (number in range|nonnegative|positive)",
+        _OUTSIDE_THE_DOMAIN,
+    ),
     ("ValueError", "read-only", _READ_ONLY),
     (
         "ValueError",
-        "matmul|could not be broadcast|must match exactly|same number of dim|at least one array",
+        "matmul|could not be broadcast|must match exactly|same number of dim",
         _SHAPES,
     ),
+    ("ValueError", "need at least one array", _NOTHING_TO_STACK),
 )
 
 

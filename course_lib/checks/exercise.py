@@ -11,7 +11,8 @@ from course_lib.checks import call_student
 from course_lib.checks.call_student import CPU_SECONDS
 from course_lib.checks.errors import explain_error
 from course_lib.checks.mistake import Mistake, Mistakes
-from course_lib.checks.naming import Naming, attempt, predict, same
+from course_lib.checks.naming import Naming, attempt, difference, predict, same
+from course_lib.checks.special_cases import Sweep, made_cases
 from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
@@ -90,7 +91,8 @@ class Exercise:
     arguments : tuple of str
         The names of the function's arguments.
     cases : callable
-        cases(rng): tuples of arguments, an ordinary simple one first, special cases after it.
+        cases(rng): tuples of arguments, an ordinary simple one first, special cases after it. The
+        engine adds more, of whole numbers for example; see special_cases.py.
     returns : callable
         returns(value, *arguments): the answer in the form that the properties expect (see
         answer_types.py); raises Unreadable.
@@ -113,9 +115,16 @@ class Exercise:
     builds_on : tuple of str
         Exercises of the same notebook that the task tells to call, although it excludes the
         library's versions of them.
+    distance : callable
+        distance(value, right, *arguments): how far an answer is from the library's, however it is
+        written; inf for another shape. Where it is small, messages print it.
     broken : callable, optional
         If the task is to find a bug: a function that answers as the broken code does, None
         included.
+    sweeps : tuple of Sweep
+        The special values of the arguments: the engine makes cases beside each of them.
+    angles : tuple of str
+        The arguments that are angles: the engine makes a case beyond one revolution.
     tries_arguments : bool
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
@@ -148,7 +157,10 @@ class Exercise:
     through: str = ""
     errors: tuple[tuple[str, str, Mistake], ...] = ()
     alike: Callable = same
+    distance: Callable = difference
     broken: Callable | None = None
+    sweeps: tuple[Sweep, ...] = ()
+    angles: tuple[str, ...] = ()
     tries_arguments: bool = True
     mistakes: Mistakes = field(default_factory=Mistakes)
 
@@ -165,9 +177,26 @@ class Exercise:
     def questions(self, rng):
         """Return the cases, and a function that answers calls of candidates; here None.
 
-        See WriteTest.
+        The author's cases come first, then those that the engine makes; see special_cases.py.
         """
-        return self.cases(rng), None
+        cases = list(self.cases(rng))
+        made = made_cases(cases, self.arguments, self.sweeps, self.angles, rng)
+        return cases + made, None
+
+    def as_read(self, value, arguments):
+        """Return an answer as the check reads it, for later cells; one that it cannot read as an array.
+
+        An answer of shape (n, 1), a list, or a complex number without imaginary part is accepted
+        where a vector (n,), an array, or a number is asked for. What comes after the check gets
+        what the check read.
+        """
+        if self.through or self.returns is None:
+            return value
+        try:
+            read = self.returns(value, *arguments)
+            return read[()] if isinstance(read, np.ndarray) and read.ndim == 0 else read
+        except Exception:  # a call that the check does not make, such as one for many inputs at once
+            return _as_array(value)
 
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
@@ -194,10 +223,8 @@ class Exercise:
             failing = wanted.failing(cases, values)
             if failing:
                 return self._wrong(wanted, cases, answers, values, failing)
-        note = next(
-            (f"numpy warned: {answer['warning']}" for answer in answers if answer["warning"]), ""
-        )
-        return Verdict(self, RIGHT, note=note)
+        warning = next((answer["warning"] for answer in answers if answer["warning"]), "")
+        return Verdict(self, RIGHT, note=_in_words(warning))
 
     def _ended(self, position, cases, answers):
         """Return the Verdict on answers of which this one ended in an error."""
@@ -221,7 +248,11 @@ class Exercise:
         case, value = cases[failing[0]], values[failing[0]]
         found = attempt(wanted.says, value, *case) if wanted.says else None
         reason = f"{wanted.text}." + (f" {found}" if found else "")
-        mistake = Naming(self, cases, values).mistake(failing) or wanted.mistake
+        wrong = {*failing}.union(*(other.failing(cases, values) for other in self.properties))
+        naming = Naming(self, cases, values)
+        if naming.looks_right(failing[0]) and " off by " not in reason:
+            reason += f" Your answer is off by {naming.distance(failing[0]):.1e}."
+        mistake = naming.mistake(sorted(wrong)) or wanted.mistake
         if callable(mistake):
             mistake = attempt(mistake, value, *case)
         shown = (
@@ -423,6 +454,24 @@ def _claim(answer, arguments):
         "changed": changed,
         "warning": str(answer.get("warning", ""))[:300],
     }
+
+
+def _as_array(value):
+    """Return a list as an array, one of parts that differ in shape as a tuple of arrays."""
+    if not isinstance(value, list | tuple):
+        return value
+    try:
+        return np.array(value)
+    except ValueError:  # such as screw axes and a pose
+        return tuple(np.array(part) for part in value)
+
+
+def _in_words(warning):
+    """Return who warned of what, for a warning's text; "" for none."""
+    if not warning:
+        return ""
+    of_numpy = " encountered in " in warning  # "divide by zero encountered in scalar divide"
+    return f"{'numpy' if of_numpy else 'Python'} warned: {warning}"
 
 
 def _changed(exercise, name, case, value):

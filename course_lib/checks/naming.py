@@ -16,6 +16,8 @@ _MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
     6,
 )  # of which all orders, and all signs, are tried
 _FEW = 3  # numbers that differ: fewer agree with some transform by chance
+_FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
+_FLOAT32 = 1e-5  # a hundred roundings of float32, 1.2e-7 each at most
 
 
 def same(value, predicted, *arguments, tolerance=1e-6):
@@ -36,6 +38,19 @@ def same(value, predicted, *arguments, tolerance=1e-6):
         return np.allclose(value, predicted, rtol=tolerance, atol=tolerance, equal_nan=True)
     with np.errstate(invalid="ignore", over="ignore"):
         return bool((np.abs(value - predicted) <= tolerance + tolerance * np.abs(predicted)).all())
+
+
+def difference(value, predicted, *arguments):
+    """Return the largest difference of two answers; inf if their shapes differ or nan stands elsewhere.
+
+    The arguments of the case are not used; see `distance` of an Exercise.
+    """
+    value, predicted = np.asarray(value, float), np.asarray(predicted, float)
+    if value.shape != predicted.shape:
+        return np.inf
+    if not np.array_equal(np.isfinite(value), np.isfinite(predicted)):
+        return np.inf
+    return _gap(value, predicted)
 
 
 def attempt(formula, *arguments):
@@ -74,22 +89,27 @@ class Naming:
         self.exercise, self.cases, self.values = exercise, cases, values
         self._rights = {}
 
-    def mistake(self, failing):
-        """Return the Mistake that accounts for the wrong answers, those at the positions `failing`, or None.
+    def mistake(self, wrong):
+        """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`, or None.
 
-        One that explains all answers is preferred to one that explains the failing ones only; a few
-        True or False, or signs, fit many mistakes by chance, so these must explain all.
+        That only the first digits are right is said before anything else, because a rounded answer
+        satisfies no formula to the digits that are asked for. Then, one that explains all answers
+        is preferred to one that explains the wrong ones only; a few True or False, or signs, fit
+        many mistakes by chance, so these must explain all.
         """
+        few_digits = self._few_digits(wrong)
+        if few_digits is not None:
+            return few_digits
         own = self.exercise.mistakes
         found = next(
-            (known for known in own if self._explains(known, failing, everywhere=True)), None
+            (known for known in own if self._explains(known, wrong, everywhere=True)), None
         )
         found = found or next(
-            (known for known in everyday(self) if self._explains_enough(known, failing)), None
+            (known for known in everyday(self) if self._explains_enough(known, wrong)), None
         )
         if found is None and not self.few_bits():
-            found = next((known for known in own if self._explains(known, failing)), None)
-        return found or (self._few_digits(failing) if self._nearly_right(failing) else None)
+            found = next((known for known in own if self._explains(known, wrong)), None)
+        return found
 
     def few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
@@ -98,17 +118,45 @@ class Naming:
             for value in self.values
         )
 
-    def _nearly_right(self, failing):
-        """Return whether most answers are wrong, and each of them is right to its first digits."""
-        if 2 * len(failing) < len(self.cases) or isinstance(self.values[failing[0]], bool):
-            return False
-        return all(attempt(_close, self.values[i], self.right(i)) for i in failing)
+    def distance(self, position):
+        """Return how far the answer to a case is from the library's: inf if that cannot be said."""
+        right = self.right(position)
+        if right is None:
+            return np.inf
+        value = self.values[position]
+        gap = attempt(self.exercise.distance, value, right, *self.cases[position])
+        return np.inf if gap is None or np.isnan(gap) else float(gap)
 
-    def _few_digits(self, failing):
-        off = max(_gap(self.values[i], self.right(i)) for i in failing)
-        return Mistake(
-            f"the answer is right to its first digits only: it is off by {off:.2g}", _FEW_DIGITS
-        )
+    def looks_right(self, position):
+        """Return whether an answer differs from the library's in later digits only."""
+        return bool(0 < self.distance(position) <= _FIRST_DIGITS * self._size(position))
+
+    def _size(self, position):
+        """Return the largest entry of the library's answer, without its sign; 0 if there is none."""
+        right = self.right(position)
+        return 0.0 if right is None else np.nan_to_num(np.abs(right), posinf=0).max(initial=0)
+
+    def _few_digits(self, wrong):
+        """Return the Mistake of answers that are right to their first digits only, or None."""
+        if isinstance(self.values[wrong[0]], bool) or self.right(wrong[0]) is None:
+            return None
+        off = [self.distance(i) for i in wrong]
+        sizes = [1 + self._size(i) for i in wrong]
+        if any(gap > _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True)):
+            return None
+        arrays = [attempt(np.asarray, value, float) for value in self.values]
+        if any(array is None for array in arrays):
+            return None
+        if all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays):
+            if all(gap <= _FLOAT32 * size for gap, size in zip(off, sizes, strict=True)):
+                return Mistake("the answer has the seven digits of float32", _FLOAT64)
+        for k in range(1, 9):
+            if all(np.array_equal(x, np.round(x, k), equal_nan=True) for x in arrays):
+                return Mistake(f"the answer is rounded to {k} digits", _FEW_DIGITS)
+        if 2 * len(wrong) < len(self.cases):
+            return None  # a special case, in which digits are lost
+        name = f"the answer is right to its first digits only: it is off by {max(off):.2g}"
+        return Mistake(name, _FEW_DIGITS)
 
     def of_other_form(self, position, value):
         """Return the Mistake of an answer of another shape than asked for, or None."""
@@ -275,12 +323,6 @@ def _telling(numbers):
     """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so is nan."""
     return np.isfinite(numbers).all() and (
         np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
-    )
-
-
-def _close(value, right):
-    return (
-        np.shape(value) == right.shape and np.abs(value - right).max() <= 3e-3 * np.abs(right).max()
     )
 
 
@@ -486,6 +528,8 @@ _WHOLE = (
     "room for digits.",
 )
 
+_FLOAT64 = "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told otherwise."
+
 _FEW_DIGITS = (
     "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is "
     "np.pi."
@@ -516,10 +560,6 @@ _OF_THE_ANSWER = (
     ("the answer is 1000 times what it should be", _UNIT, lambda x: 1000 * x),
 )
 
-_OF_THE_ANSWER += tuple(
-    (f"the answer is rounded to {k} digits", _FEW_DIGITS, functools.partial(np.round, decimals=k))
-    for k in range(2, 7)
-)
 _FOLDS = (
     (
         "an angle comes from arcsin, which knows half of the circle only",

@@ -210,11 +210,11 @@ class Check:
         """Return the student's function if its check has passed, else the library's, and show which one it is.
 
         So unfinished work does not stop what follows. The function returned has an attribute
-        `whose`, "yours" or "the library's"; the student's function then returns arrays instead of
-        lists.
+        `whose`, "yours" or "the library's"; the student's function then returns its answers as the
+        check reads them, such as an array in place of a list.
         """
         mine = self.verdict.state == RIGHT and not self.verdict.instead
-        used = _giving_arrays(function) if mine else functools.partial(self.library)
+        used = _as_checked(function, self.exercise) if mine else functools.partial(self.library)
         used.whose = "yours" if mine else "the library's"
         if self.verdict.state in (WRONG, ERROR) and callable(function):
             used.attempt = function  # what is wrong with it can be seen in a picture
@@ -307,20 +307,18 @@ def _listed(names):
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _giving_arrays(function):
-    """Return the function with lists converted to arrays: checks accept both, but later cells need arrays."""
+def _as_checked(function, exercise):
+    """Return the function with its answers in the form in which the check reads them; see Exercise.as_read."""
 
     @functools.wraps(function)
-    def giving_arrays(*arguments):
-        answer = function(*arguments)
-        if not isinstance(answer, list | tuple):
-            return answer
-        try:
-            return np.array(answer)
-        except ValueError:  # parts of different shapes, such as screw axes and a pose
-            return tuple(np.array(part) for part in answer)
+    def answering_as_checked(*arguments, **named):
+        in_order = arguments
+        if named:
+            rest = exercise.arguments[len(arguments) :]
+            in_order += tuple(named[name] for name in rest if name in named)
+        return exercise.as_read(function(*arguments, **named), in_order)
 
-    return giving_arrays
+    return answering_as_checked
 
 
 class Predict:

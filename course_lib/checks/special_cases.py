@@ -1,0 +1,138 @@
+"""Cases that the engine makes of what an exercise says of its arguments.
+
+Wrong answers hide between the cases that an author thinks of: an answer may be right at pi and at
+pi - 1e-9 and wrong between the two, or right for floats and wrong for whole numbers. An exercise
+names its special values (`Sweep`) and its angles; the rest the engine does for every exercise.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+_MOST_WHOLE = 4  # cases repeated with whole numbers in their arrays
+_MOST_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
+_ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
+_LARGEST_WHOLE = 1e6
+
+# From 0.3 down to the rounding of numbers near 1. Between two neighbours a right answer's error
+# changes by no more than a factor of about 3, so no wrong branch fits between them.
+BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in (3.1, 1))
+ON_BOTH_SIDES = tuple(sign * gap for gap in BESIDE for sign in (1, -1))
+OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too generous bound lets pass
+SIZES = (1, 2, 3, 7)
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Cases beside a special value of the arguments, or of different sizes.
+
+    Parameters
+    ----------
+    what : str
+        What is special, for authors: "a rotation by nearly pi".
+    case : callable
+        case(rng, value): the arguments of one case, whose distance from what is special, or whose
+        size, is the value; None where there is no such case.
+    values : tuple of float, optional
+        BESIDE, ON_BOTH_SIDES, OUT_OF_REACH, SIZES, or others.
+
+    Examples
+    --------
+    >>> nearly_pi = Sweep("nearly pi", lambda rng, gap: (np.pi - gap,), values=(0.1, 0.01))
+    >>> nearly_pi.cases(np.random.default_rng(0))
+    [(3.0415926535897933,), (3.1315926535897933,)]
+    """
+
+    what: str
+    case: Callable
+    values: tuple[float, ...] = BESIDE
+
+    def cases(self, rng):
+        """Return the cases of all values."""
+        made = [self.case(rng, value) for value in self.values]
+        return [case for case in made if case is not None]
+
+
+def made_cases(cases, names, sweeps, angles, rng):
+    """Return what the engine adds to the cases of an exercise.
+
+    Parameters
+    ----------
+    cases : list of tuple
+        The author's.
+    names : tuple of str
+        Of the arguments.
+    sweeps : tuple of Sweep
+    angles : tuple of str
+        The names of the arguments that are angles.
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    list of tuple
+        The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author;
+        -0.0 in place of 0.0; and angles of more than one revolution.
+    """
+    swept = [case for sweep in sweeps for case in sweep.cases(rng)]
+    whole = _different([_with_whole_numbers(case) for case in cases])
+    negative_zeros = [_with_negative_zeros(case) for case in cases]
+    several = [beyond_a_revolution(cases[-1], names, angles)] if angles else []
+    return [
+        *swept,
+        *whole[:_MOST_WHOLE],
+        *[case for case in negative_zeros if case is not None][:_MOST_ZEROS],
+        *several,
+    ]
+
+
+def _is_floats(argument):
+    return isinstance(argument, np.ndarray) and argument.dtype.kind == "f" and argument.size > 0
+
+
+def _is_whole(argument):
+    if not _is_floats(argument) or not np.isfinite(argument).all():
+        return False
+    small = np.abs(argument).max() < _LARGEST_WHOLE
+    return bool(small and np.abs(argument - np.rint(argument)).max() < _ROUNDING)
+
+
+def _with_whole_numbers(case):
+    """Return the case with arrays of integers where it holds whole numbers; None if it does not."""
+    if not any(map(_is_whole, case)):
+        return None
+    return tuple(np.rint(arg).astype(int) if _is_whole(arg) else arg for arg in case)
+
+
+def _different(cases):
+    """Return the cases that are not None, those with the most different entries first."""
+
+    def variety(case):
+        return sum(len(np.unique(argument)) for argument in case if isinstance(argument, np.ndarray))
+
+    return sorted((case for case in cases if case is not None), key=variety, reverse=True)
+
+
+def _with_negative_zeros(case):
+    """Return the case with -0.0 for each 0.0 of its floats; None if it has none."""
+    changed, has_zeros = [], False
+    for argument in case:
+        if _is_floats(argument) or isinstance(argument, float):
+            zeros = np.asarray(argument) == 0
+            has_zeros = has_zeros or bool(zeros.any())
+            negative = np.where(zeros, -0.0, argument)
+            argument = negative if isinstance(argument, np.ndarray) else float(negative)
+        changed.append(argument)
+    return tuple(changed) if has_zeros else None
+
+
+def beyond_a_revolution(case, names, angles):
+    """Return the case with its angles changed by two revolutions, of alternating signs."""
+    changed = []
+    for name, argument in zip(names, case, strict=True):
+        if name in angles:
+            signs = np.where(np.arange(np.size(argument)) % 2, -1, 1).reshape(np.shape(argument))
+            moved = argument + 4 * np.pi * signs
+            argument = moved if isinstance(argument, np.ndarray) else float(moved)
+        changed.append(argument)
+    return tuple(changed)
