@@ -195,7 +195,9 @@ class Exercise:
         try:
             read = self.returns(value, *arguments)
             return read[()] if isinstance(read, np.ndarray) and read.ndim == 0 else read
-        except Exception:  # a call that the check does not make, such as one for many inputs at once
+        except (
+            Exception
+        ):  # a call that the check does not make, such as one for many inputs at once
             return _as_array(value)
 
     def verdict(self, cases, answers):
@@ -252,7 +254,7 @@ class Exercise:
         naming = Naming(self, cases, values)
         if naming.looks_right(failing[0]) and " off by " not in reason:
             reason += f" Your answer is off by {naming.distance(failing[0]):.1e}."
-        mistake = naming.mistake(sorted(wrong)) or wanted.mistake
+        mistake = naming.mistake(failing, sorted(wrong)) or wanted.mistake
         if callable(mistake):
             mistake = attempt(mistake, value, *case)
         shown = (

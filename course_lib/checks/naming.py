@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.special_cases import MadeCase
 from course_lib.checks.wire import Seed
 
 _MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
@@ -17,7 +18,6 @@ _MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
 )  # of which all orders, and all signs, are tried
 _FEW = 3  # numbers that differ: fewer agree with some transform by chance
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
-_FLOAT32 = 1e-5  # a hundred roundings of float32, 1.2e-7 each at most
 
 
 def same(value, predicted, *arguments, tolerance=1e-6):
@@ -89,8 +89,11 @@ class Naming:
         self.exercise, self.cases, self.values = exercise, cases, values
         self._rights = {}
 
-    def mistake(self, wrong):
+    def mistake(self, failing, wrong):
         """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`, or None.
+
+        failing: the positions among them at which the property fails of which the message speaks;
+        a mistake that is recognised in the answers, and not predicted, is looked for in these.
 
         That only the first digits are right is said before anything else, because a rounded answer
         satisfies no formula to the digits that are asked for. Then, one that explains all answers
@@ -102,13 +105,14 @@ class Naming:
             return few_digits
         own = self.exercise.mistakes
         found = next(
-            (known for known in own if self._explains(known, wrong, everywhere=True)), None
+            (known for known in own if self._explains(known, failing, wrong, everywhere=True)), None
         )
         found = found or next(
-            (known for known in everyday(self) if self._explains_enough(known, wrong)), None
+            (known for known in everyday(self) if self._explains_enough(known, failing, wrong)),
+            None,
         )
         if found is None and not self.few_bits():
-            found = next((known for known in own if self._explains(known, wrong)), None)
+            found = next((known for known in own if self._explains(known, failing, wrong)), None)
         return found
 
     def few_bits(self):
@@ -138,23 +142,23 @@ class Naming:
 
     def _few_digits(self, wrong):
         """Return the Mistake of answers that are right to their first digits only, or None."""
-        if isinstance(self.values[wrong[0]], bool) or self.right(wrong[0]) is None:
+        arrays = [attempt(np.asarray, value, float) for value in self.values]
+        if any(array is None for array in arrays) or all(map(_is_whole, arrays)):
             return None
+        if not all(map(_is_short, arrays)) and all(
+            np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays
+        ):
+            return Mistake("the answer has the seven digits of float32", _FLOAT64)
         off = [self.distance(i) for i in wrong]
         sizes = [1 + self._size(i) for i in wrong]
-        if any(gap > _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True)):
+        if not all(0 < gap <= _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True)):
             return None
-        arrays = [attempt(np.asarray, value, float) for value in self.values]
-        if any(array is None for array in arrays):
-            return None
-        if all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays):
-            if all(gap <= _FLOAT32 * size for gap, size in zip(off, sizes, strict=True)):
-                return Mistake("the answer has the seven digits of float32", _FLOAT64)
         for k in range(1, 9):
             if all(np.array_equal(x, np.round(x, k), equal_nan=True) for x in arrays):
                 return Mistake(f"the answer is rounded to {k} digits", _FEW_DIGITS)
-        if 2 * len(wrong) < len(self.cases):
-            return None  # a special case, in which digits are lost
+        ordinary = [i for i, case in enumerate(self.cases) if not isinstance(case, MadeCase)]
+        if 2 * len(set(wrong) & set(ordinary)) < len(ordinary):
+            return None  # digits are lost beside a special value only
         name = f"the answer is right to its first digits only: it is off by {max(off):.2g}"
         return Mistake(name, _FEW_DIGITS)
 
@@ -185,24 +189,24 @@ class Naming:
             )
         return self._rights[position]
 
-    def _explains(self, mistake, failing, everywhere=False):
+    def _explains(self, mistake, failing, wrong, everywhere=False):
         if mistake.seen is not None and all(
             attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing
         ):
             return True
         return any(
-            self._accounts_for(mistake, answer, failing, everywhere) for answer in mistake.answers
+            self._accounts_for(mistake, answer, wrong, everywhere) for answer in mistake.answers
         )
 
-    def _accounts_for(self, mistake, answer, failing, everywhere):
-        """Return whether a variant predicts the failing answers, and contradicts none, or few, of the others.
+    def _accounts_for(self, mistake, answer, wrong, everywhere):
+        """Return whether a variant predicts the wrong answers, and contradicts none, or few, of the others.
 
         Few: right answers which the mistake would have made wrong, as long as they are fewer than
-        the failing ones.
+        the wrong ones.
         """
-        if not all(self._predicts(mistake, answer, i) for i in failing):
+        if not all(self._predicts(mistake, answer, i) for i in wrong):
             return False
-        others = set(range(len(self.values))) - set(failing)
+        others = set(range(len(self.values))) - set(wrong)
         contradicted = [i for i in others if self._predicts(mistake, answer, i) is False]
         if everywhere:
             return not contradicted
@@ -211,15 +215,15 @@ class Naming:
             for i in contradicted
             if attempt(self.exercise.alike, self.values[i], self.right(i), *self.cases[i])
         ]
-        return len(right) < len(failing)
+        return len(right) < len(wrong)
 
-    def _explains_enough(self, mistake, failing):
+    def _explains_enough(self, mistake, failing, wrong):
         """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
-        if not self._explains(mistake, failing, everywhere=True):
+        if not self._explains(mistake, failing, wrong, everywhere=True):
             return False
         if not mistake.answers:
             return True
-        if any(self._is_right(mistake.answers[0], i) for i in failing):
+        if any(self._is_right(mistake.answers[0], i) for i in wrong):
             # a list of solutions in reverse order, for example: this is not what is wrong
             return False
         changed = [
@@ -262,8 +266,9 @@ class Naming:
         # The prediction is close to the right answer: the answer must be much closer to the one
         # than to the other.
         between = _gap(predicted, right)
-        if between <= 1e-13 * max(1, _gap(right, 0)):
-            return None
+        rounding = 1e-13 * max(1, _gap(right, 0))
+        if between <= rounding:
+            return True if _gap(value, predicted) <= rounding else None
         return same(value, predicted) and bool(_gap(value, predicted) <= 0.1 * between)
 
 
@@ -312,6 +317,15 @@ def everyday(naming):
         )
         for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
+
+
+def _is_short(array):
+    """Return whether the numbers have few decimals, as 0.125 has, which is the same in float32."""
+    return np.array_equal(array, np.round(array, 5), equal_nan=True)
+
+
+def _is_whole(array):
+    return np.array_equal(array, np.round(array), equal_nan=True)
 
 
 def _gap(value, other):

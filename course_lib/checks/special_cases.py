@@ -54,6 +54,12 @@ class Sweep:
         return [case for case in made if case is not None]
 
 
+class MadeCase(tuple):
+    """The arguments of a case that the engine has made; those of the author are plain tuples."""
+
+    __slots__ = ()
+
+
 def made_cases(cases, names, sweeps, angles, rng):
     """Return what the engine adds to the cases of an exercise.
 
@@ -77,13 +83,10 @@ def made_cases(cases, names, sweeps, angles, rng):
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])
     negative_zeros = [_with_negative_zeros(case) for case in cases]
-    several = [beyond_a_revolution(cases[-1], names, angles)] if angles else []
-    return [
-        *swept,
-        *whole[:_MOST_WHOLE],
-        *[case for case in negative_zeros if case is not None][:_MOST_ZEROS],
-        *several,
-    ]
+    several = [beyond_a_revolution(max(cases, key=_variety), names, angles)] if angles else []
+    with_zeros = [case for case in negative_zeros if case is not None]
+    made = [*swept, *whole[:_MOST_WHOLE], *with_zeros[:_MOST_ZEROS], *several]
+    return [MadeCase(case) for case in made]
 
 
 def _is_floats(argument):
@@ -106,11 +109,13 @@ def _with_whole_numbers(case):
 
 def _different(cases):
     """Return the cases that are not None, those with the most different entries first."""
+    return sorted((case for case in cases if case is not None), key=_variety, reverse=True)
 
-    def variety(case):
-        return sum(len(np.unique(argument)) for argument in case if isinstance(argument, np.ndarray))
 
-    return sorted((case for case in cases if case is not None), key=variety, reverse=True)
+def _variety(case):
+    """Return how many numbers other than 0 stand in the arrays of a case, each counted once."""
+    arrays = [argument for argument in case if isinstance(argument, np.ndarray)]
+    return sum(len(np.unique(array[array != 0])) for array in arrays)
 
 
 def _with_negative_zeros(case):

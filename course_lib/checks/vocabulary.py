@@ -6,6 +6,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property, same
+from course_lib.checks.naming import difference
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
 from course_lib.rotations import exp_so3
 
@@ -145,6 +146,28 @@ def same_up_to_sign(value, predicted, *arguments):
 def same_angles(value, predicted, *arguments, tolerance=1e-6):
     """Return whether angles of any shape are the same up to multiples of 2 pi."""
     return np.shape(value) == np.shape(predicted) and angle_gap(value, predicted) < tolerance
+
+
+def distance_up_to_sign(value, right, *arguments):
+    """Return how far a quaternion (4,), or its negative, is from the right one."""
+    return min(difference(value, right), difference(value, -np.asarray(right, float)))
+
+
+def distance_of_angles(value, right, *arguments):
+    """Return how far angles of any shape are from the right ones, up to multiples of 2 pi."""
+    return angle_gap(value, right) if np.shape(value) == np.shape(right) else np.inf
+
+
+def distance_of_lists(found, wanted, *arguments):
+    """Return how far each item of a list is from one of the other: angles, or rows, in any order."""
+    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
+    if found.shape != wanted.shape or found.size == 0:
+        return np.inf
+
+    def from_nearest(items, others):
+        return max(min(angle_gap(item, other) for other in others) for item in items)
+
+    return max(from_nearest(found, wanted), from_nearest(wanted, found))
 
 
 def angle_gap(angles, wanted):

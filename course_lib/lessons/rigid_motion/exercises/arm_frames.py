@@ -58,6 +58,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("theta",),
     cases=_cases,
+    angles=("theta",),
     returns=numbers(lambda theta: (3, 3, 3), {(3, 3): _ONLY_POSES, (3, 2): _ONLY_POINTS}),
     properties=(
         LAST_ROW,

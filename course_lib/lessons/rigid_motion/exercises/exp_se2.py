@@ -5,7 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.vocabulary import FINE, LAST_ROW
+from course_lib.planar import wrap_angle
 from course_lib.rigid import exp_se2
 
 _POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that pose.")
@@ -34,6 +36,13 @@ def _cases(rng):
     return [(np.array(twist),) for twist in [*ordinary, *drawn, *edge, *none, *small]]
 
 
+def _omega_near(value):
+    def case(rng, gap):
+        return (np.array([value + gap, *rng.uniform(-4, 4, 2).round(2)]),)
+
+    return Sweep(f"omega near {value:.4g}", case, ON_BOTH_SIDES)
+
+
 def _apart(T, twist):
     return T[:2, 2] - exp_se2(twist)[:2, 2]
 
@@ -51,6 +60,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("twist",),
     cases=_cases,
+    sweeps=(_omega_near(0.0), _omega_near(np.pi), _omega_near(-2 * np.pi)),
     returns=numbers(lambda twist: (3, 3), {(3,): _POSE}),
     properties=(
         LAST_ROW,
@@ -70,8 +80,8 @@ EXERCISE = Exercise(
             ),
             mistake=Mistake(
                 "the position is not the integral of R(omega t) v from t = 0 to 1",
-                "Integrate the cosine and the sine of omega t. Does your formula hold for a "
-                "negative omega, too?",
+                "Integrate the cosine and the sine of omega t, and compare with your formula for "
+                "this omega: where does its sign stand, and is omega used as it came?",
             ),
         ),
     ),
@@ -124,6 +134,16 @@ def small_angles(twist, bound):
     """small angles are taken for none, or lose their digits. At omega = 1e-8 the body still moves
     sideways by omega v / 2: does 1 - cos(omega) keep its digits there?"""
     return _with_position(twist, twist[1:]) if abs(twist[0]) < bound else None
+
+
+@EXERCISE.mistake
+def omega_wrapped(twist):
+    """omega is wrapped to [-pi, pi] before the position is computed. A body that makes a whole
+    revolution in unit time ends where it began: does one that does not rotate?"""
+    wrapped = wrap_angle(twist[0])
+    if abs(wrapped - twist[0]) < 1e-9:
+        return None
+    return _with_position(twist, exp_se2([wrapped, *twist[1:]])[:2, 2])
 
 
 @EXERCISE.mistake(R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]))

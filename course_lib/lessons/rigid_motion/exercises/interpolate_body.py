@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.shared import change as right_change
 from course_lib.planar import interpolate_body, wrap_angle
@@ -55,6 +56,18 @@ def rotating_cases(rng):
     return [*named, *drawn, ([2, -1, 3], [-2, 1, -3], 5), between(rng, 2.0, -2.0, 21)]
 
 
+def _rotating_by(angle):
+    """Two poses whose directions differ by nearly this angle."""
+
+    def case(rng, gap):
+        first = round(rng.uniform(-1, 1), 2)
+        return between(rng, first, first + angle + gap, 4)
+
+    return Sweep(f"a rotation by nearly {angle:.4g}", case, ON_BOTH_SIDES)
+
+
+SWEEPS = _rotating_by(0.0), _rotating_by(np.pi), _rotating_by(-2 * np.pi)
+
 EXERCISE = Exercise(
     name="interpolate_body",
     points=2,
@@ -84,6 +97,8 @@ EXERCISE = Exercise(
         "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
     alike=shared.same_path,
+    distance=shared.distance_of_paths,
+    sweeps=SWEEPS,
     forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
 )
 

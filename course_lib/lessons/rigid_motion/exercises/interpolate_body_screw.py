@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.interpolate_body import (
+    SWEEPS,
     between,
     plain_cases,
     rotating_cases,
@@ -120,6 +121,8 @@ EXERCISE = Exercise(
         "theta is start[2] + s * twist[0], or np.arctan2(T[1, 0], T[0, 0]).",
     ),
     alike=shared.same_path,
+    distance=shared.distance_of_paths,
+    sweeps=SWEEPS,
     forbidden=("course_lib.planar.interpolate_body_screw",),
 )
 

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.lessons.rigid_motion.exercises.shared import FINE
 from course_lib.rigid import exp_se2, log_se2
 
@@ -25,7 +26,18 @@ def _cases(rng):
     half = [[np.pi, 1.0, 2.0], [-np.pi, 2.0, -1.0]]
     small = [[size * sign, 3.0, -2.0] for size in (3e-4, 1e-5, 9e-9) for sign in (1, -1)]
     none = [[0.0, 2.0, 1.0], [0.0, 0.0, 0.0], [1.2, 0.0, 0.0]]
-    return [(exp_se2(twist),) for twist in [*ordinary, *drawn, *half, *none, *small]]
+    quarter = np.array([[0.0, -1.0, 1.0], [1.0, 0.0, 2.0], [0.0, 0.0, 1.0]])  # whole numbers
+    twists = [*ordinary, *drawn, *half, *none, *small]
+    return [*((exp_se2(twist),) for twist in twists), (quarter,)]
+
+
+def _rotating(rng, gap):
+    return (exp_se2([gap, *rng.uniform(-4, 4, 2).round(2)]),)
+
+
+def _beside_half(rng, gap):
+    """A rotation by nearly pi or, with a negative gap, by nearly -pi."""
+    return (exp_se2([np.sign(gap) * (np.pi - abs(gap)), *rng.uniform(-4, 4, 2).round(2)]),)
 
 
 def _angle(T):
@@ -55,6 +67,10 @@ EXERCISE = Exercise(
     points=2,
     arguments=("T",),
     cases=_cases,
+    sweeps=(
+        Sweep("omega near 0", _rotating, ON_BOTH_SIDES),
+        Sweep("omega near pi", _beside_half, ON_BOTH_SIDES),
+    ),
     returns=numbers(lambda T: (3,), {(3, 3): _MATRIX}),
     properties=(
         Property(

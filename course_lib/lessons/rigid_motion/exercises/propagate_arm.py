@@ -37,6 +37,8 @@ def _cases(rng):
         ([0.0, 0.0], [((quarter, 0), 1.0), ((0, quarter), 1.0), ((quarter, quarter), 1.0)], 0.3),
         (np.array([3.0, -3.0]), [((2.0, -2.0), 0.5)], 0.25),
     ]
+    start, plan, dt = drawn_case(rng, angles=2, lengths=0)
+    several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
     return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
 
 
@@ -74,6 +76,7 @@ EXERCISE = Exercise(
     library=propagate_arm,
     broken=_assigned,
     alike=shared.same_rows(ARM),
+    distance=shared.distance_of_rows(ARM),
     hints=(
         "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle "
         "jump?",

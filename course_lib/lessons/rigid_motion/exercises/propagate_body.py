@@ -69,6 +69,8 @@ def body_cases(rng):
         (origin, [(SPIN, 0.25), (AHEAD, 0.25)], 0.1),
         ([-1.0, 2.0, 3.0], [(AHEAD, 0.5), ((1.0, 0.0, 2.0), 0.6), ((1.0, 0.0, -1.0), 0.45)], 0.25),
     ]
+    start, plan, dt = drawn_case(rng)
+    several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
     return [*simple, *sums, *several, *(drawn_case(rng) for _ in range(4))]
 
 
@@ -121,6 +123,7 @@ EXERCISE = Exercise(
         "omega h.",
     ),
     alike=shared.same_rows(shared.BODY),
+    distance=shared.distance_of_rows(shared.BODY),
     forbidden=("course_lib.planar.propagate_body",),
 )
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.lessons.rigid_motion.exercises import propagate_body, shared
 from course_lib.planar import pose_matrix, propagate_body_exact
 from course_lib.rigid import exp_se2
@@ -34,6 +35,11 @@ def _cases(rng):
         *round_about,
         *any_dt,
     ]
+
+
+def _slow(rng, gap):
+    velocity = (*rng.uniform(-1, 1, 2).round(2).tolist(), gap)
+    return np.array([1.0, -2.0, 0.5]), [(velocity, 1.0)], 0.5
 
 
 def _end_moves(values, cases):
@@ -91,6 +97,8 @@ EXERCISE = Exercise(
         "theta = theta + omega * h is exact already.",
     ),
     alike=shared.same_rows(shared.BODY),
+    distance=shared.distance_of_rows(shared.BODY),
+    sweeps=(Sweep("omega near 0", _slow, ON_BOTH_SIDES),),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )
 

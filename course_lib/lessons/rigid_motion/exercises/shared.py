@@ -54,6 +54,11 @@ def deviation(rows, wanted):
     return np.abs(np.where(BODY, wrap_angle(apart), apart)).max()
 
 
+def distance_of_paths(rows, right, start, goal, n):
+    """Return how far a path is from the right one, as `distance` of an exercise."""
+    return deviation(rows, right) if np.shape(rows) == np.shape(right) else np.inf
+
+
 def same_path(rows, predicted, start, goal, n):
     """Return whether an answer is the path that a mistake predicts."""
     same_shape = np.shape(rows) == np.shape(predicted)
@@ -255,6 +260,17 @@ def near(rows, others, angles, tolerance=1e-6):
     return bool(
         (size_of(rows - others, angles) <= tolerance * max(1, np.abs(others).max(initial=0))).all()
     )
+
+
+def distance_of_rows(angles):
+    """Return how far rows are from the right ones, as `distance` of an exercise."""
+
+    def distance(rows, right, *case):
+        if np.shape(rows) != np.shape(right):
+            return np.inf
+        return size_of(np.subtract(rows, right), angles).max(initial=0)
+
+    return distance
 
 
 def same_rows(angles):

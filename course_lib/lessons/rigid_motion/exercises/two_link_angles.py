@@ -5,8 +5,10 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import (
     angle_gap,
+    distance_of_lists,
     other_bend,
     same_list,
     two_link_angles,
@@ -30,6 +32,11 @@ def _cases(rng):
     beyond = np.nextafter(2, 3)  # by rounding, as tips are that a program has computed
     edge = [[1.2, 1.595], [2.0, 0.0], [0.0, -2.0], [beyond, 0.0], [0.0, beyond], [-beyond, 0.0]]
     return [(np.array(tip, float),) for tip in [*ordinary, *drawn, [0.0, 1.0], [1, 0], *edge]]
+
+
+def _nearly_stretched(rng, gap):
+    angle = rng.uniform(-np.pi, np.pi)
+    return ((2 - gap) * np.array([np.cos(angle), np.sin(angle)]),)
 
 
 def _bend(tip):
@@ -66,7 +73,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the two rows are different solutions: the elbow is bent to one side and to the other",
-            lambda angles, tip: angle_gap(angles[:1], angles[1:]) > 1e-3,
+            lambda angles, tip: angle_gap(*angles) > angle_gap(*two_link_angles(tip)) / 2,
             where=lambda tip: not _straight(tip),
             mistake=Mistake(
                 "the same elbow is returned twice", "The cosine does not tell the sign of theta2."
@@ -86,6 +93,8 @@ EXERCISE = Exercise(
         "theta2.",
     ),
     alike=same_list,
+    distance=distance_of_lists,
+    sweeps=(Sweep("a tip near the edge of the reach", _nearly_stretched),),
     forbidden=("course_lib.ik.solve",),
 )
 

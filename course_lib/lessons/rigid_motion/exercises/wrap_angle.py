@@ -5,7 +5,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.vocabulary import distance_of_angles
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
 from course_lib.planar import wrap_angle
 
@@ -25,12 +26,31 @@ def _cases(rng):
     ]
 
 
+def _beside(revolutions):
+    """Angles near a multiple of pi."""
+
+    def case(rng, gap):
+        return (revolutions * np.pi + gap,)
+
+    return Sweep(f"an angle near {revolutions} pi", case, ON_BOTH_SIDES)
+
+
 def _rounding(angle):
     return 1e-9 * np.maximum(1.0, np.abs(angle))
 
 
 def _same_direction(value, angle):
     return np.all(np.abs(wrap_angle(value - angle)) <= _rounding(angle))
+
+
+def _revolutions(value, angle):
+    """Return in words how many revolutions lie between the first wrong answer and its angle."""
+    values, angles = np.ravel(value), np.ravel(angle)
+    k = int(np.argmax(np.abs(wrap_angle(values - angles)) > _rounding(angles)))
+    revolutions = (values[k] - angles[k]) / REVOLUTION
+    whole = np.round(revolutions)
+    rest = (revolutions - whole) * REVOLUTION
+    return f"{whole:.0f} revolutions and {rest:.4g} rad" if whole else f"{rest:.4g} rad"
 
 
 _ONE_ANGLE_ONLY = Mistake(
@@ -45,12 +65,14 @@ EXERCISE = Exercise(
     points=1,
     arguments=("angle",),
     cases=_cases,
+    sweeps=(_beside(0), _beside(1), _beside(-1), _beside(2)),
     returns=numbers(np.shape, exact=True),
+    distance=distance_of_angles,
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",
             lambda value, angle: np.all(np.abs(value - angle) <= _rounding(angle)),
-            where=lambda angle: np.all(np.abs(angle) < np.pi),
+            where=lambda angle: np.all(np.abs(angle) < np.pi - 1e-9),
             mistake=Mistake(
                 "an angle is changed that needs no wrapping",
                 "How much is one revolution: pi, or 2 pi?",
@@ -69,10 +91,7 @@ EXERCISE = Exercise(
         Property(
             "the answer is the same direction: it differs from the angle by a multiple of 2 pi",
             _same_direction,
-            says=lambda value, angle: (
-                f"Yours differs from it by {format_tuple((value - angle) / REVOLUTION)} "
-                f"revolutions."
-            ),
+            says=lambda value, angle: f"Yours differs from it by {_revolutions(value, angle)}.",
         ),
     ),
     library=wrap_angle,

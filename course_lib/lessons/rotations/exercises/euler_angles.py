@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import any_rotation, same_angles
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.vocabulary import any_rotation, distance_of_angles, same_angles
 from course_lib.rotations import rot_x, rot_y, rot_z
 
 
@@ -37,6 +38,7 @@ def _cases(rng):
         (0.3, 0.0, 0.0),
         (0.0, 0.3, 0.0),
         (0.0, 0.0, 0.3),
+        (np.pi / 2, 0.0, 0.0),
         (0.5, -0.4, 1.1),
         (2.5, 1.0, -2.0),
         (-2.0, -1.2, 3.0),
@@ -58,6 +60,12 @@ def _cases(rng):
     return [(R,) for R in [*(_matrix(*angles) for angles in named + near), *locked]]
 
 
+def _nearly_locked(rng, gap):
+    """A rotation whose beta is nearly pi/2 or, with a negative gap, nearly -pi/2."""
+    alpha, gamma = rng.choice([-1, 1], 2) * rng.uniform(1.7, 2.9, 2)
+    return (_matrix(alpha, np.sign(gap) * (np.pi / 2 - abs(gap)), gamma),)
+
+
 def _lock(R):
     return np.hypot(R[0, 0], R[1, 0]) < 1e-8
 
@@ -74,6 +82,8 @@ EXERCISE = Exercise(
     returns=numbers(lambda R: (3,), gaps=True),
     library=_right,
     alike=lambda value, predicted, R: same_angles(value, predicted, tolerance=1e-5),
+    distance=distance_of_angles,
+    sweeps=(Sweep("an angle beta near pi/2", _nearly_locked, ON_BOTH_SIDES),),
     properties=(
         Property(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",

@@ -7,6 +7,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.naming import difference
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.vocabulary import unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
@@ -71,6 +73,22 @@ def _alike(value, predicted, R):
     return any(same(np.ravel(value) / angle, sign * np.ravel(predicted) / angle) for sign in signs)
 
 
+def _distance(value, right, R):
+    """Return how far a rotation vector is from the right one; at 180 degrees up to the sign."""
+    signs = (1, -1) if _half_turn(R) else (1,)
+    return min(difference(value, sign * right) for sign in signs)
+
+
+def _tiny(rng, gap):
+    return (exp_so3(gap * unit(rng)),)
+
+
+def _short_of_half(rng, gap):
+    """A rotation by nearly pi, about an axis or, with a negative gap, about the opposite one."""
+    axis = np.roll([0.6, 0.64, 0.48], rng.integers(3)) * np.sign(gap)
+    return (exp_so3((np.pi - abs(gap)) * axis),)
+
+
 def _gap(w, R):
     return np.abs(exp_so3(w) - R).max()
 
@@ -97,8 +115,13 @@ EXERCISE = Exercise(
     points=3,
     arguments=("R",),
     cases=_cases,
+    sweeps=(
+        Sweep("a tiny angle", _tiny),
+        Sweep("an angle just below pi", _short_of_half, ON_BOTH_SIDES),
+    ),
     returns=numbers(lambda R: (3,), gaps=True),
     library=log_so3,
+    distance=_distance,
     broken=_given,
     alike=_alike,
     properties=(

@@ -6,7 +6,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.vocabulary import same_up_to_sign
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
 
 
@@ -34,6 +35,16 @@ def _cases(rng):
     return [(R,) for R in [*quarter, *generic, np.eye(3), *wide, *middling, *near, *half, *exact]]
 
 
+def _nearly_half(largest):
+    """Rotations by nearly pi about an axis of which this entry is the largest, of any signs."""
+
+    def case(rng, gap):
+        axis = np.roll([0.8, 0.48, 0.36], largest) * rng.choice([-1, 1], size=3)
+        return (exp_so3((np.pi - gap) * axis),)
+
+    return Sweep("an angle just below pi", case)
+
+
 def _right_up_to_sign(q, R):
     right = matrix_to_quaternion(R)
     return min(np.abs(q - right).max(), np.abs(q + right).max()) < 1e-6
@@ -48,9 +59,11 @@ EXERCISE = Exercise(
     points=3,
     arguments=("R",),
     cases=_cases,
+    sweeps=tuple(_nearly_half(k) for k in range(3)),
     returns=numbers(lambda R: (4,), gaps=True),
     library=matrix_to_quaternion,
     alike=same_up_to_sign,
+    distance=distance_up_to_sign,
     properties=(
         Property(
             "q, or -q, is the quaternion of R",
@@ -116,7 +129,8 @@ def _right_but_for_signs(q, R):
 @EXERCISE.mistake(seen=_right_but_for_signs)
 def signs_lost(R):
     """the signs of w, x, y, z do not fit together, or 0 is taken for a sign. The diagonal gives
-    squares only. The signs come from the products of two entries: at 180 degrees, of which?"""
+    squares only. Which entries of R hold the product of two of the four, and which of them are not
+    0 if one of w, x, y, z is 0?"""
     return np.abs(matrix_to_quaternion(R))
 
 

@@ -15,6 +15,7 @@ def _right(R_bg, R_cg, R_cm):
 def _cases(rng):
     quarter = np.pi / 2
     named = [(rot_z(quarter), rot_x(quarter), np.eye(3)), (np.eye(3), np.eye(3), rot_z(quarter))]
+    named.append((any_rotation(rng), rot_z(quarter), any_rotation(rng)))
     return named + [tuple(any_rotation(rng) for _ in range(3)) for _ in range(4)]
 
 

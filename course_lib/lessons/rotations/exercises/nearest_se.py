@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
+from course_lib.lessons.rotations.exercises import shared
 from course_lib.lessons.rotations.exercises.shared import NOT_NEAREST, damaged_rotations, distances
 from course_lib.rigid import nearest_se
 from course_lib.rotations import random_rotations
@@ -17,6 +18,8 @@ def _damaged_pose(M, p):
 def _cases(rng):
     p, slightly = rng.normal(size=3), random_rotations(1, rng)[0] @ np.diag([1.003, 0.999, 1])
     good = [pose(random_rotations(1, rng)[0], p), np.eye(3), np.eye(4)]
+    whole = pose(shared.SINGULAR, [1.0, 2.0, 3.0], 4.0, 3.0, 2.0, 1.0)
+    good.append(whole)
     return [(T,) for T in [_damaged_pose(M, p) for M in [*damaged_rotations(rng), slightly]] + good]
 
 

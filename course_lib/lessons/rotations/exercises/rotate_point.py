@@ -36,6 +36,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("p", "a"),
     cases=_cases,
+    angles=("a",),
     returns=numbers(lambda p, a: (2,)),
     library=_right,
     properties=(

@@ -17,7 +17,7 @@ _PUBLISHED = np.array(
 # Rank 2, and exactly so in floating point: det M is 0 and says nothing about the sign of det(U
 # V^T), which differs between this matrix and its negative. The nearest rotation is unique all the
 # same.
-_SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
+SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
 
 
 def damaged_rotations(rng):
@@ -33,8 +33,8 @@ def damaged_rotations(rng):
         np.array([[1.0, 0.0], [0.0, -0.4]]),
         np.array([[0.3, 0.9], [0.8, 0.1]]),
         R[2] @ np.diag([1.5, 1.0, -0.4]),
-        _SINGULAR,
-        -_SINGULAR,
+        SINGULAR,
+        -SINGULAR,
     ]
 
 

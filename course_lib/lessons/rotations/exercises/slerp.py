@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.vocabulary import same_up_to_sign, unit
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign, unit
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
 from course_lib.rotations import nearest_quaternion, random_quaternions
 
@@ -62,6 +63,13 @@ def _cases(rng):
     return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
 
 
+def _nearly_equal(sign):
+    def case(rng, gap):
+        return (*_apart(rng, gap, sign), 0.4)
+
+    return Sweep("two rotations that are nearly equal", case)
+
+
 def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
@@ -74,6 +82,8 @@ EXERCISE = Exercise(
     returns=numbers(lambda q0, q1, t: (4,), gaps=True),
     library=slerp,
     alike=same_up_to_sign,
+    distance=distance_up_to_sign,
+    sweeps=(_nearly_equal(1), _nearly_equal(-1)),
     properties=(
         Property(
             "the answer has length one",

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import same_list
+from course_lib.checks.vocabulary import distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import unless_empty
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     SHOULDER,
@@ -54,6 +54,7 @@ EXERCISE = Exercise(
     ),
     library=arm_solutions,
     alike=same_list,
+    distance=distance_of_lists,
     properties=every_solution(
         "each triple brings the wrist center to `center`", _misses, _tell, arm_solutions, _WRONG
     ),

@@ -7,8 +7,9 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import remembered, same_list
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import different
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.vocabulary import distance_of_lists, remembered, same_list
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import counted, different
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y
 from course_lib.subproblems import euler_yxy
@@ -16,6 +17,10 @@ from course_lib.subproblems import euler_yxy
 _HALF = np.diag([1.0, -1.0, -1.0])  # rot_x(pi), exactly
 _ULP = 2.0**-53
 _ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
+
+# Below this sine the two triples count as infinitely many: entries of R that rounding has made,
+# 1e-16, say nothing of b1 and b3 there that is right to the 1e-9 that are asked for elsewhere.
+_AT_AN_END = 1e-7
 
 _AT_THE_END = Mistake(
     "R[1, 1] is slightly beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
@@ -64,7 +69,17 @@ def _sine(R):
 
 
 def _end(R):
-    return _sine(R) < 1e-9
+    return _sine(R) < _AT_AN_END
+
+
+def _beside(middle):
+    """Rotations whose b2 is nearly 0, or nearly pi."""
+
+    def case(rng, gap):
+        first, last = some_angle(rng, 1), some_angle(rng, -1)
+        return (_yxy(first, middle + gap, last),)
+
+    return Sweep(f"b2 near {middle:.4g}", case, ON_BOTH_SIDES)
 
 
 def _misses(triple, R):
@@ -104,6 +119,8 @@ EXERCISE = Exercise(
     returns=_triples,
     library=_both,
     alike=same_list,
+    distance=distance_of_lists,
+    sweeps=(_beside(0.0), _beside(np.pi)),
     properties=(
         Property(
             "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)",
@@ -116,7 +133,7 @@ EXERCISE = Exercise(
             "each triple rebuilds R also where b2 is near 0 or near pi",
             _rebuilt(1e-7),
             _off,
-            where=lambda R: 1e-9 < _sine(R) < 1e-2,
+            where=lambda R: _AT_AN_END <= _sine(R) <= 1e-2,
             mistake=Mistake(
                 "b2 near 0 or pi is treated as if it were 0 or pi",
                 "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of "
@@ -126,7 +143,7 @@ EXERCISE = Exercise(
         Property(
             "the two triples differ: one has b2, the other -b2",
             lambda found, R: different(found) == 2,
-            lambda found, R: f"Yours has {different(found) or 'none'}.",
+            lambda found, R: f"Your array has {counted(different(found), 'triple')}.",
             where=lambda R: not _end(R),
         ),
         Property(
@@ -144,7 +161,7 @@ EXERCISE = Exercise(
         Property(
             "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
             lambda found, R: len(found) == 2,
-            lambda found, R: f"Yours has {len(found)}.",
+            lambda found, R: f"Your array has {len(found)} of them.",
             mistake=Mistake(
                 "a triple is missing where sin(b2) = 0", "There both are the same: return it twice."
             ),

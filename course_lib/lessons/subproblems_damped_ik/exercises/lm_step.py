@@ -100,6 +100,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("q", "target", "alpha", "eps"),
     cases=_cases,
+    angles=("q",),
     returns=numbers(lambda *case: (4,)),
     library=step,
     alike=_same,

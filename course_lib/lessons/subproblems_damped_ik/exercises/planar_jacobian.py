@@ -55,6 +55,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("q",),
     cases=_cases,
+    angles=("q",),
     returns=numbers(lambda q: (2, 4), {(3, 4): _WITH_ANGLE, (6, 4): _WITH_ANGLE}),
     library=jacobian,
     properties=(

@@ -64,6 +64,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("b",),
     cases=_cases,
+    angles=("b",),
     returns=numbers(lambda b: (3, 3)),
     library=rates,
     properties=(

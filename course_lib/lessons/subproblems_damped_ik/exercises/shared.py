@@ -79,6 +79,11 @@ def two(solutions, *case):
     return np.array([first, second])
 
 
+def counted(number, one):
+    """Return in words how many different solutions a list has; one: what one is called."""
+    return f"{number or 'no'} different {one}{'' if number == 1 else 's'}"
+
+
 def all_of_them(equation, one, misses, tell, solutions, none):
     """Return the properties of a list of all solutions.
 
@@ -101,7 +106,7 @@ def all_of_them(equation, one, misses, tell, solutions, none):
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,
-            lambda found, *case: f"Yours has {different(found) or 'none'}.",
+            lambda found, *case: f"Your list has {counted(different(found), one)}.",
             where=has(2),
         ),
         Property(

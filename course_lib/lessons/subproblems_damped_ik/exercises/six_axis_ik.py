@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.vocabulary import same_list
+from course_lib.checks.vocabulary import distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, unless_empty
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     ARM,
@@ -66,6 +66,7 @@ EXERCISE = Exercise(
     ),
     library=all_solutions,
     alike=same_list,
+    distance=distance_of_lists,
     properties=every_solution(
         "each row brings the flange to T", _misses, _tell, all_solutions, _wrong
     ),

@@ -44,7 +44,7 @@ EXERCISE = Exercise(
     broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),
     properties=(
         Property(
-            "at the limit the largest factor is -1, and no factor is below it",
+            "at the limit the smallest factor is -1, and no factor is below it",
             lambda limit, *case: near(limit, _right(*case)),
             _factor,
             mistake=Mistake(
@@ -67,14 +67,20 @@ EXERCISE = Exercise(
     square=(
         lambda s: s[-2] ** 2,
         lambda s: s[1] ** 2,
-        lambda s: np.mean(s) ** 2,
-        np.prod,
-        lambda s: np.sum(s**2),
     )
 )
 def another_singular_value(J, eps, square):
     """one direction decides, and not the strictest one. The factor must stay above -1 in every
     direction: in which direction does it reach -1 first?"""
+    return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
+
+
+@EXERCISE.mistake(
+    square=(lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2), lambda s: np.mean(s**2))
+)
+def all_directions_together(J, eps, square):
+    """the singular values are combined: in a norm, a mean or a product. Each direction has a factor
+    of its own. At which alpha does the first of them reach -1?"""
     return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
 
 

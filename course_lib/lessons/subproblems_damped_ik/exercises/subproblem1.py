@@ -5,7 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.vocabulary import X, Y, Z, angle_gap, unit
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     FINE,
     across,
@@ -54,6 +55,15 @@ def _cases(rng):
     return plain + heights + reached + missed + [(Z, 2 * Z, X), (Z, X, 0 - Z)]
 
 
+def _rotating_by(angle):
+    def case(rng, gap):
+        k = unit(rng)
+        p = off_axis(k, rng)
+        return k, p, rotated(k, angle + gap, p)
+
+    return Sweep(f"theta near {angle:.4g}", case, ON_BOTH_SIDES)
+
+
 def _free(k, p, g):
     return not across(k, p).any() or not across(k, g).any()
 
@@ -97,6 +107,8 @@ EXERCISE = Exercise(
     returns=_angle,
     library=lambda k, p, g: subproblem1(k, p, g).theta,
     alike=_same,
+    distance=distance_of_angles,
+    sweeps=(_rotating_by(0.0), _rotating_by(np.pi)),
     properties=(
         Property(
             "R(k, theta) p = g",

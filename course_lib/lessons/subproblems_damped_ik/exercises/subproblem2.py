@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
 from course_lib.subproblems import subproblem2
@@ -105,6 +106,14 @@ EXERCISE = Exercise(
     ),
     library=solutions,
     alike=same_list,
+    distance=distance_of_lists,
+    sweeps=(
+        Sweep(
+            "circles that just miss",
+            lambda rng, beyond: _around(rng, 1 + beyond, 1.0),
+            OUT_OF_REACH,
+        ),
+    ),
     properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",
         "pair",

@@ -5,7 +5,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import angle_about, rotated, two
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
@@ -48,6 +49,20 @@ def _cases(rng):
     return named + generic + none + negative + [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
 
 
+def _beyond(side):
+    """Distances for which the cosine of the angle beside the nearest, or farthest, is beyond 1."""
+
+    def case(rng, beyond):
+        k = unit(rng)
+        p, g = off_axis(k, rng), off_axis(k, rng)
+        height = (k @ p) * (k @ g)
+        radii = np.linalg.norm(p - (k @ p) * k) * np.linalg.norm(g - (k @ g) * k)
+        square = p @ p + g @ g - 2 * (height + side * (1 + beyond) * radii)
+        return (k, p, g, float(np.sqrt(square))) if square > 0 else None
+
+    return Sweep("a distance just out of reach", case, OUT_OF_REACH)
+
+
 def _reach(k, p, g):
     """The largest and the smallest distance from g that p comes to."""
     middle = angle_about(k, p, g)
@@ -81,8 +96,8 @@ def _is_empty(found, *case):
 def _nothing_there(found, k, p, g, d):
     far, close = _reach(k, p, g)
     return (
-        f"R(k, theta) p comes as near to g as {close:.4g} and goes as far as {far:.4g}; d is "
-        f"{d:.4g}."
+        f"R(k, theta) p comes as near to g as {close:.8g} and goes as far as {far:.8g}; d is "
+        f"{d:.8g}."
     )
 
 
@@ -94,6 +109,8 @@ EXERCISE = Exercise(
     returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     library=_solutions,
     alike=same_list,
+    distance=distance_of_lists,
+    sweeps=(_beyond(1), _beyond(-1)),
     properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
         "angle",

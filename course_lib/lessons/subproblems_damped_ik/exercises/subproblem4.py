@@ -5,7 +5,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import X, Y, Z, remembered, same_list, unit
+from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
@@ -49,6 +50,19 @@ def _cases(rng):
     return named + generic + close + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
 
 
+def _beyond(side):
+    """Heights just above the highest, or below the lowest, that p comes to."""
+
+    def case(rng, beyond):
+        k = unit(rng)
+        h, p = off_axis(k, rng), off_axis(k, rng)
+        low, high = _range(k, h, p)
+        middle, half = (low + high) / 2, (high - low) / 2
+        return k, h, p, float(middle + side * (1 + beyond) * half)
+
+    return Sweep("a height just out of reach", case, OUT_OF_REACH)
+
+
 def _range(k, h, p):
     """The lowest and the highest that p comes."""
     middle = angle_about(k, p, h)
@@ -68,7 +82,7 @@ def _misses(theta, k, h, p, d):
 
 def _nothing_there(found, k, h, p, d):
     low, high = _range(k, h, p)
-    return f"h . R(k, theta) p goes from {low:.4g} to {high:.4g}; d is {d:.4g}."
+    return f"h . R(k, theta) p goes from {low:.8g} to {high:.8g}; d is {d:.8g}."
 
 
 EXERCISE = Exercise(
@@ -79,6 +93,8 @@ EXERCISE = Exercise(
     returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
     library=_solutions,
     alike=same_list,
+    distance=distance_of_lists,
+    sweeps=(_beyond(1), _beyond(-1)),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",

@@ -33,3 +33,13 @@ def right_outer_products(start, plan, dt):
         elapsed = np.append(np.arange(dt, duration - 1e-9, dt), duration)
         rows = np.vstack([rows, rows[-1] + np.outer(elapsed, velocity)])
     return rows
+
+
+def wrong_base_of_whole_numbers(start, plan, dt):
+    """unnamed"""
+    base, rows = np.array(start), [np.array(start, float)]
+    for velocity, duration in plan:
+        for elapsed in np.append(np.arange(dt, duration - 1e-9, dt), duration):
+            rows.append(base + np.array(velocity) * elapsed)
+        base[:] = rows[-1]
+    return np.array(rows)

@@ -24,3 +24,8 @@ def right_half_angle_by_arctan2(tip):
     r2 = x * x + y * y
     two = 2 * math.atan2(math.sqrt(max(0.0, 4 - r2)), math.sqrt(r2))
     return [(math.atan2(y, x) - t / 2, t) for t in (-two, two)]
+
+
+def wrong_rounded(tip):
+    """the answer is rounded to 4 digits"""
+    return np.round(right_law_of_cosines(tip), 4)

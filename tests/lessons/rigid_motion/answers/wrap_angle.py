@@ -13,3 +13,18 @@ def right_shifted_remainder(angle):
 
 def right_sine_and_cosine(angle):
     return np.arctan2(np.sin(angle), np.cos(angle)).tolist()
+
+
+def wrong_sign_times_arccos(angle):
+    """an angle is changed that needs no wrapping"""
+    return np.sign(np.sin(angle)) * np.arccos(np.cos(angle))
+
+
+def wrong_short_pi(angle):
+    """right to its first digits only"""
+    return angle - 2 * 3.14159 * np.round(angle / (2 * 3.14159))
+
+
+def wrong_float32(angle):
+    """the seven digits of float32"""
+    return np.float32(right_rounded(angle))

@@ -8,7 +8,7 @@ def right_three_branches(R):
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     if angle < 1e-6:
         return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-    if angle > np.pi - 1e-6:
+    if angle > np.pi - 1e-5:
         columns = R + np.eye(3)
         longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
         return angle * longest / np.linalg.norm(longest)
@@ -30,3 +30,15 @@ def right_matrix_logarithm_where_it_is_fine(R):
         W = scipy.linalg.logm(R)
         return np.real([W[2, 1], W[0, 2], W[1, 0]])
     return right_three_branches(R)
+
+
+def wrong_sign_left_to_chance(R):
+    """near 180 degrees the sign of the axis"""
+    if np.linalg.norm([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) > 6e-4:
+        return right_three_branches(R)
+    angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+    if angle < 1:
+        return right_three_branches(R)
+    columns = R + np.eye(3)
+    longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
+    return angle * longest / np.linalg.norm(longest)

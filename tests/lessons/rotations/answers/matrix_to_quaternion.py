@@ -48,3 +48,18 @@ def right_axis_and_angle(R):
     across = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     half = np.arctan2(n @ across, np.trace(R) - 1) / 2
     return [[np.cos(half), *(np.sin(half) * n)]]
+
+
+def wrong_half_turn_too_soon(R):
+    """unnamed"""
+    w = np.sqrt(max(1 + np.trace(R), 0)) / 2
+    if w > 1e-4:
+        return right_four_branches(R)
+    columns = R + np.eye(3)
+    longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
+    return [0, *(longest / np.linalg.norm(longest))]
+
+
+def wrong_rounded(R):
+    """the answer is rounded to 4 digits"""
+    return np.round(right_four_branches(R), 4)

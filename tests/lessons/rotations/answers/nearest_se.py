@@ -11,7 +11,7 @@ def nearest_so(M):
 
 
 def right_copy_and_block(T):
-    X = T.copy()
+    X = T.astype(float)
     X[:-1, :-1] = nearest_so(T[:-1, :-1])
     X[-1, :-1] = 0
     X[-1, -1] = 1
@@ -33,3 +33,11 @@ def right_built_on_the_identity(T):
     for i in range(n):
         X[i, n] = T[i, n]
     return [list(row) for row in X]
+
+
+def wrong_copy_of_whole_numbers(T):
+    """digits after the point are cut off"""
+    X = T.copy()
+    X[:-1, :-1] = nearest_so(T[:-1, :-1])
+    X[-1] = np.eye(len(T))[-1]
+    return X

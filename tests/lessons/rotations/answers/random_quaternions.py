@@ -29,3 +29,8 @@ def wrong_yield(n, rng):
     for _ in range(n):
         q = rng.normal(size=4)
         yield q / np.linalg.norm(q)
+
+
+def wrong_float32(n, rng):
+    """the seven digits of float32"""
+    return right_normal_numbers(n, rng).astype(np.float32)

@@ -1,5 +1,7 @@
 """What students write for euler_yxy(R)."""
 
+import math
+
 import numpy as np
 
 from course_lib import subproblems
@@ -70,3 +72,18 @@ def wrong_small_b2_cut(R):
         return right_by_entries(R)
     b2 = 0.0 if R[1, 1] > 0 else np.pi
     return np.array([[0.0, b2, _rest(0.0, b2, R)]] * 2)
+
+
+def wrong_math_acos(R):
+    """a function is asked for a number outside its domain"""
+    b2 = math.acos(R[1, 1])
+    return np.array([[t[0], s, t[2]] for t, s in zip(right_by_entries(R), (b2, -b2))])
+
+
+def wrong_nan_used_further(R):
+    """nan or infinity comes out of an earlier line"""
+    found = []
+    for b2 in (np.arccos(R[1, 1]), -np.arccos(R[1, 1])):
+        b1 = np.arctan2(np.sign(b2) * R[0, 1], np.sign(b2) * R[2, 1])
+        found.append([b1, b2, _rest(b1, b2, R)])
+    return found

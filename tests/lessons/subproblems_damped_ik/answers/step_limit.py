@@ -14,3 +14,8 @@ def right_strictest_of_all(J, eps):
 
 def right_by_eigenvalues(J, eps):
     return [2 * (1 + eps / np.linalg.eigvalsh(J @ J.T).max())]
+
+
+def wrong_frobenius_norm(J, eps):
+    """the singular values are combined"""
+    return 2 * (1 + eps / np.linalg.norm(J) ** 2)

@@ -56,3 +56,11 @@ def wrong_negative_distance(k, p, g, d):
 def wrong_a_whole_revolution_more(k, p, g, d):
     """a solution is listed twice"""
     return [t + turns for t in right_by_half_angle_tangent(k, p, g, d) for turns in (0, 2 * np.pi)]
+
+
+def wrong_generous_clipping(k, p, g, d):
+    """an angle is returned although no angle is right"""
+    middle, cosine = _triangle(k, p, g, d)
+    if d < 0 or abs(cosine) > 1.02:
+        return []
+    return [middle + s * np.arccos(np.clip(cosine, -1, 1)) for s in (1, -1)]

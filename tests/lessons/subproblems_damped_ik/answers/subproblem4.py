@@ -52,3 +52,11 @@ def wrong_compared_with_full_lengths(k, h, p, d):
     phi, cosine = _beside(k, h, p, d)
     swing = np.arccos(np.clip(cosine, -1, 1))
     return [phi + swing, phi - swing] if abs(d) <= np.linalg.norm(h) * np.linalg.norm(p) else []
+
+
+def wrong_generous_clipping(k, h, p, d):
+    """an angle is returned although no angle is right"""
+    phi, cosine = _beside(k, h, p, d)
+    if abs(cosine) > 1.1:
+        return []
+    return [phi + s * np.arccos(np.clip(cosine, -1, 1)) for s in (1, -1)]

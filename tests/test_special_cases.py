@@ -1,0 +1,224 @@
+"""The cases that the engine makes, and what it says of answers that are nearly right."""
+
+import importlib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from toy_exercises import DOUBLE
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import RIGHT, WRONG, Exercise, Here, Property, judge
+from course_lib.checks.notebook import describe
+from course_lib.checks.special_cases import (
+    BESIDE,
+    ON_BOTH_SIDES,
+    OUT_OF_REACH,
+    MadeCase,
+    Sweep,
+    made_cases,
+)
+
+LESSONS = Path(__file__).parents[1] / "course_lib/lessons"
+MODULES = sorted(
+    f"course_lib.lessons.{path.parents[1].name}.exercises.{path.stem}"
+    for path in LESSONS.glob("*/exercises/*.py")
+)
+
+
+def exercises():
+    """Yield all exercises that ask a function for answers, by their names."""
+    for module in MODULES:
+        exercise = getattr(importlib.import_module(module), "EXERCISE", None)
+        if exercise is not None and exercise.cases is not None:
+            yield exercise
+
+
+ALL = list(exercises())
+each_exercise = pytest.mark.parametrize("exercise", ALL, ids=[each.name for each in ALL])
+
+
+def made(cases, names=("x",), sweeps=(), angles=()):
+    return made_cases(cases, names, sweeps, angles, np.random.default_rng(0))
+
+
+def test_a_case_of_whole_numbers_is_asked_again_with_the_type_int():
+    (again,) = made([(np.array([1.5, 2.0]),), (np.array([3.0, -1.0]),)])
+    assert again[0].dtype == int
+    assert again[0].tolist() == [3, -1]
+
+
+def test_zeros_that_rounding_has_left_count_as_whole():
+    quarter = np.array([[np.cos(np.pi / 2), -1.0], [1.0, np.cos(np.pi / 2)]])
+    (again,) = made([(quarter,)])
+    assert again[0].tolist() == [[0, -1], [1, 0]]
+    assert again[0].dtype == int
+
+
+def test_a_case_with_zeros_is_asked_again_with_negative_ones():
+    *_, again = made([(np.array([0.5, 0.0]), 0.0)], names=("x", "a"))
+    assert np.signbit(again[0]).tolist() == [False, True]
+    assert np.signbit(again[1])
+
+
+def test_angles_are_asked_for_beyond_one_revolution():
+    (again,) = made([(np.array([0.5, 0.25]), 1.5)], names=("q", "x"), angles=("q",))
+    assert np.allclose(again[0], [0.5 + 4 * np.pi, 0.25 - 4 * np.pi])
+    assert again[1] == 1.5
+
+
+def test_a_sweep_asks_at_each_of_its_values_for_which_there_is_a_case():
+    sweep = Sweep("near 1", lambda rng, gap: None if gap < 0 else (1 + gap,), (0.1, -0.1, 0.01))
+    assert made([(np.array([0.5]),)], sweeps=(sweep,)) == [(1.1,), (1.01,)]
+
+
+def test_made_cases_can_be_told_from_the_author_s():
+    assert all(isinstance(case, MadeCase) for case in made([(np.array([0.0, 1.0]),)]))
+
+
+@pytest.mark.parametrize("values", [BESIDE, ON_BOTH_SIDES])
+def test_sweeps_leave_no_gap_of_more_than_a_factor_of_four(values):
+    sizes = sorted({abs(value) for value in values})
+    assert max(b / a for a, b in zip(sizes, sizes[1:], strict=False)) < 4
+    assert sizes[0] <= 1e-16
+    assert sizes[-1] >= 0.3
+
+
+def test_out_of_reach_goes_from_a_millionth_to_a_tenth():
+    assert (min(OUT_OF_REACH), max(OUT_OF_REACH)) == (1e-6, 0.1)
+
+
+# A toy whose answer is wrong only where sweeps look
+
+SINE = Exercise(
+    name="half_sine",
+    points=1,
+    arguments=("a",),
+    cases=lambda rng: [(1.0,), (2.0,)],
+    returns=numbers(lambda a: ()),
+    properties=(Property("the answer is sin(a) / 2", lambda s, a: abs(s - np.sin(a) / 2) < 1e-9),),
+    hints=("Halve it.",),
+    library=lambda a: np.sin(a) / 2,
+    sweeps=(Sweep("near pi", lambda rng, gap: (np.pi - gap,)),),
+)
+
+
+@pytest.mark.parametrize("width", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_a_hole_of_any_width_beside_a_special_value_is_found(width):
+    def with_a_hole(a):
+        return 0.0 if np.pi - a < width else np.sin(a) / 2
+
+    assert judge(replace(SINE, sweeps=()), Here(with_a_hole)).state == RIGHT
+    assert judge(SINE, Here(with_a_hole)).state == WRONG
+
+
+# What is said of answers that are nearly right
+
+HALF = replace(
+    DOUBLE,
+    cases=lambda rng: [(rng.uniform(1, 2, 3),) for _ in range(4)],
+    properties=(Property("the answer is half of x", lambda y, x: np.abs(y - x / 2).max() < 1e-9),),
+    library=lambda x: x / 2,
+    broken=None,
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        (lambda x: np.float32(x / 2), "the answer has the seven digits of float32"),
+        (lambda x: np.float16(x / 2), "the answer has the seven digits of float32"),
+        (lambda x: np.round(x / 2, 5), "the answer is rounded to 5 digits"),
+        (lambda x: x / 2 * 1.0001, "right to its first digits only"),
+        (lambda x: np.round(x, 3) / 2 * 1.000001, "right to its first digits only"),
+    ],
+)
+def test_few_digits_are_named_before_anything_else(answer, name):
+    always = Property(HALF.properties[0].text, HALF.properties[0].holds)
+    exercise = replace(HALF, properties=(always,))
+    assert name in judge(exercise, Here(answer)).mistake.name
+
+
+def test_a_difference_that_the_numbers_shown_do_not_show_is_printed():
+    text = describe(judge(HALF, Here(lambda x: x / 2 * (1 + 3e-8))))
+    assert "Your answer is off by 3.0e-08." in text or "off by" in text.splitlines()[1]
+    text = describe(judge(HALF, Here(lambda x: x)))
+    assert "off by" not in text
+
+
+# Every exercise
+
+
+def whole_cases(exercise):
+    """The cases of an exercise with arrays of the type int."""
+    cases, _ = exercise.questions(np.random.default_rng(0))
+    return [
+        case
+        for case in cases
+        if any(isinstance(x, np.ndarray) and x.dtype.kind == "i" for x in case)
+    ]
+
+
+def takes_arrays(exercise):
+    return any(isinstance(x, np.ndarray) for x in exercise.cases(np.random.default_rng(0))[0])
+
+
+# Whole numbers in, whole numbers or no numbers out: no digits can be cut off.
+NOTHING_TO_CUT_OFF = (
+    "quaternion_to_matrix",  # the whole unit quaternions make whole matrices
+    "arm_angles",  # no point with whole coordinates is within reach
+    "six_axis_ik",
+)
+
+
+@each_exercise
+def test_arrays_of_whole_numbers_are_asked_about_where_the_answer_is_not_whole(exercise):
+    lesson = next(m for m in MODULES if m.endswith(f".{exercise.name}")).split(".")[2]
+    if lesson not in ("rotations", "rigid_motion", "subproblems_damped_ik"):
+        pytest.skip("of another notebook")
+    if not takes_arrays(exercise) or exercise.name in NOTHING_TO_CUT_OFF:
+        return
+    cases = whole_cases(exercise)
+    assert cases, "no case of the author has an array of whole numbers"
+    answers = [np.asarray(exercise.library(*case)) for case in cases]
+    if answers[0].dtype == bool:
+        return
+    assert any(not np.array_equal(x, np.round(x)) for x in answers), "all answers are whole, too"
+
+
+FORMS = {
+    "as a list": lambda x: np.asarray(x).tolist(),
+    "as a column": lambda x: np.asarray(x).reshape(-1, 1),
+    "as a row": lambda x: np.asarray(x).reshape(1, -1),
+    "as complex numbers": lambda x: np.asarray(x) + 0j,
+    "as np.matrix": lambda x: np.matrix(np.asarray(x)),
+    "as a tuple": lambda x: tuple(np.asarray(x)),
+}
+
+
+@each_exercise
+@pytest.mark.parametrize("form", FORMS)
+def test_what_a_check_accepts_in_another_form_comes_to_later_cells_as_it_was_read(exercise, form):
+    """Later cells get the same from `use`, to the type and the shape, in whatever form it was returned."""
+    if exercise.through or exercise.name in ("panda_ik", "newton_ik", "plan_pick", "good_matches"):
+        return  # symbols stay symbols; the others take seconds
+    cases, _ = exercise.questions(np.random.default_rng(0))
+    for case in [case for case in cases if not isinstance(case, MadeCase)][:6]:
+        if any(hasattr(argument, "number") for argument in case):
+            return  # a sampler: another answer each time
+        plain = exercise.library(*case)
+        try:
+            changed = FORMS[form](plain)
+            read = exercise.returns(changed, *case)
+        except Exception:
+            continue  # not accepted in this form, or not to be had in it
+        if any(part.failing([case], [read]) for part in exercise.properties if not part.across):
+            continue
+        handed_on = exercise.as_read(changed, case)
+        expected = exercise.as_read(plain, case)
+        assert type(handed_on) is type(expected)
+        assert np.shape(handed_on) == np.shape(expected) == np.shape(read)
+        if isinstance(expected, np.ndarray):
+            assert handed_on.dtype == expected.dtype
+            assert np.allclose(handed_on, expected, equal_nan=True)
