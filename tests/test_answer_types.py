@@ -1,11 +1,14 @@
 """How answers are read: in any form that is as good, and with the mistake that shows in another form."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers, rows
-from course_lib.checks.exercise import Mistake, Unreadable
+from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers
+from course_lib.checks.exercise import Exercise, Here, Mistake, Property, Unreadable, judge
 from course_lib.checks.format_numbers import format_array, format_tuple
+from course_lib.checks.mistake import Mistakes
 
 SWAPPED = Mistake("rows and columns are swapped", "Transpose it.")
 
@@ -17,19 +20,47 @@ def refusal(reader, value, *case):
 
 
 def by_value(array, n):
-    return SWAPPED if array.shape == (3, n) and array[0, 0] == 1 else None
+    return array.shape == (3, n) and array[0, 0] == 1
 
 
-@pytest.mark.parametrize("known", [{(3, 2): SWAPPED}, by_value], ids=["by shape", "by value"])
-def test_a_mistake_that_shows_in_the_shape_is_named(known):
-    reader = numbers(lambda n: (n, 3), known)
+TABLE = Exercise(
+    name="table",
+    points=1,
+    arguments=("n",),
+    cases=lambda rng: [(2,), (4,)],
+    returns=numbers(lambda n: (n, 3)),
+    properties=(Property("", lambda value, n: True),),
+    hints=(),
+)
+
+
+def named(value, **recognised):
+    """The Mistake that the check of TABLE names, if it knows one that is recognised so."""
+    exercise = replace(TABLE, mistakes=Mistakes())
+    exercise.mistake(SWAPPED, **recognised)
+    mistake = judge(exercise, Here(lambda n: value)).mistake
+    return mistake and mistake.name
+
+
+@pytest.mark.parametrize("form", [(3, 2), by_value], ids=["by shape", "by value"])
+def test_a_mistake_that_shows_in_the_shape_is_named(form):
     for value in (np.ones((3, 2)), np.ones((3, 2), bool).tolist(), np.full((3, 2), 1 + 1j)):
-        assert refusal(reader, value, 2).mistake is SWAPPED
+        assert named(value, form=form) == SWAPPED.name
     for value in (np.ones((2, 2)), 1.0, [[1, 2], [3]], [["1", "1"]] * 3, {"a": 1}):
-        assert refusal(reader, value, 2).mistake is OTHER_FORM
-    listed = rows(3, "a list of triples", known=known)
-    assert refusal(listed, np.ones((3, 2)), 2).mistake is SWAPPED
-    assert refusal(listed, np.ones((4, 2)), 2).mistake is OTHER_FORM
+        assert named(value, form=form) != SWAPPED.name
+
+
+def test_what_nan_reveals_depends_on_the_case():
+    value = np.full((2, 3), np.nan)
+    assert named(value, nan=lambda n: n == 2) == SWAPPED.name
+    assert named(value, nan=lambda n: n == 4) == NOT_A_NUMBER.name
+
+
+def test_an_error_that_an_exercise_knows_is_called_by_its_name():
+    exercise = replace(TABLE, mistakes=Mistakes())
+    exercise.mistake(SWAPPED, raises=("ZeroDivisionError", "division"))
+    assert judge(exercise, Here(lambda n: n / 0)).mistake.name == SWAPPED.name
+    assert judge(exercise, Here(lambda n: [][n])).mistake.name != SWAPPED.name
 
 
 def test_a_row_is_read_as_a_vector_unless_the_shape_is_to_be_exact():
@@ -38,7 +69,7 @@ def test_a_row_is_read_as_a_vector_unless_the_shape_is_to_be_exact():
 
 
 def test_an_array_of_the_right_shape_shows_no_mistake_in_its_shape():
-    reader = numbers(lambda n: (n, 3), by_value)  # for n = 3 the transpose has this shape too
+    reader = numbers(lambda n: (n, 3))
     assert refusal(reader, np.where(np.eye(3), 1, np.nan), 3).mistake is NOT_A_NUMBER
     assert refusal(reader, np.eye(3) + 1j, 3).mistake is OTHER_FORM
     assert np.array_equal(reader(np.eye(3), 3), np.eye(3))
@@ -50,13 +81,6 @@ def test_nan_may_stand_where_there_are_gaps():
     gaps = numbers(lambda: (2,), gaps=True)
     assert np.array_equal(gaps(value), [1, np.nan], equal_nan=True)
     assert np.array_equal(gaps([np.nan, np.inf]), [np.nan, np.inf], equal_nan=True)
-
-
-def test_what_nan_reveals_depends_on_the_case():
-    known = Mistake("the root of a negative number is taken", "Print the number.")
-    reader = numbers(lambda n: (2,), nan=lambda n: known if n == 1 else None)
-    assert refusal(reader, [np.nan, 1], 1).mistake is known
-    assert refusal(reader, [np.nan, 1], 2).mistake is NOT_A_NUMBER
 
 
 def test_numbers_in_sentences():

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[1]
@@ -67,6 +68,28 @@ def missing_of(exercise, cells):
         <= points,
     }
     return [what for what, holds in wanted.items() if not holds]
+
+
+def states(tolerance, task):
+    """Return whether a task states a number such as 1e-9, in digits or in a formula."""
+    power = round(-np.log10(tolerance))
+    return any(form in task for form in (f"1e-{power}", f"10^{{-{power}}}"))
+
+
+def test_a_number_is_stated_in_digits_or_in_a_formula():
+    assert states(1e-9, "right to 1e-9.")
+    assert states(1e-9, "right to $10^{-9}$.")
+    assert not states(1e-9, "right to 1e-8.")
+    assert not states(1e-9, "right to nine digits.")
+
+
+@pytest.mark.parametrize("path", BANK, ids=[f"{path.parents[1].name}-{path.stem}" for path in BANK])
+def test_a_task_states_the_tolerance_of_its_check(path):
+    package = importlib.import_module(f"course_lib.lessons.{path.parents[1].name}.check")
+    exercise = getattr(package, path.stem).exercise
+    if exercise.tolerance is not None:
+        task = cells_of(path.parents[1].name)[f"task_{path.stem}"].source
+        assert states(exercise.tolerance, task), f"the task of {path.stem} does not state it"
 
 
 @pytest.mark.parametrize("path", BANK, ids=[f"{path.parents[1].name}-{path.stem}" for path in BANK])

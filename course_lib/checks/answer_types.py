@@ -38,21 +38,15 @@ def boolean(value, *case):
     return bool(array.item())
 
 
-def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
+def numbers(shape_of, gaps=False, exact=False):
     """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,), and an array with one entry as a number.
 
     Parameters
     ----------
     shape_of : callable
         shape_of(*arguments) is the shape that the answer should have.
-    known : dict or callable, optional
-        The mistakes that an array of another shape reveals: {shape: Mistake}, or known(array,
-        *arguments), which returns a Mistake or None.
     gaps : bool, optional
         True to allow nan and inf.
-    nan : callable, optional
-        nan(*arguments) is the Mistake that nan or inf reveals, or None if nothing particular is
-        known.
     exact : bool, optional
         True to read no other shape, where an answer to many items has one row for each.
 
@@ -77,14 +71,13 @@ def numbers(shape_of, known=None, gaps=False, nan=None, exact=False):
         number = shape == () and array.size == 1
         if array.shape != shape and (exact or not (vectors or number)):
             reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
-            mistake = _named(known, array, case)
-            raise Unreadable(reason, mistake, unspecific=mistake is OTHER_FORM)
-        return _finite(array, gaps, nan and nan(*case)).reshape(shape)
+            raise Unreadable(reason, OTHER_FORM, array=array.real)
+        return _finite(array, gaps).reshape(shape)
 
     return reader
 
 
-def rows(width, expected, most=16, known=None):
+def rows(width, expected, most=16):
     """Return a reader of lists of any length, none included, of items of `width` numbers each.
 
     Parameters
@@ -94,8 +87,6 @@ def rows(width, expected, most=16, known=None):
         The list in words, to follow "the answer is".
     most : int, optional
         The largest number of items.
-    known : dict or callable, optional
-        As for `numbers`.
 
     Returns
     -------
@@ -115,9 +106,8 @@ def rows(width, expected, most=16, known=None):
         one_item = array.ndim <= 1 and array.size == width
         column = width == 1 and array.size == max(array.shape, default=1)
         if array.size and not (one_item or column or array.shape[1:] in ((width,), (width, 1))):
-            raise Unreadable(
-                f"the answer is {expected}. Yours is {_form(array)}.", _named(known, array, case)
-            )
+            reason = f"the answer is {expected}. Yours is {_form(array)}."
+            raise Unreadable(reason, OTHER_FORM, array=array.real)
         if array.size > most * width:
             raise Unreadable(
                 f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM
@@ -128,13 +118,7 @@ def rows(width, expected, most=16, known=None):
     return reader
 
 
-def _named(known, array, case):
-    """Return the mistake for an array of another shape than asked for; of a complex array the real part is used."""
-    found = known(array.real, *case) if callable(known) else (known or {}).get(array.shape)
-    return found or OTHER_FORM
-
-
-def _finite(array, gaps=False, mistake=None):
+def _finite(array, gaps=False):
     """Return the entries as floats; raise Unreadable if they are complex, or not numbers unless gaps allows that."""
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
@@ -146,7 +130,8 @@ def _finite(array, gaps=False, mistake=None):
     if not gaps and not np.isfinite(array).all():
         raise Unreadable(
             "every entry of the answer is a number. Yours holds nan or inf.",
-            mistake or NOT_A_NUMBER,
+            NOT_A_NUMBER,
+            not_a_number=True,
         )
     return array
 

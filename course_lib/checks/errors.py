@@ -50,6 +50,10 @@ _BEYOND_THE_END = Mistake(
 _RAISED = Mistake(
     "your own line raises this error", "What does the task want to be returned in this case?"
 )
+_TOO_LONG = Mistake(
+    "a loop never ends, or there is more work in it than the check waits for",
+    "Print how often each loop runs for this input; loops inside each other multiply.",
+)
 _DIVIDED = Mistake(
     "something is divided by zero",
     "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
@@ -135,7 +139,7 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
         mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
         return "wrong", "compute the answer yourself.", mistake, False
     if kind == "TimeUp":
-        return "error", f"{call} took {message}. Does a loop never end?", None, True
+        return "error", f"{call} took {message}.", _TOO_LONG, True
     if kind == "KeyboardInterrupt":
         return "error", f"{call} was interrupted.", None, False
     if kind == "NoNumber":
@@ -146,16 +150,17 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
         return "wrong", reason, _ANOTHER_SYMBOL, False
     where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
     said = f"{kind}: {message}" if message else kind
-    own = [(type_, re.escape(words), mistake) for type_, words, mistake in exercise.errors]
-    known = (
-        mistake
-        for type_, words, mistake in (*own, *_KNOWN)
-        if type_ == kind and re.search(words, message)
-    )
+    own = [mistake for mistake in exercise.mistakes if mistake.is_raised(kind, message)]
+    of_any_exercise = [
+        mistake for type_, words, mistake in _KNOWN if type_ == kind and re.search(words, message)
+    ]
     shows_case = (
         not exercise.through
     )  # otherwise the function was not given the numbers of the case
-    mistake = next(known, _RAISED if source.startswith("raise ") else None)
+    known = own + of_any_exercise
+    if source.startswith("raise "):
+        known.append(_RAISED)
+    mistake = known[0] if known else None
     return "error", f"{where if source else f'Calling {call} raises'} {said}", mistake, shows_case
 
 

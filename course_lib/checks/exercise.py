@@ -107,9 +107,6 @@ class Exercise:
         Dotted names that the answer may not call.
     through : str
         How the function is called: a key of adapters.ADAPTERS.
-    errors : tuple of (str, str, Mistake)
-        Known errors of the student's code: the type's name, a part of the message, and the mistake
-        they point to.
     alike : callable
         alike(value, predicted, *arguments): whether an answer is what a mistake predicts.
     builds_on : tuple of str
@@ -121,6 +118,8 @@ class Exercise:
     broken : callable, optional
         If the task is to find a bug: a function that answers as the broken code does, None
         included.
+    tolerance : float, optional
+        The error that a right answer may have, one of tolerances.py: the task states it.
     sweeps : tuple of Sweep
         The special values of the arguments: the engine makes cases beside each of them.
     angles : tuple of str
@@ -129,7 +128,7 @@ class Exercise:
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
     mistakes : Mistakes
-        In the order in which they are tried; the decorators `mistake` and `seen` fill it.
+        In the order in which they are tried; `mistake` fills it.
 
     Examples
     --------
@@ -155,10 +154,10 @@ class Exercise:
     forbidden: tuple[str, ...] = ()
     builds_on: tuple[str, ...] = ()
     through: str = ""
-    errors: tuple[tuple[str, str, Mistake], ...] = ()
     alike: Callable = same
     distance: Callable = difference
     broken: Callable | None = None
+    tolerance: float | None = None
     sweeps: tuple[Sweep, ...] = ()
     angles: tuple[str, ...] = ()
     tries_arguments: bool = True
@@ -168,11 +167,6 @@ class Exercise:
     def mistake(self):
         """The decorator of a function that answers as a student does who makes this mistake; see Mistakes.add."""
         return self.mistakes.add
-
-    @property
-    def seen(self):
-        """The decorator of a function(value, *arguments) that recognises a mistake; see Mistakes.add_seen."""
-        return self.mistakes.add_seen
 
     def questions(self, rng):
         """Return the cases, and a function that answers calls of candidates; here None.
@@ -240,11 +234,22 @@ class Exercise:
         return replace(verdict, credit=credit)
 
     def _of_other_form(self, position, cases, answers, other_kind):
-        value, mistake = answers[position]["value"], other_kind.mistake
-        if other_kind.unspecific:
-            mistake = Naming(self, cases, []).of_other_form(position, value) or mistake
+        value, mistake = answers[position]["value"], self._shown_by(other_kind, cases[position])
+        if mistake is None:
+            mistake = Naming(self, cases, []).of_other_form(position, value) or other_kind.mistake
         credit = self._credit(cases, answers)
         return Verdict(self, WRONG, str(other_kind), mistake, cases[position], value, credit=credit)
+
+    def _shown_by(self, other_kind, case):
+        """Return the Mistake that an answer of another form, or with nan in it, shows; None if none does."""
+        own = self.mistakes
+        if other_kind.array is not None:
+            of_form = (known.of_form(other_kind.array, case) for known in own)
+            return next((known for known in of_form if known is not None), None)
+        if other_kind.not_a_number:
+            named = (known for known in own if known.nan is not None and attempt(known.nan, *case))
+            return next(named, other_kind.mistake)
+        return other_kind.mistake
 
     def _wrong(self, wanted, cases, answers, values, failing):
         case, value = cases[failing[0]], values[failing[0]]
@@ -299,12 +304,13 @@ class Exercise:
 class Unreadable(ValueError):
     """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake.
 
-    unspecific: whether a mistake that explains the shape may take the place of this one.
+    array: the answer, if it is an array of another shape. not_a_number: whether it holds nan or inf.
+    Mistakes of the exercise that know such answers take the place of this one.
     """
 
-    def __init__(self, reason, mistake, unspecific=False):
+    def __init__(self, reason, mistake, array=None, not_a_number=False):
         super().__init__(reason)
-        self.mistake, self.unspecific = mistake, unspecific
+        self.mistake, self.array, self.not_a_number = mistake, array, not_a_number
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,9 @@ import inspect
 class Mistake:
     """A known mistake, called by its name.
 
+    What recognises it is one or several of the keywords; without any, it is said where a property
+    or a version of a test names it.
+
     Parameters
     ----------
     name : str
@@ -24,42 +27,107 @@ class Mistake:
     alike : callable, optional
         alike(value, predicted, *arguments): whether a value is what was predicted; otherwise that
         of the exercise.
+    raises : tuple of str, optional
+        The type of the error in which the student's code ends, and a part of its message.
+    form : tuple of int or callable, optional
+        The shape of an answer that has not the shape asked for; or form(array, *arguments): whether
+        such an array shows the mistake, or the Mistake that it shows, where one look tells several
+        apart.
+    nan : callable, optional
+        nan(*arguments): whether nan or inf in the answer to this case shows the mistake.
     """
 
-    def __init__(self, name, hint, *answers, seen=None, part=None, alike=None):
+    def __init__(
+        self,
+        name,
+        hint,
+        *answers,
+        seen=None,
+        part=None,
+        alike=None,
+        raises=None,
+        form=None,
+        nan=None,
+    ):
         self.name, self.hint, self.answers = name, hint, answers
         self.seen, self.part, self.alike = seen, part, alike
+        self.raises, self.form, self.nan = raises, form, nan
 
     def __repr__(self):
         return f"Mistake({self.name!r})"
 
+    def is_raised(self, kind, message):
+        """Return whether an error of this type, with this message, shows the mistake."""
+        if self.raises is None:
+            return False
+        wanted_kind, words = self.raises
+        return kind == wanted_kind and words in message
+
+    def of_form(self, array, arguments):
+        """Return the Mistake that an array of another shape than asked for shows, this one or another, or None."""
+        shown = self.form(array, *arguments) if callable(self.form) else array.shape == self.form
+        if isinstance(shown, Mistake):
+            return shown
+        return self if shown else None
+
 
 class Mistakes(list):
-    """The mistakes of one exercise, in the order in which they are tried; its methods are decorators that add one.
+    """The mistakes of one exercise, in the order in which they are tried."""
 
-    The first sentence of a function's docstring is the mistake's name, the rest is the hint.
-    """
+    def add(
+        self,
+        function=None,
+        *,
+        seen=None,
+        part=None,
+        alike=None,
+        raises=None,
+        form=None,
+        nan=None,
+        recognises=False,
+        **variants,
+    ):
+        """Add a mistake; as a decorator, that of a function.
 
-    def add(self, function=None, *, seen=None, part=None, alike=None, **variants):
-        """Add the mistake of a function that answers as a student does who makes it; see Mistake.
+        Parameters
+        ----------
+        function : callable or Mistake
+            A function that answers as a student does who makes the mistake. The first sentence of
+            its docstring is the mistake's name, the rest is the hint. Or a Mistake, if only
+            `raises`, `form` or `nan` recognises it.
+        seen, part, alike, raises, form, nan
+            As of a Mistake. With `seen` the function need not predict the very answers: it is the
+            wrong answer on which the check is tested.
+        recognises : bool
+            True if the function is function(value, *arguments), which says whether an answer shows
+            the mistake: for mistakes that no function predicts.
+        **variants
+            A keyword of another name lists the variants of a mistake: `terms=(2, 3)` calls the
+            function with terms=2 and with terms=3.
 
-        A keyword of another name lists the variants of a mistake: `terms=(2, 3)` calls the function
-        with terms=2 and with terms=3. With `seen`, which recognises the mistake, the function need
-        not predict the very answers: it is the wrong answer on which the check is tested.
+        Returns
+        -------
+        callable or Mistake
+            What was passed.
         """
+        known = {"seen": seen, "part": part, "alike": alike}
+        known |= {"raises": raises, "form": form, "nan": nan}
         if function is None:
-            return functools.partial(self.add, seen=seen, part=part, alike=alike, **variants)
+            return functools.partial(self.add, recognises=recognises, **known, **variants)
+        if isinstance(function, Mistake):
+            self.append(Mistake(function.name, function.hint, *function.answers, **known))
+            return function
+        if recognises:
+            self.append(Mistake(*words(function), **(known | {"seen": function})))
+            return function
         answers = [function]
         for keyword, values in variants.items():
             answers = [
-                functools.partial(each, **{keyword: value}) for each in answers for value in values
+                functools.partial(answer, **{keyword: value})
+                for answer in answers
+                for value in values
             ]
-        self.append(Mistake(*words(function), *answers, seen=seen, part=part, alike=alike))
-        return function
-
-    def add_seen(self, function):
-        """Add the mistake that function(value, *arguments) recognises in an answer, if no function predicts it."""
-        self.append(Mistake(*words(function), seen=function))
+        self.append(Mistake(*words(function), *answers, **known))
         return function
 
 

@@ -1,7 +1,6 @@
 """Find the name of a mistake: those of the exercise first, then those that are tried for every exercise."""
 
 import copy
-import functools
 import itertools
 
 import numpy as np
@@ -9,6 +8,7 @@ import numpy as np
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import MadeCase
+from course_lib.checks.tolerances import PREDICTED
 from course_lib.checks.wire import Seed
 
 _MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
@@ -20,7 +20,7 @@ _FEW = 3  # numbers that differ: fewer agree with some transform by chance
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
 
-def same(value, predicted, *arguments, tolerance=1e-6):
+def same(value, predicted, *arguments, tolerance=PREDICTED):
     """Return whether two answers are equal within a tolerance, absolute and relative to the size of `predicted`.
 
     Complex numbers, and anything that is not numbers, are equal to nothing. The arguments of the

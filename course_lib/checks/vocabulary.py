@@ -6,8 +6,9 @@ import itertools
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property, same
-from course_lib.checks.naming import difference
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
+from course_lib.checks.naming import difference
+from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
@@ -107,8 +108,8 @@ _Q1 = Mistake(
 )
 _Q2 = Mistake(
     "the angle of the elbow is another one",
-    "Which cosine follows from the squared distance of the tip? Does your inverse function know "
-    "angles from 0 to pi?",
+    "Which cosine follows from the squared distance of the tip? From which angle to which angle "
+    "does your inverse function go?",
 )
 _NONE = Mistake(
     "a position within reach has no answer",
@@ -121,21 +122,21 @@ def other_bend(angles, tip):
     if np.isnan(angles).any():
         return _NONE
     return (
-        _Q1 if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < 1e-6 else _Q2
+        _Q1
+        if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < PREDICTED
+        else _Q2
     )
 
 
 # ---- comparisons; as `alike` of an exercise, they also take the arguments of the case ----
 
-FINE = 1e-9  # the error that a right answer may have, relative to its size
-
 
 def near(answer, right, *arguments):
-    """Return whether an answer is right: the error is at most FINE times the largest entry, or FINE if that is below 1.
+    """Return whether an answer is right, to EXACT times its largest entry, or to EXACT if that is below 1.
 
     An empty array is right.
     """
-    return np.abs(answer - right).max(initial=0) <= FINE * max(1, np.abs(right).max(initial=0))
+    return np.abs(answer - right).max(initial=0) <= EXACT * max(1, np.abs(right).max(initial=0))
 
 
 def same_up_to_sign(value, predicted, *arguments):
@@ -143,7 +144,7 @@ def same_up_to_sign(value, predicted, *arguments):
     return same(value, predicted) or same(value, -np.asarray(predicted, float))
 
 
-def same_angles(value, predicted, *arguments, tolerance=1e-6):
+def same_angles(value, predicted, *arguments, tolerance=PREDICTED):
     """Return whether angles of any shape are the same up to multiples of 2 pi."""
     return np.shape(value) == np.shape(predicted) and angle_gap(value, predicted) < tolerance
 
@@ -185,7 +186,7 @@ def same_list(found, wanted, *arguments):
 
 def inside(some, others):
     """Return whether each of some angles, or rows of them, is among the others, up to multiples of 2 pi."""
-    return all(any(angle_gap(a, b) < 1e-6 for b in others) for a in some)
+    return all(any(angle_gap(a, b) < PREDICTED for b in others) for a in some)
 
 
 def orthogonality_error(R):
@@ -195,11 +196,11 @@ def orthogonality_error(R):
 
 def is_rotation(R):
     """Return whether R is a rotation, to rounding."""
-    return orthogonality_error(R) < FINE and np.linalg.det(R) > 0
+    return orthogonality_error(R) < EXACT and np.linalg.det(R) > 0
 
 
 def _no_rotation(R):
-    if orthogonality_error(R) < FINE:
+    if orthogonality_error(R) < EXACT:
         return f"The determinant of yours is {np.linalg.det(R):.4g}."
     return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
 

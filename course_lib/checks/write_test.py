@@ -64,7 +64,7 @@ class Version:
         Whether the task shows it as an example: a test that misjudges it earns nothing.
     mistake : Mistake, optional
         What a test overlooks that refuses it, a right version, and accepts another right one of the
-        same kind.
+        same kind, or refuses no right version but those with this mistake.
     """
 
     kind: str
@@ -155,8 +155,15 @@ class WriteTest(Exercise):
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = self.refuses if len(refused) == n_right and not missed else always
         accepted = [version.kind for version, accepted in judged if version.right and accepted]
+        overlooked = [version.mistake for version in refused]
         always = next(
-            (each.mistake for each in refused if each.mistake and each.kind in accepted), always
+            (
+                version.mistake
+                for version in refused
+                if version.mistake
+                and (version.kind in accepted or set(overlooked) == {version.mistake})
+            ),
+            always,
         )
         failed_example = any(version.example for version in (*refused, *missed))
         credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)

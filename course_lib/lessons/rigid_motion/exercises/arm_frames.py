@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, LAST_ROW, part_is, rotation
 from course_lib.planar import pose_matrix
 
@@ -57,9 +58,10 @@ EXERCISE = Exercise(
     name="arm_frames",
     points=2,
     arguments=("theta",),
+    tolerance=EXACT,
     cases=_cases,
     angles=("theta",),
-    returns=numbers(lambda theta: (3, 3, 3), {(3, 3): _ONLY_POSES, (3, 2): _ONLY_POINTS}),
+    returns=numbers(lambda theta: (3, 3, 3)),
     properties=(
         LAST_ROW,
         rotation(lambda T: T[1, :2, :2], mistake=ENTRY_BY_ENTRY),
@@ -81,6 +83,9 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm"),
 )
+
+EXERCISE.mistake(_ONLY_POSES, form=(3, 3))
+EXERCISE.mistake(_ONLY_POINTS, form=(3, 2))
 
 
 @EXERCISE.mistake(position_alone=(False, True))

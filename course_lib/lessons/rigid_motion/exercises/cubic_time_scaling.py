@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.planar import cubic_time_scaling
 
 
@@ -36,7 +37,7 @@ def _cases(rng):
 
 
 def _size(T, s0, s1, v0, v1):
-    return 1e-9 * max(1.0, abs(s0), abs(s1), T * abs(v0), T * abs(v1))
+    return EXACT * max(1.0, abs(s0), abs(s1), T * abs(v0), T * abs(v1))
 
 
 def _has(time):
@@ -98,6 +99,7 @@ EXERCISE = Exercise(
     name="cubic_time_scaling",
     points=2,
     arguments=("t", "T", "s0", "s1", "v0", "v1"),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda t, *ends: np.shape(t)),
     properties=(

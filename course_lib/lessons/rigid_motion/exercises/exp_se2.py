@@ -6,7 +6,8 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
-from course_lib.checks.vocabulary import FINE, LAST_ROW
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import LAST_ROW
 from course_lib.planar import wrap_angle
 from course_lib.rigid import exp_se2
 
@@ -52,21 +53,22 @@ def _off(T, twist):
 
 
 def _position_holds(T, twist):
-    return np.abs(_apart(T, twist)).max() <= FINE * max(1, np.abs(twist).max())
+    return np.abs(_apart(T, twist)).max() <= EXACT * max(1, np.abs(twist).max())
 
 
 EXERCISE = Exercise(
     name="exp_se2",
     points=2,
     arguments=("twist",),
+    tolerance=EXACT,
     cases=_cases,
     sweeps=(_omega_near(0.0), _omega_near(np.pi), _omega_near(-2 * np.pi)),
-    returns=numbers(lambda twist: (3, 3), {(3,): _POSE}),
+    returns=numbers(lambda twist: (3, 3)),
     properties=(
         LAST_ROW,
         Property(
             "the upper left 2x2 block is the rotation by omega",
-            lambda T, twist: _off(T, twist) <= FINE,
+            lambda T, twist: _off(T, twist) <= EXACT,
             says=lambda T, twist: (
                 f"omega is {twist[0]:.4g} rad. Yours is {format_array(T[:2, :2])}, off by up to "
                 f"{_off(T, twist):.1e}."
@@ -104,6 +106,8 @@ EXERCISE = Exercise(
     ),
 )
 
+EXERCISE.mistake(_POSE, form=(3,))
+
 
 def _with_position(twist, position):
     """The right rotation with another position; None where it is as good."""
@@ -122,7 +126,7 @@ def series(twist, terms):
     for k in range(1, terms):
         term = term @ A / k
         T = T + term
-    return None if _off(T, twist) <= FINE and _position_holds(T, twist) else T
+    return None if _off(T, twist) <= EXACT and _position_holds(T, twist) else T
 
 
 def _nearly(T, twist):
@@ -141,7 +145,7 @@ def omega_wrapped(twist):
     """omega is wrapped to [-pi, pi] before the position is computed. A body that makes a whole
     revolution in unit time ends where it began: does one that does not rotate?"""
     wrapped = wrap_angle(twist[0])
-    if abs(wrapped - twist[0]) < 1e-9:
+    if abs(wrapped - twist[0]) < EXACT:
         return None
     return _with_position(twist, exp_se2([wrapped, *twist[1:]])[:2, 2])
 

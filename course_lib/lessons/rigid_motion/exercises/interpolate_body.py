@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.shared import change as right_change
 from course_lib.planar import interpolate_body, wrap_angle
@@ -72,6 +73,7 @@ EXERCISE = Exercise(
     name="interpolate_body",
     points=2,
     arguments=("start", "goal", "n"),
+    tolerance=EXACT,
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
     returns=shared.read_path,
     properties=(

@@ -4,6 +4,7 @@ frame."""
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.interpolate_body import (
     SWEEPS,
@@ -64,7 +65,7 @@ def _seen_from_the_pole(rows, start, goal, n):
 def _fits(rows, path, start, goal):
     """Return whether the rows are right; with a tiny angle, to the digits that formulas with the
     pole leave."""
-    fine = 1e-9 if _angle(start, goal) >= SMALL else 1e-7
+    fine = EXACT if _angle(start, goal) >= SMALL else HALF_THE_DIGITS
     return shared.deviation(rows, path) <= fine * shared.size(start, goal)
 
 
@@ -87,6 +88,7 @@ EXERCISE = Exercise(
     name="interpolate_body_screw",
     points=2,
     arguments=("start", "goal", "n"),
+    tolerance=EXACT,
     cases=_cases,
     returns=shared.read_path,
     properties=(
@@ -101,7 +103,7 @@ EXERCISE = Exercise(
             "the body rotates about one point, the pole, and stays at the same distance from it",
             lambda rows, start, goal, n: (
                 np.ptp(_distances(rows, start, goal))
-                <= 1e-9 * shared.size(start, goal) / _angle(start, goal)
+                <= EXACT * shared.size(start, goal) / _angle(start, goal)
             ),
             says=_seen_from_the_pole,
             where=_rotates,

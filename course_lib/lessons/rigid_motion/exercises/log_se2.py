@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
-from course_lib.lessons.rigid_motion.exercises.shared import FINE
+from course_lib.checks.tolerances import EXACT
 from course_lib.rigid import exp_se2, log_se2
 
 _MATRIX = Mistake(
@@ -50,12 +50,12 @@ def _V(omega):
 
 
 def _tolerance(T):
-    return FINE * max(1, np.abs(T[:2, 2]).max())
+    return EXACT * max(1, np.abs(T[:2, 2]).max())
 
 
 def _omega_holds(twist, T):
     apart = np.abs(np.angle(np.exp(1j * (twist[0] - _angle(T)))))
-    return abs(twist[0]) <= np.pi + FINE and apart <= FINE * np.clip(abs(_angle(T)), 1e-6, 1)
+    return abs(twist[0]) <= np.pi + EXACT and apart <= EXACT * np.clip(abs(_angle(T)), 1e-6, 1)
 
 
 def _v_holds(twist, T):
@@ -66,12 +66,13 @@ EXERCISE = Exercise(
     name="log_se2",
     points=2,
     arguments=("T",),
+    tolerance=EXACT,
     cases=_cases,
     sweeps=(
         Sweep("omega near 0", _rotating, ON_BOTH_SIDES),
         Sweep("omega near pi", _beside_half, ON_BOTH_SIDES),
     ),
-    returns=numbers(lambda T: (3,), {(3, 3): _MATRIX}),
+    returns=numbers(lambda T: (3,)),
     properties=(
         Property(
             "omega is the angle of the rotation, from -pi to pi",
@@ -102,6 +103,8 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.rigid.log_se2", "course_lib.rigid.log_se3"),
 )
+
+EXERCISE.mistake(_MATRIX, form=(3, 3))
 
 
 def _v(T, omega=None):

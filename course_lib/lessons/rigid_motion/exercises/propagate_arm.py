@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.propagate_body import drawn_case
 from course_lib.planar import propagate_arm
@@ -61,6 +62,7 @@ EXERCISE = Exercise(
     name="propagate_arm",
     points=1,
     arguments=("start", "plan", "dt"),
+    tolerance=EXACT,
     cases=_cases,
     returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(
         value, *case

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import propagate_body, shared
 from course_lib.planar import pose_matrix, propagate_body_exact
 from course_lib.rigid import exp_se2
@@ -47,7 +48,7 @@ def _end_moves(values, cases):
     for i, (start, plan, _) in enumerate(cases):
         for j, (other_start, other_plan, _) in enumerate(cases[:i]):
             alike = plan == other_plan and np.array_equal(start, other_start)
-            if alike and not shared.near(values[i][-1:], values[j][-1:], shared.BODY, shared.FINE):
+            if alike and not shared.near(values[i][-1:], values[j][-1:], shared.BODY, EXACT):
                 return i
     return None
 
@@ -62,6 +63,7 @@ EXERCISE = Exercise(
     name="propagate_body_exact",
     points=2,
     arguments=("start", "plan", "dt"),
+    tolerance=EXACT,
     cases=_cases,
     returns=propagate_body.read_poses,
     properties=(
@@ -101,6 +103,8 @@ EXERCISE = Exercise(
     sweeps=(Sweep("omega near 0", _slow, ON_BOTH_SIDES),),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )
+
+EXERCISE.mistake(shared.MATRICES, form=shared.are_matrices)
 
 
 @EXERCISE.mistake(share=(0, 0.5, 1))

@@ -9,15 +9,20 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import compared
 from course_lib.planar import quintic_time_scaling, wrap_angle
 
 BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
 REVOLUTION = 2 * np.pi
-FINE = 1e-9
 MATRICES = Mistake(
     "the matrices of the poses are returned", "A row is (x, y, theta), read from the matrix T."
 )
+
+
+def are_matrices(array, *case):
+    """Return whether an answer is a list of matrices (3, 3)."""
+    return array.ndim == 3 and array.shape[1:] == (3, 3)
 
 
 def cubic(u):
@@ -62,13 +67,13 @@ def distance_of_paths(rows, right, start, goal, n):
 def same_path(rows, predicted, start, goal, n):
     """Return whether an answer is the path that a mistake predicts."""
     same_shape = np.shape(rows) == np.shape(predicted)
-    return same_shape and deviation(rows, predicted) <= 1e-6 * size(start, goal)
+    return same_shape and deviation(rows, predicted) <= PREDICTED * size(start, goal)
 
 
 def close(rows, wanted, start, goal):
     """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi
     in the angle."""
-    return deviation(rows, wanted) <= 1e-9 * size(start, goal)
+    return deviation(rows, wanted) <= EXACT * size(start, goal)
 
 
 def change(start, goal):
@@ -88,10 +93,7 @@ def half_a_revolution(start, goal, n):
     return not one_arc_is_shorter(start, goal, n)
 
 
-read_path = numbers(  # n rows (x, y, theta)
-    lambda start, goal, n: (n, 3),
-    lambda array, start, goal, n: MATRICES if array.shape == (n, 3, 3) else None,
-)
+read_path = numbers(lambda start, goal, n: (n, 3))  # n rows (x, y, theta)
 
 
 ENDS = tuple(
@@ -133,7 +135,7 @@ def on_a_line(rows, start, goal, n):
     ahead = (q - p) / length if length else np.zeros(2)
     aside = rows[:, :2] - p
     along = np.clip(aside @ ahead, 0, length)
-    return np.linalg.norm(aside - along[:, None] * ahead, axis=1).max() <= 1e-9 * size(start, goal)
+    return np.linalg.norm(aside - along[:, None] * ahead, axis=1).max() <= EXACT * size(start, goal)
 
 
 def timed(right, fits=close):
@@ -146,7 +148,7 @@ def timed(right, fits=close):
 
     def seen(rows, start, goal, n):
         missed = [deviation(*pair) for pair in zip(rows, path(start, goal, n), strict=True)]
-        k = int(np.argmax(np.array(missed) > 1e-9 * size(start, goal)))
+        k = int(np.argmax(np.array(missed) > EXACT * size(start, goal)))
         u = k / (n - 1)
         return f"The row with index {k} belongs to u = {u:.4g}, and s is {cubic(u):.4g} there."
 
@@ -195,6 +197,8 @@ def follow(move, lengths=lengths):
 def add_path_mistakes(exercise, path):
     """Add the mistakes in the timing of a path; path(start, goal, n, s): the answer with another
     time scaling."""
+
+    exercise.mistake(MATRICES, form=lambda array, start, goal, n: array.shape == (n, 3, 3))
 
     @exercise.mistake(s=TIME_SCALINGS)
     def other_time_scaling(start, goal, n, s):
@@ -252,7 +256,7 @@ def size_of(difference, angles):
     return np.abs(difference - np.where(angles, REVOLUTION * revolutions, 0))
 
 
-def near(rows, others, angles, tolerance=1e-6):
+def near(rows, others, angles, tolerance=PREDICTED):
     """Return whether two arrays of rows are the same but for whole revolutions of their angles."""
     rows, others = np.asarray(rows), np.asarray(others)
     if rows.shape != others.shape:
@@ -289,7 +293,7 @@ def form(angles):
     return (
         Property(
             "the first row is start",
-            lambda rows, start, plan, dt: near(rows[:1], [start], angles, FINE),
+            lambda rows, start, plan, dt: near(rows[:1], [start], angles, EXACT),
             says=lambda rows, *case: (
                 f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row."
             ),
@@ -322,7 +326,7 @@ def each_step(text, move, angles, part=slice(None), where=None):
     def first_off(rows, plan, dt):
         for k, (velocity, h) in enumerate(zip(*steps(plan, dt), strict=True)):
             right = move(rows[k], velocity, h)
-            if not near(rows[k + 1, part], right[part], np.asarray(angles)[part], FINE):
+            if not near(rows[k + 1, part], right[part], np.asarray(angles)[part], EXACT):
                 return k, velocity, h, right[part]
         return None
 
@@ -346,15 +350,15 @@ def goes_straight(start, plan, dt):
 
 def _lengths_covered(rows, plan, dt):
     ahead, left = rotated(-rows[0, 2], np.diff(rows[:, :2], axis=0)).T
-    return np.where(np.abs(left) < FINE, ahead, 0) / steps(plan, dt)[0][:, 0]
+    return np.where(np.abs(left) < EXACT, ahead, 0) / steps(plan, dt)[0][:, 0]
 
 
 STEP_LENGTHS = Property(
     "each step is dt long, and the last one of a pair is shorter if it must be to end on time",
     # A step in another direction has no length here: of its direction other properties speak.
     lambda rows, start, plan, dt: (
-        (covered := _lengths_covered(rows, plan, dt)).min() < FINE
-        or np.abs(covered - steps(plan, dt)[1]).max() < FINE
+        (covered := _lengths_covered(rows, plan, dt)).min() < EXACT
+        or np.abs(covered - steps(plan, dt)[1]).max() < EXACT
     ),
     says=lambda rows, start, plan, dt: (
         f"By the distance covered, yours are {format_tuple(_lengths_covered(rows, plan, dt))} s "

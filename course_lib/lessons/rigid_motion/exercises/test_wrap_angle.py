@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
 from course_lib.planar import wrap_angle
@@ -79,5 +80,5 @@ EXERCISE = WriteTest(
         ),
     ),
     shapes=((),),
-    given=lambda wrap_angle: abs(wrap_angle(4.0) - (4.0 - REVOLUTION)) < 1e-9,
+    given=lambda wrap_angle: abs(wrap_angle(4.0) - (4.0 - REVOLUTION)) < EXACT,
 )

@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
     angle_gap,
     distance_of_lists,
@@ -55,14 +56,13 @@ EXERCISE = Exercise(
     name="two_link_angles",
     points=3,
     arguments=("tip",),
+    tolerance=HALF_THE_DIGITS,
     cases=_cases,
-    returns=numbers(
-        lambda tip: (2, 2), {(2,): _ONE}, nan=lambda tip: _ABOVE_ONE if _straight(tip) else None
-    ),
+    returns=numbers(lambda tip: (2, 2)),
     properties=(
         Property(
             "with the angles of either row the arm's tip is at `tip`",
-            lambda angles, tip: _off(angles, tip).max() < 1e-7,
+            lambda angles, tip: _off(angles, tip).max() < HALF_THE_DIGITS,
             says=lambda angles, tip: (
                 f"It should be at {format_tuple(tip)}. With your rows it is at "
                 f"{format_tuple(two_link_tip(angles)[0])} "
@@ -97,6 +97,9 @@ EXERCISE = Exercise(
     sweeps=(Sweep("a tip near the edge of the reach", _nearly_stretched),),
     forbidden=("course_lib.ik.solve",),
 )
+
+EXERCISE.mistake(_ONE, form=(2,))
+EXERCISE.mistake(_ABOVE_ONE, nan=_straight)
 
 
 def _solutions(tip, two, first=lambda direction, two: direction - two / 2):

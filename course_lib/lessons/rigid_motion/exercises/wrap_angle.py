@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_of_angles
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
 from course_lib.planar import wrap_angle
@@ -36,7 +37,7 @@ def _beside(revolutions):
 
 
 def _rounding(angle):
-    return 1e-9 * np.maximum(1.0, np.abs(angle))
+    return EXACT * np.maximum(1.0, np.abs(angle))
 
 
 def _same_direction(value, angle):
@@ -64,6 +65,7 @@ EXERCISE = Exercise(
     name="wrap_angle",
     points=1,
     arguments=("angle",),
+    tolerance=EXACT,
     cases=_cases,
     sweeps=(_beside(0), _beside(1), _beside(-1), _beside(2)),
     returns=numbers(np.shape, exact=True),
@@ -75,7 +77,7 @@ EXERCISE = Exercise(
             where=lambda angle: np.all(np.abs(angle) < np.pi - 1e-9),
             mistake=Mistake(
                 "an angle is changed that needs no wrapping",
-                "How much is one revolution: pi, or 2 pi?",
+                "How many revolutions are in this angle? Follow your lines with it, digit by digit.",
             ),
         ),
         Property(
@@ -103,18 +105,17 @@ EXERCISE = Exercise(
         "np.pi.",
     ),
     forbidden=("course_lib.planar.wrap_angle",),
-    errors=(
-        ("ValueError", "truth value of an array", _ONE_ANGLE_ONLY),
-        ("TypeError", "only 0-dimensional arrays can be converted", _ONE_ANGLE_ONLY),
-    ),
 )
+
+EXERCISE.mistake(_ONE_ANGLE_ONLY, raises=("ValueError", "truth value of an array"))
+EXERCISE.mistake(_ONE_ANGLE_ONLY, raises=("TypeError", "arrays can be converted"))
 
 
 def _each(formula, angle):
     """The formula of one angle, in each entry of an array; nothing is predicted of half a
     revolution."""
     right = wrap_angle(angle)
-    if np.any(np.abs(np.abs(right) - np.pi) < 1e-9):
+    if np.any(np.abs(np.abs(right) - np.pi) < EXACT):
         return None
     return np.vectorize(formula, otypes=[float])(angle) if np.ndim(angle) else formula(angle)
 

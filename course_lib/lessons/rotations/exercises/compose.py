@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -20,18 +21,19 @@ def _cases(rng):
 
 
 def _agrees(new, R, step, frame):
-    return np.allclose(new, _right(R, step, frame), atol=1e-9)
+    return np.allclose(new, _right(R, step, frame), rtol=0, atol=EXACT)
 
 
 _FACTORS = Mistake(
-    "a factor is inverted, or is not needed here",
-    "How many rotations act on a point, and which way?",
+    "the answer is not the product of R and step in the right order",
+    "How many rotations act on a point of the body, and which of them acts first?",
 )
 
 EXERCISE = Exercise(
     name="compose",
     points=1,
     arguments=("R", "step", "frame"),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda R, step, frame: (3, 3)),
     library=_right,

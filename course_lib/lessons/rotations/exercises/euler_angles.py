@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import SIX_DIGITS
 from course_lib.checks.vocabulary import any_rotation, distance_of_angles, same_angles
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -78,6 +79,7 @@ EXERCISE = Exercise(
     name="euler_angles",
     points=3,
     arguments=("R",),
+    tolerance=SIX_DIGITS,
     cases=_cases,
     returns=numbers(lambda R: (3,), gaps=True),
     library=_right,
@@ -87,7 +89,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",
-            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
+            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < SIX_DIGITS,
             says=lambda angles, R: (
                 f"The largest difference is {_gap(angles, R):.2g}."
                 if np.isfinite(angles).all()
@@ -97,7 +99,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "beta lies between -pi/2 and pi/2",
-            lambda angles, R: not abs(angles[1]) > np.pi / 2 + 1e-6,
+            lambda angles, R: not abs(angles[1]) > np.pi / 2 + SIX_DIGITS,
             mistake=Mistake(
                 "the other triple of angles is returned, with beta beyond pi/2",
                 "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) "
@@ -106,7 +108,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the angles give R again at gimbal lock too",
-            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < 1e-6,
+            lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < SIX_DIGITS,
             says=lambda angles, R: (
                 f"cos(beta) = 0 here: R[0, 0] is {R[0, 0]:.2g}, R[1, 0] is {R[1, 0]:.2g}, which is "
                 f"rounding."

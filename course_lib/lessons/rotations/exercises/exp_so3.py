@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import partial_sum, rotation, unit
 from course_lib.rotations import exp_so3, hat
 
@@ -17,6 +18,7 @@ def _cases(rng):
         [-1.0, 0, 0],
         [0, -1.0, 0],
         [0, 0, -1.0],
+        [1.0, -2.0, 2.0],  # whole numbers, whose unit vector is not whole
     ]
     lengths = [0.5, 2.0, np.pi, 5.0, 3.1e-4, 9e-5, 1e-5, 1e-9, 1e-12]
     return (
@@ -38,6 +40,7 @@ EXERCISE = Exercise(
     name="exp_so3",
     points=2,
     arguments=("w",),
+    tolerance=EXACT,
     cases=_cases,
     sweeps=(Sweep("a tiny angle", _tiny), Sweep("an angle near pi", _beside_pi, ON_BOTH_SIDES)),
     returns=numbers(lambda w: (3, 3), gaps=True),
@@ -45,11 +48,11 @@ EXERCISE = Exercise(
     properties=(
         rotation(),
         Property(
-            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=1e-9)
+            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=EXACT)
         ),
         Property(
             "R rotates by the angle |w|, counter-clockwise about w",
-            lambda R, w: np.abs(R - exp_so3(w)).max() < 1e-9,
+            lambda R, w: np.abs(R - exp_so3(w)).max() < EXACT,
             says=lambda R, w: (
                 f"The trace of R should be 1 + 2 cos |w| = {np.trace(exp_so3(w)):.4g}."
             ),

@@ -6,6 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation, near, orthogonality_error
 from course_lib.rotations import exp_so3, hat, rot_z
 
@@ -35,27 +36,25 @@ def _is_straight(R_0, log, dt, R_bi):
     return np.array_equal(R_bi, np.eye(3))
 
 
-def _one_too_few(array, R_0, log, dt, R_bi):
-    if array.shape != (len(log), 3, 3):
-        return None
-    return Mistake(
-        "R_0, or the last orientation, is missing",
-        "Is R_0 the first, and does one follow each sample?",
-    )
+_ONE_TOO_FEW = Mistake(
+    "R_0, or the last orientation, is missing",
+    "Is R_0 the first, and does one follow each sample?",
+)
 
 
 EXERCISE = Exercise(
     name="gyroscope",
     points=3,
     arguments=("R_0", "log", "dt", "R_bi"),
+    tolerance=EXACT,
     cases=_cases,
-    returns=numbers(lambda R_0, log, dt, R_bi: (len(log) + 1, 3, 3), _one_too_few),
+    returns=numbers(lambda R_0, log, dt, R_bi: (len(log) + 1, 3, 3)),
     library=_right,
     properties=(
         Property("the first orientation is R_0", lambda R, R_0, log, dt, R_bi: near(R[0], R_0)),
         Property(
             "every orientation is a rotation",
-            lambda R, *case: max(map(orthogonality_error, R)) < 1e-9,
+            lambda R, *case: max(map(orthogonality_error, R)) < EXACT,
             says=lambda R, *case: (
                 f"The largest entry of R^T R - I is {max(map(orthogonality_error, R)):.2g}."
             ),
@@ -85,6 +84,8 @@ EXERCISE = Exercise(
         "* dt).",
     ),
 )
+
+EXERCISE.mistake(_ONE_TOO_FEW, form=lambda array, R_0, log, *rest: array.shape == (len(log), 3, 3))
 
 
 @EXERCISE.mistake

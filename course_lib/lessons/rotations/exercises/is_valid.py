@@ -219,11 +219,10 @@ EXERCISE = Exercise(
         "course_lib.rigid.is_se",
         "course_lib.rotations.is_quaternion",
     ),
-    errors=(
-        ("LinAlgError", "must be square", _SHAPE_IGNORED),
-        ("ValueError", "could not be broadcast together", _SHAPE_IGNORED),
-    ),
 )
+
+EXERCISE.mistake(_SHAPE_IGNORED, raises=("LinAlgError", "must be square"))
+EXERCISE.mistake(_SHAPE_IGNORED, raises=("ValueError", "could not be broadcast together"))
 
 # A mistake answers for one kind only, and with `only` says nothing of the others.
 

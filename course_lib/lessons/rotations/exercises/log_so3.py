@@ -9,6 +9,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT, FOUR_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import unit
 from course_lib.rotations import exp_so3, hat, log_so3
 
@@ -114,6 +115,7 @@ EXERCISE = Exercise(
     name="log_so3",
     points=3,
     arguments=("R",),
+    tolerance=SIX_DIGITS,
     cases=_cases,
     sweeps=(
         Sweep("a tiny angle", _tiny),
@@ -127,7 +129,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the exponential of the answer is R again",
-            lambda w, R: _gap(w, R) < 1e-6,
+            lambda w, R: _gap(w, R) < SIX_DIGITS,
             says=lambda w, R: (
                 f"The angle of R is {_angle(R):.6g} rad; |w| of your answer is "
                 f"{np.linalg.norm(w):.6g}."
@@ -136,7 +138,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the angle |w| is the smallest one, between 0 and pi",
-            lambda w, R: np.linalg.norm(w) <= np.pi + 1e-6,
+            lambda w, R: np.linalg.norm(w) <= np.pi + SIX_DIGITS,
             where=_between(1e-3, np.pi - 1e-3),
             mistake=Mistake(
                 "the longer of the two rotations is taken", "Which angle has the opposite axis?"
@@ -155,7 +157,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the exponential of the answer is R again, to 1e-4 also near 180 degrees",
-            lambda w, R: _gap(w, R) < 1e-4 and np.linalg.norm(w) <= np.pi + 1e-4,
+            lambda w, R: _gap(w, R) < FOUR_DIGITS and np.linalg.norm(w) <= np.pi + FOUR_DIGITS,
             says=lambda w, R: (
                 f"The angle of R is {_short_of_pi(R)}. exp of your answer is off by "
                 f"{_gap(w, R):.2g}."
@@ -164,12 +166,12 @@ EXERCISE = Exercise(
         ),
         Property(
             "for R = I the rotation vector is 0",
-            lambda w, R: np.abs(w).max() < 1e-9,
+            lambda w, R: np.abs(w).max() < EXACT,
             where=lambda R: np.array_equal(R, np.eye(3)),
         ),
         Property(
             "every R that is a rotation to rounding has a logarithm",
-            lambda w, R: _gap(w, R) < 1e-4,
+            lambda w, R: _gap(w, R) < FOUR_DIGITS,
             says=lambda w, R: f"The trace of R is {np.trace(R):.17g}.",
         ),
     ),

@@ -7,6 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import SIX_DIGITS
 from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
 
@@ -47,7 +48,7 @@ def _nearly_half(largest):
 
 def _right_up_to_sign(q, R):
     right = matrix_to_quaternion(R)
-    return min(np.abs(q - right).max(), np.abs(q + right).max()) < 1e-6
+    return min(np.abs(q - right).max(), np.abs(q + right).max()) < SIX_DIGITS
 
 
 def _near_half_turn(R):
@@ -58,6 +59,7 @@ EXERCISE = Exercise(
     name="matrix_to_quaternion",
     points=3,
     arguments=("R",),
+    tolerance=SIX_DIGITS,
     cases=_cases,
     sweeps=tuple(_nearly_half(k) for k in range(3)),
     returns=numbers(lambda R: (4,), gaps=True),
@@ -103,7 +105,9 @@ def _vector_over_w(R):
 
 def _is_divided_by_little(q, R):
     """Whether q is nan, or near 180 degrees its vector part has the direction of R - R^T, which may
-    be 0."""
+    be 0, and not the right length."""
+    if np.isfinite(q).all() and distance_up_to_sign(q, matrix_to_quaternion(R)) < 1e-4:
+        return False
     if not np.isfinite(q).all() or not _near_half_turn(R):
         return not np.isfinite(q).all()
     along = _vector_over_w(R)

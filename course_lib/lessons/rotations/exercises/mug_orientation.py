@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, any_rotation, near, rotation
 from course_lib.rotations import rot_x, rot_z
 
@@ -23,6 +24,7 @@ EXERCISE = Exercise(
     name="mug_orientation",
     points=2,
     arguments=("R_bg", "R_cg", "R_cm"),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda R_bg, R_cg, R_cm: (3, 3)),
     library=_right,

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.lessons.rotations.exercises import shared
 from course_lib.lessons.rotations.exercises.shared import NOT_NEAREST, damaged_rotations, distances
@@ -31,6 +32,7 @@ EXERCISE = Exercise(
     name="nearest_se",
     points=2,
     arguments=("T",),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(np.shape),
     library=nearest_se,
@@ -38,7 +40,7 @@ EXERCISE = Exercise(
         LAST_ROW,
         Property(
             "the translation (the last column) stays as it is",
-            lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < 1e-9,
+            lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < EXACT,
             mistake=Mistake(
                 "the translation is changed", "Only the block and the last row need repair."
             ),
@@ -52,11 +54,11 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < 1e-9, where=_is_pose
+            "a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < EXACT, where=_is_pose
         ),
         Property(
             "the block is the rotation nearest to that of T",
-            lambda X, T: np.linalg.norm(X - nearest_se(T)) < 1e-6,
+            lambda X, T: np.linalg.norm(X - nearest_se(T)) < EXACT,
             says=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
             mistake=NOT_NEAREST,
         ),

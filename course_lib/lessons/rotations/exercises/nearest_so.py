@@ -7,6 +7,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import is_rotation, orthogonality_error
 from course_lib.lessons.rotations.exercises import shared
 from course_lib.lessons.rotations.exercises.shared import (
@@ -32,6 +33,7 @@ EXERCISE = Exercise(
     name="nearest_so",
     points=3,
     arguments=("M",),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(np.shape),
     library=nearest_so,
@@ -39,7 +41,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the columns of R have length one and are orthogonal: R^T R = I",
-            lambda R, M: orthogonality_error(R) < 1e-9,
+            lambda R, M: orthogonality_error(R) < EXACT,
             mistake=Mistake("the answer is not orthogonal", "Which part of M = U S V^T stretches?"),
         ),
         Property(
@@ -53,12 +55,12 @@ EXERCISE = Exercise(
         ),
         Property(
             "a rotation comes back unchanged",
-            lambda R, M: np.abs(R - M).max() < 1e-9,
+            lambda R, M: np.abs(R - M).max() < EXACT,
             where=is_rotation,
         ),
         Property(
             "no rotation is nearer to M than R",
-            lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + 1e-9,
+            lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + EXACT,
             says=distances,
             mistake=NOT_NEAREST,
         ),

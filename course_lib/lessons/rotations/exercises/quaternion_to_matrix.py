@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import rotation
 from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quaternions
 
@@ -39,6 +40,7 @@ EXERCISE = Exercise(
     name="quaternion_to_matrix",
     points=2,
     arguments=("q",),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda q: (3, 3)),
     library=quaternion_to_matrix,
@@ -46,11 +48,11 @@ EXERCISE = Exercise(
         rotation(),
         Property(
             "the vector part is the axis: R (x, y, z) = (x, y, z)",
-            lambda R, q: np.allclose(R @ q[1:], q[1:], atol=1e-9),
+            lambda R, q: np.allclose(R @ q[1:], q[1:], rtol=0, atol=EXACT),
         ),
         Property(
             "R p is the vector part of q p q*, for every p",
-            lambda R, q: np.abs(R - quaternion_to_matrix(q)).max() < 1e-9,
+            lambda R, q: np.abs(R - quaternion_to_matrix(q)).max() < EXACT,
             says=lambda R, q: (
                 f"q rotates by {_angle(q * (1 if q[0] >= 0 else -1)):.4g} rad about (x, y, z)."
             ),

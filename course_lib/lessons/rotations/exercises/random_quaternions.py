@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rotations.exercises import sampling
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
 
@@ -17,18 +18,20 @@ EXERCISE = Exercise(
     name="random_quaternions",
     points=2,
     arguments=("n", "rng"),
+    tolerance=EXACT,
     cases=sampling.cases,
     returns=numbers(lambda n, rng: (n, 4)),
     library=random_quaternions,
     properties=(
         Property(
             "every quaternion has length one",
-            lambda q, n, rng: np.abs(np.linalg.norm(q, axis=1) - 1).max() < 1e-9,
+            lambda q, n, rng: np.abs(np.linalg.norm(q, axis=1) - 1).max() < EXACT,
             says=lambda q, n, rng: "Their lengths lie between {0[0]:.9g} and {0[1]:.9g}.".format(
                 _extremes(q)
             ),
             mistake=Mistake(
-                "the quaternions are not divided by their lengths", "Each has a length of its own."
+                "the quaternions do not have length one",
+                "Each has a length of its own: by which number is each of them divided?",
             ),
         ),
         *sampling.DRAWS,

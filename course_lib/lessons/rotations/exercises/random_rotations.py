@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rotations.exercises import sampling
 from course_lib.rotations import random_rotations, rot_x, rot_z
 
@@ -11,6 +12,7 @@ EXERCISE = Exercise(
     name="random_rotations",
     points=2,
     arguments=("n", "rng"),
+    tolerance=EXACT,
     cases=sampling.cases,
     returns=numbers(lambda n, rng: (n, 3, 3)),
     library=random_rotations,
@@ -24,7 +26,7 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < 1e-9)
+@EXERCISE.mistake(seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < EXACT)
 def reflection(n, rng):
     """I - 2 V V^T is used, a reflection.
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, compared
 
 
@@ -35,6 +36,7 @@ EXERCISE = Exercise(
     name="rotate_point",
     points=1,
     arguments=("p", "a"),
+    tolerance=EXACT,
     cases=_cases,
     angles=("a",),
     returns=numbers(lambda p, a: (2,)),
@@ -42,7 +44,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the distance from the origin does not change",
-            lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < 1e-9,
+            lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < EXACT,
             says=lambda image, p, a: (
                 f"That is {compared(np.linalg.norm(p), np.linalg.norm(image))}."
             ),
@@ -53,7 +55,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the point moves counter-clockwise by the angle a",
-            lambda image, p, a: np.allclose(image, _right(p, a), rtol=0, atol=1e-9),
+            lambda image, p, a: np.allclose(image, _right(p, a), rtol=0, atol=EXACT),
             says=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
         ),
     ),

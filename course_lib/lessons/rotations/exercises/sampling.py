@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import Seed
 
 LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
@@ -55,7 +56,7 @@ DRAWS = (
 ROTATIONS = Property(
     "every matrix is a rotation",
     lambda R, n, rng: (
-        np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max() < 1e-9 and np.linalg.det(R).min() > 0
+        np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max() < EXACT and np.linalg.det(R).min() > 0
     ),
     says=lambda R, n, rng: (
         f"The determinants lie between {np.linalg.det(R).min():.3g} and "

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign, unit
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
 from course_lib.rotations import nearest_quaternion, random_quaternions
@@ -78,6 +79,7 @@ EXERCISE = Exercise(
     name="slerp",
     points=2,
     arguments=("q0", "q1", "t"),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda q0, q1, t: (4,), gaps=True),
     library=slerp,
@@ -87,14 +89,14 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the answer has length one",
-            lambda q, q0, q1, t: abs(np.linalg.norm(q) - 1) < 1e-9,
+            lambda q, q0, q1, t: abs(np.linalg.norm(q) - 1) < EXACT,
             says=lambda q, q0, q1, t: f"Its length is {np.linalg.norm(q):.6g}.",
             where=lambda q0, q1, t: _angle_of(q0, q1) > 1e-3,
         ),
         Property(
             "the angle from q0 is t times the angle from q0 to q1, along the shorter arc",
             lambda q, q0, q1, t: (
-                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < 1e-9
+                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < EXACT
             ),
             says=lambda q, q0, q1, t: (
                 f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is "
@@ -106,13 +108,14 @@ EXERCISE = Exercise(
         Property(
             "two nearly equal or equal rotations are no exception",
             lambda q, q0, q1, t: (
-                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < 1e-9
+                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < EXACT
             ),
             says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
             mistake=Mistake(
-                "arccos is given a number just above 1, or a sine that is nearly 0 is the divisor",
-                "For nearly equal quaternions the arc is nearly straight: which simpler formula is "
-                "good enough there?",
+                "digits are lost, or all of them, where two rotations are nearly equal",
+                "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0 is "
+                "a bad divisor. For nearly equal quaternions the arc is nearly straight: which simpler "
+                "formula is good enough there, and from which angle on?",
             ),
         ),
     ),

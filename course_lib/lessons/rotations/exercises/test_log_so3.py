@@ -51,6 +51,11 @@ def _longer(w):
     return w * (angle - 2 * np.pi) / angle if angle > 0 else w
 
 
+_ONE_SIGN = Mistake(
+    "your test accepts only one of the two signs at 180 degrees",
+    "The rotations by 180 degrees about n and about -n are the same: what has to hold of an answer, "
+    "whichever of the two it is?",
+)
 _STRICT = Mistake(
     "your test refuses an answer that is longer than pi by rounding only",
     "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be "
@@ -64,16 +69,18 @@ EXERCISE = WriteTest(
     shapes=((3, 3),),
     refuses=Mistake(
         ALWAYS_FALSE.name,
-        "A right version passes too. Do you compare its answer with a w of your own, R being "
-        "exp_so3(w)? The answer is "
-        "the shortest such vector: is your |w| at most pi? And compare with a tolerance "
-        "(np.allclose).",
+        "A right version passes too. If you compare its answer with a w of your own, R being "
+        "exp_so3(w): which vectors have the same exponential, beyond 180 degrees and at 180 degrees, "
+        "and which of them are right answers? And compare with a tolerance (np.allclose).",
     ),
     versions=(
         Version("that is the library's", log_so3, right=True),
         Version("that goes by the quaternion", _by_quaternion, right=True),
         Version(
-            "that takes the other axis at 180 degrees", _if(_half_turn, lambda w, R: -w), right=True
+            "that takes the other axis at 180 degrees",
+            _if(_half_turn, lambda w, R: -w),
+            right=True,
+            mistake=_ONE_SIGN,
         ),
         Version("that differs by rounding", lambda R: log_so3(R) * (1 - 1e-12), right=True),
         Version(

@@ -5,8 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import distance_of_lists, same_list
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import unless_empty
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     SHOULDER,
     WRIST,
@@ -48,10 +49,9 @@ EXERCISE = Exercise(
     name="arm_angles",
     points=3,
     arguments=("center",),
+    tolerance=SOLVED,
     cases=_cases,
-    returns=unless_empty(
-        rows(3, "a list of triples (q1, q2, q3), empty if there is none"), arm_solutions
-    ),
+    returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
     library=arm_solutions,
     alike=same_list,
     distance=distance_of_lists,
@@ -71,8 +71,10 @@ EXERCISE = Exercise(
     ),
 )
 
+add_nan(EXERCISE, arm_solutions)
 
-@EXERCISE.seen
+
+@EXERCISE.mistake(recognises=True)
 def wrist_not_moved(found, center):
     """p is WRIST - SHOULDER, as if joint 3 did not move. Where has it brought the wrist center when
     joints 1 and 2 come?"""

@@ -4,10 +4,11 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, rows
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import rows
+from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import distance_of_lists, remembered, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import counted, different
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
@@ -86,15 +87,6 @@ def _misses(triple, R):
     return np.abs(_yxy(*triple) - R).max()
 
 
-def _triples(value, R):
-    try:
-        return rows(3, "the two triples (b1, b2, b3), an array of shape (2, 3)")(value)
-    except Unreadable as wrong:
-        if wrong.mistake is NOT_A_NUMBER and _end(R):
-            raise Unreadable(str(wrong), _AT_THE_END) from None
-        raise
-
-
 def _rebuilt(within):
     return lambda found, R: bool(
         max((_misses(triple, R) for triple in found), default=0.0) < within
@@ -115,8 +107,9 @@ EXERCISE = Exercise(
     name="euler_yxy",
     points=3,
     arguments=("R",),
+    tolerance=EXACT,
     cases=_cases,
-    returns=_triples,
+    returns=rows(3, "the two triples (b1, b2, b3), an array of shape (2, 3)"),
     library=_both,
     alike=same_list,
     distance=distance_of_lists,
@@ -124,20 +117,20 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)",
-            _rebuilt(1e-9),
+            _rebuilt(EXACT),
             _off,
             where=lambda R: _sine(R) > 1e-2,
-            mistake=lambda found, R: _FIRST if _misses(found[0], R) > 1e-9 else _SECOND,
+            mistake=lambda found, R: _FIRST if _misses(found[0], R) > EXACT else _SECOND,
         ),
         Property(
             "each triple rebuilds R also where b2 is near 0 or near pi",
-            _rebuilt(1e-7),
+            _rebuilt(HALF_THE_DIGITS),
             _off,
             where=lambda R: _AT_AN_END <= _sine(R) <= 1e-2,
             mistake=Mistake(
-                "b2 near 0 or pi is treated as if it were 0 or pi",
-                "A sine of 0.001 still determines b1 and b3. How large may rounding make a sine of "
-                "0?",
+                "b2 near 0 or pi is treated as if it were 0 or pi, or loses its digits there",
+                "A small sine still determines b1 and b3. How large may rounding make a sine of 0? "
+                "And which function keeps the digits of an angle near 0: arccos, or arctan2?",
             ),
         ),
         Property(
@@ -148,7 +141,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "each triple rebuilds R also where sin(b2) is 0, to rounding",
-            _rebuilt(1e-6),
+            _rebuilt(SIX_DIGITS),
             lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
             where=_end,
             mistake=Mistake(
@@ -181,10 +174,14 @@ EXERCISE = Exercise(
     forbidden=("course_lib.subproblems.euler_yxy", "scipy.spatial.transform.Rotation"),
 )
 
+EXERCISE.mistake(_AT_THE_END, nan=_end)
+
 
 def _alone(found, R):
     return (
-        different(found) == 1 and all(_misses(triple, R) < 1e-6 for triple in found) and not _end(R)
+        different(found) == 1
+        and all(_misses(triple, R) < SIX_DIGITS for triple in found)
+        and not _end(R)
     )
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT, SOLVED
 from course_lib.checks.vocabulary import angle_gap
 from course_lib.lessons.subproblems_damped_ik.exercises.planar_jacobian import ARMS, jacobian, tip
 
@@ -17,7 +18,7 @@ def step(q, target, alpha, eps):
 def allowed(q, target, alpha, eps):
     """Return how far beside the right angles an answer may be: what rounding in J does is divided
     by eps."""
-    return (1e-8 + 1e-9 / eps) * (1 + np.abs(step(q, target, alpha, eps) - q).max())
+    return (SOLVED + EXACT / eps) * (1 + np.abs(step(q, target, alpha, eps) - q).max())
 
 
 def _cases(rng):
@@ -99,6 +100,7 @@ EXERCISE = Exercise(
     name="lm_step",
     points=2,
     arguments=("q", "target", "alpha", "eps"),
+    tolerance=SOLVED,
     cases=_cases,
     angles=("q",),
     returns=numbers(lambda *case: (4,)),
@@ -128,9 +130,10 @@ EXERCISE = Exercise(
         "The matrix is J.T @ J + eps * np.eye(4), the right side J.T @ e.",
         "q - alpha * np.linalg.solve(matrix, right side): a new array, so that q stays as it is.",
     ),
-    errors=(("LinAlgError", "ingular", _SINGULAR),),
     forbidden=("course_lib.ik.damped_path", "course_lib.ik._damped_step", *ARMS),
 )
+
+EXERCISE.mistake(_SINGULAR, raises=("LinAlgError", "ingular"))
 
 
 def _solves_another(answer, q, target, alpha, eps):

@@ -7,10 +7,10 @@ import numpy as np
 from course_lib.arms import planar_arm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import first_off, remembered
 
 _ARM = planar_arm([1, 1, 1, 1])
-_FINE = 1e-8  # how far an entry may be off: good finite differences pass
 
 # What would do the work, also by an arm of the notebook: refused in all exercises with this arm.
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
@@ -54,14 +54,15 @@ EXERCISE = Exercise(
     name="planar_jacobian",
     points=2,
     arguments=("q",),
+    tolerance=SOLVED,
     cases=_cases,
     angles=("q",),
-    returns=numbers(lambda q: (2, 4), {(3, 4): _WITH_ANGLE, (6, 4): _WITH_ANGLE}),
+    returns=numbers(lambda q: (2, 4)),
     library=jacobian,
     properties=(
         Property(
             "column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
-            lambda J, q: np.abs(J - jacobian(q)).max() < _FINE,
+            lambda J, q: np.abs(J - jacobian(q)).max() < SOLVED,
             lambda J, q: first_off(J, jacobian(q)),
         ),
     ),
@@ -75,6 +76,9 @@ EXERCISE = Exercise(
     ),
     forbidden=ARMS,
 )
+
+EXERCISE.mistake(_WITH_ANGLE, form=(3, 4))
+EXERCISE.mistake(_WITH_ANGLE, form=(6, 4))
 
 _AFTER = np.triu(np.ones((4, 4)))  # joint j moves the links from j on
 

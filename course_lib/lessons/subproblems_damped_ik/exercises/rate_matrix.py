@@ -7,11 +7,10 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import ORDINALS
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import X, Y, first_off
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y
-
-_FINE = 1e-8  # how far an entry may be off: good finite differences pass
 
 
 def _rotation(b):
@@ -51,7 +50,7 @@ def _cases(rng):
 
 
 def _no_axis(A, b):
-    j = int(np.argmax(np.abs(A - rates(b)).max(0) > _FINE))
+    j = int(np.argmax(np.abs(A - rates(b)).max(0) > SOLVED))
     return Mistake(
         f"the {ORDINALS[j]} column is not the axis about which b{j + 1} rotates",
         "About which axis does this factor rotate, and which rotations, to its left, carry that "
@@ -63,6 +62,7 @@ EXERCISE = Exercise(
     name="rate_matrix",
     points=2,
     arguments=("b",),
+    tolerance=SOLVED,
     cases=_cases,
     angles=("b",),
     returns=numbers(lambda b: (3, 3)),
@@ -70,7 +70,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "omega = A b', where [omega] = R' R^T with R = Ry(b1) Rx(b2) Ry(b3)",
-            lambda A, b: np.abs(A - rates(b)).max() < _FINE,
+            lambda A, b: np.abs(A - rates(b)).max() < SOLVED,
             lambda A, b: first_off(A, rates(b)),
             mistake=_no_axis,
         ),

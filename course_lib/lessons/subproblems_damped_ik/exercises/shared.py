@@ -3,15 +3,14 @@ multiples of 2 pi."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, rows
+from course_lib.checks.answer_types import OTHER_FORM, rows
 from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import inside
 from course_lib.rotations import exp_so3
 
-FINE, TOUCHING = (
-    1e-9,
-    1e-6,
-)  # the error that a right answer may have; where two solutions coincide, digits are lost
+# Where two solutions coincide, half of the digits are lost, and some more in the root.
+TOUCHING = SIX_DIGITS
 
 _NOT_ONE = Mistake(
     "nan is returned where there is no solution", "Which number tells that there is none?"
@@ -45,22 +44,6 @@ def angle_about(k, p, g):
 def different(found):
     """Return how many of the solutions in a list differ."""
     return sum(not inside(found[i : i + 1], found[:i]) for i in range(len(found)))
-
-
-def unless_empty(reader, solutions):
-    """Return the reader, with a mistake of its own for nan where there are less than two
-    solutions(*arguments)."""
-
-    def asking(value, *case):
-        try:
-            return reader(value, *case)
-        except Unreadable as wrong:
-            count = len(solutions(*case))
-            if wrong.mistake is NOT_A_NUMBER and count < 2:
-                raise Unreadable(str(wrong), (_NOT_ONE, _ROUNDED_OUT)[count]) from None
-            raise
-
-    return asking
 
 
 def single(value, expected):
@@ -102,7 +85,7 @@ def all_of_them(equation, one, misses, tell, solutions, none):
         return lambda *case: len(solutions(*case)) == count
 
     return (
-        Property(equation, solved(FINE), worst, where=has(2), mistake=NO_SOLUTION),
+        Property(equation, solved(EXACT), worst, where=has(2), mistake=NO_SOLUTION),
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,
@@ -128,8 +111,15 @@ def all_of_them(equation, one, misses, tell, solutions, none):
     )
 
 
+def add_nan(exercise, solutions):
+    """Add the mistakes of lists with nan where there are less than two solutions(*arguments)."""
+    exercise.mistake(_NOT_ONE, nan=lambda *case: len(solutions(*case)) == 0)
+    exercise.mistake(_ROUNDED_OUT, nan=lambda *case: len(solutions(*case)) == 1)
+
+
 def add_too_few(exercise, solutions, misses):
     """Add the mistakes of lists in which one of two solutions, or both, are missing."""
+    add_nan(exercise, solutions)
 
     @exercise.mistake(seen=lambda found, *case: len(found) == 0 and len(solutions(*case)) == 2)
     def nothing_found(*case):

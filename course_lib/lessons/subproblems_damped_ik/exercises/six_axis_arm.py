@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import X, Y, Z, remembered
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, different
 from course_lib.rigid import inverse, transform
@@ -63,7 +64,7 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
     return (
         Property(
             equation,
-            lambda found, *case: all(misses(q, *case) < 1e-8 for q in found),
+            lambda found, *case: all(misses(q, *case) < SOLVED for q in found),
             lambda found, *case: tell(max(found, key=lambda q: misses(q, *case)), *case),
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=wrong,

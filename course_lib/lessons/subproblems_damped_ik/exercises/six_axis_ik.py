@@ -5,8 +5,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import distance_of_lists, same_list
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, unless_empty
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     ARM,
     HOME,
@@ -39,7 +40,7 @@ def _tell(q, T):
     position = np.linalg.norm(reached[:3, 3] - T[:3, 3])
     R = reached[:3, :3].T @ T[:3, :3]
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-    if position < 1e-8:
+    if position < SOLVED:
         return f"One of yours ends at the right point, but its orientation is {angle:.3g} rad off."
     return f"One of yours ends {position:.3g} m and {angle:.3g} rad away from T."
 
@@ -52,7 +53,9 @@ _CENTER = Mistake(
 
 def _wrong(found, T):
     return (
-        _CENTER if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < 1e-8 for q in found) else NO_SOLUTION
+        _CENTER
+        if all(np.abs((ARM.fk(q) - T)[:3, :3]).max() < SOLVED for q in found)
+        else NO_SOLUTION
     )
 
 
@@ -60,10 +63,9 @@ EXERCISE = Exercise(
     name="six_axis_ik",
     points=3,
     arguments=("T",),
+    tolerance=SOLVED,
     cases=_cases,
-    returns=unless_empty(
-        rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"), all_solutions
-    ),
+    returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),
     library=all_solutions,
     alike=same_list,
     distance=distance_of_lists,
@@ -78,6 +80,8 @@ EXERCISE = Exercise(
         "wrist_angles(W) gives both (q4, q5, q6): four triples, two each, make eight.",
     ),
 )
+
+add_nan(EXERCISE, all_solutions)
 
 
 def _center(T):

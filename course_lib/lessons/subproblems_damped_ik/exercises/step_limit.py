@@ -6,6 +6,7 @@ The largest step size with which damped steps converge near the target.
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import near
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
 
@@ -38,6 +39,7 @@ EXERCISE = Exercise(
     name="step_limit",
     points=1,
     arguments=("J", "eps"),
+    tolerance=EXACT,
     cases=_cases,
     returns=lambda value, *case: single(value, "one number"),
     library=_right,

@@ -6,9 +6,9 @@ from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
-    FINE,
     across,
     angle_about,
     rotated,
@@ -74,7 +74,7 @@ def _off(theta, k, p, g):
 
 
 def _reached(k, p, g):
-    return not _free(k, p, g) and np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g) < FINE
+    return not _free(k, p, g) and np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g) < EXACT
 
 
 def _nearest(k, p, g):
@@ -82,7 +82,7 @@ def _nearest(k, p, g):
 
 
 def _right(theta, k, p, g):
-    return np.linalg.norm(_off(theta, k, p, g)) < FINE * np.linalg.norm(across(k, p))
+    return np.linalg.norm(_off(theta, k, p, g)) < EXACT * np.linalg.norm(across(k, p))
 
 
 def _angle(theta, k, p, g):
@@ -96,13 +96,18 @@ def _angle(theta, k, p, g):
 
 def _same(theta, predicted, k, p, g):
     """Return whether two answers are the same angle; where every angle is right, any number is."""
-    return bool(np.isfinite(theta)) if _free(k, p, g) else bool(angle_gap(theta, predicted) < 1e-6)
+    return (
+        bool(np.isfinite(theta))
+        if _free(k, p, g)
+        else bool(angle_gap(theta, predicted) < PREDICTED)
+    )
 
 
 EXERCISE = Exercise(
     name="subproblem1",
     points=2,
     arguments=("k", "p", "g"),
+    tolerance=EXACT,
     cases=_cases,
     returns=_angle,
     library=lambda k, p, g: subproblem1(k, p, g).theta,
@@ -120,7 +125,8 @@ EXERCISE = Exercise(
             where=_reached,
             mistake=Mistake(
                 "theta is not the angle about k from p to g",
-                "Is it for any axis k, and opposite points?",
+                "Compare with a case that you can draw: what does your formula give for another axis k, "
+                "and for opposite points?",
             ),
         ),
         Property(

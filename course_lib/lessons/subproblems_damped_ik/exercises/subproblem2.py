@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
@@ -100,10 +101,9 @@ EXERCISE = Exercise(
     name="subproblem2",
     points=3,
     arguments=("k1", "k2", "p1", "p2"),
+    tolerance=EXACT,
     cases=_cases,
-    returns=shared.unless_empty(
-        rows(2, "a list of pairs (theta1, theta2), empty if there is none"), solutions
-    ),
+    returns=rows(2, "a list of pairs (theta1, theta2), empty if there is none"),
     library=solutions,
     alike=same_list,
     distance=distance_of_lists,

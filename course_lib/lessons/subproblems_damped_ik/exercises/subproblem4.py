@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
@@ -89,8 +90,9 @@ EXERCISE = Exercise(
     name="subproblem4",
     points=2,
     arguments=("k", "h", "p", "d"),
+    tolerance=EXACT,
     cases=_cases,
-    returns=shared.unless_empty(rows(1, "a list of angles, empty if there is none"), _solutions),
+    returns=rows(1, "a list of angles, empty if there is none"),
     library=_solutions,
     alike=same_list,
     distance=distance_of_lists,

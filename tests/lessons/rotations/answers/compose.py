@@ -21,5 +21,5 @@ def right_step_seen_from_the_world(R, step, frame):
 
 
 def wrong_step_seen_from_the_body(R, step, frame):
-    """a factor is inverted, or is not needed here"""
+    """not the product of R and step in the right order"""
     return step @ R if frame == "world" else R.T @ step @ R @ R

@@ -56,3 +56,11 @@ def wrong_vectors_longer_than_pi(log_so3):
     """your test refuses everything"""
     w = np.random.default_rng(0).normal(size=(200, 3))
     return all(np.allclose(log_so3(exp_so3(each)), each) for each in w)
+
+
+def wrong_one_sign_at_half_turns(log_so3):
+    """only one of the two signs at 180 degrees"""
+    half = exp_so3(np.pi * np.array([-0.48, 0.6, 0.64]))
+    own = np.pi * np.array([-0.48, 0.6, 0.64])
+    one_sign = np.array_equal(np.sign(log_so3(half)), np.sign(own))
+    return right_exponential_of_the_answer(log_so3) and one_sign
