@@ -133,7 +133,7 @@ class Naming:
 
     def looks_right(self, position):
         """Return whether an answer differs from the library's in later digits only."""
-        return bool(0 < self.distance(position) <= _FIRST_DIGITS * self._size(position))
+        return bool(0 < self.distance(position) <= _FIRST_DIGITS * max(1, self._size(position)))
 
     def _size(self, position):
         """Return the largest entry of the library's answer, without its sign; 0 if there is none."""

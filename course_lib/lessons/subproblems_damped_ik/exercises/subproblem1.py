@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
-from course_lib.checks.tolerances import EXACT, PREDICTED
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
@@ -82,7 +82,7 @@ def _nearest(k, p, g):
 
 
 def _right(theta, k, p, g):
-    return np.linalg.norm(_off(theta, k, p, g)) < EXACT * np.linalg.norm(across(k, p))
+    return np.linalg.norm(_off(theta, k, p, g)) < HALF_THE_DIGITS * np.linalg.norm(across(k, p))
 
 
 def _angle(theta, k, p, g):
@@ -107,7 +107,7 @@ EXERCISE = Exercise(
     name="subproblem1",
     points=2,
     arguments=("k", "p", "g"),
-    tolerance=EXACT,
+    tolerance=HALF_THE_DIGITS,  # an arccos with a sign has no more, near 0 and pi
     cases=_cases,
     returns=_angle,
     library=lambda k, p, g: subproblem1(k, p, g).theta,

@@ -75,13 +75,13 @@ def wrong_small_b2_cut(R):
 
 
 def wrong_math_acos(R):
-    """a function is asked for a number outside its domain"""
+    """ValueError"""
     b2 = math.acos(R[1, 1])
     return np.array([[t[0], s, t[2]] for t, s in zip(right_by_entries(R), (b2, -b2))])
 
 
 def wrong_nan_used_further(R):
-    """nan or infinity comes out of an earlier line"""
+    """ValueError"""
     found = []
     for b2 in (np.arccos(R[1, 1]), -np.arccos(R[1, 1])):
         b1 = np.arctan2(np.sign(b2) * R[0, 1], np.sign(b2) * R[2, 1])
