@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip
@@ -82,7 +82,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("xy", "angles"),
     cases=_cases,
-    returns=numbers(lambda xy, angles: (len(xy), 2), _known_form, gaps=True),
+    returns=numbers(lambda xy, angles: (len(xy), 2), gaps=True),
     library=distances,
     properties=(
         no_number(
@@ -104,8 +104,10 @@ EXERCISE = Exercise(
         "tips with its position.",
         "np.linalg.norm(..., axis=-1) makes a length of the last axis, x and y. nan stays nan.",
     ),
-    errors=(("ValueError", "broadcast", _NOT_LINED_UP),),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(_NOT_LINED_UP, raises=("ValueError", "broadcast"))
 
 
 @EXERCISE.mistake(

@@ -13,13 +13,12 @@ _FLAT = Mistake(
 _DROPPED = Mistake(
     "positions outside the box are left out", "What is the row of the answer for such a position?"
 )
-_read = numbers(
-    lambda xy, *rest: xy.shape,
-    lambda array, xy, *rest: {(len(xy),): _FLAT, (len(xy), 1): _FLAT}.get(
-        array.shape,
-        _DROPPED if array.ndim == 2 and len(array) < len(xy) and array.shape[1] == 2 else None,
-    ),
-)
+_read = numbers(lambda xy, *rest: xy.shape)
+
+
+def _are_dropped(array, xy, *rest):
+    """Return whether an answer has a row for some of the positions only."""
+    return array.ndim == 2 and len(array) < len(xy) and array.shape[1] == 2
 
 
 def _integers_or_floats(value, *case):
@@ -174,8 +173,11 @@ EXERCISE = Exercise(
     ),
 )
 
+EXERCISE.mistake(_FLAT, form=lambda array, xy, *rest: array.shape in ((len(xy),), (len(xy), 1)))
+EXERCISE.mistake(_DROPPED, form=_are_dropped)
 
-@EXERCISE.seen
+
+@EXERCISE.mistake(recognises=True)
 def floats(index, *case):
     """the numbers of the cells are floats.
 

@@ -106,13 +106,14 @@ EXERCISE = Exercise(
         "Multiply them in this order with * or @. Use the arguments as they come: symbols, or "
         "numbers.",
     ),
-    errors=(
-        ("TypeError", "Cannot convert expression to float", _NUMPY_USED),
-        ("TypeError", "which has no callable", _NUMPY_USED),
-        ("AttributeError", "'Dummy' object has no attribute", _NUMPY_USED),
-        ("AttributeError", "'int' object has no attribute", _NUMBERS_NOT_TAKEN),
-        ("TypeError", "cannot determine truth value of Relational", _ASKED_A_SYMBOL),
-    ),
+)
+
+EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "Cannot convert expression to float"))
+EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "which has no callable"))
+EXERCISE.mistake(_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute"))
+EXERCISE.mistake(_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'int' object has no attribute"))
+EXERCISE.mistake(
+    _ASKED_A_SYMBOL, raises=("TypeError", "cannot determine truth value of Relational")
 )
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_angles
@@ -131,9 +131,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda xy, q, cell, count: (count, 2, 2, 3),
-        lambda array, *case: (
-            _COUNT if array.shape[1:] == (2, 2, 3) and len(array) < case[-1] else None
-        ),
         gaps=True,
     ),
     library=fit_cells,
@@ -170,7 +167,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    errors=(("ValueError", "Found array with 0 sample", _EMPTY),),
     hints=(
         "models = np.full((count, 2, 2, 3), np.nan), and then a loop: for c in range(count).",
         "own = cell == c gives the samples of the cell; labels = split_branches(q[own]) their "
@@ -181,6 +177,14 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
 )
+
+EXERCISE.mistake(
+    OTHER_FORM,
+    form=lambda array, *case: (
+        _COUNT if array.shape[1:] == (2, 2, 3) and len(array) < case[-1] else None
+    ),
+)
+EXERCISE.mistake(_EMPTY, raises=("ValueError", "Found array with 0 sample"))
 
 
 @EXERCISE.mistake(

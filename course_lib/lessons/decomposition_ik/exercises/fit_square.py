@@ -49,11 +49,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("terms", "q"),
     cases=_cases,
-    returns=numbers(
-        lambda terms, q: (2, terms.shape[1] + 1),
-        lambda array, terms, q: _ONE_COLUMN_LESS if array.shape == (2, terms.shape[1]) else None,
-        nan=lambda terms, q: Mistake("nan stands in the model", "The last entry of row 1 is 0."),
-    ),
+    returns=numbers(lambda terms, q: (2, terms.shape[1] + 1)),
     library=fit_square,
     properties=(
         Property("row 1, times the terms, fits the square of q2 with the least squares", _row(1)),
@@ -78,6 +74,11 @@ EXERCISE = Exercise(
         "column is that?",
     ),
 )
+
+EXERCISE.mistake(
+    Mistake("nan stands in the model", "The last entry of row 1 is 0."), nan=lambda terms, q: True
+)
+EXERCISE.mistake(_ONE_COLUMN_LESS, form=lambda array, terms, q: array.shape == (2, terms.shape[1]))
 
 
 @EXERCISE.mistake(target=(np.positive, np.abs))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import two_link_tip
@@ -72,7 +72,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("q",),
     cases=_cases,
-    returns=numbers(np.shape, _known_form, exact=True),
+    returns=numbers(np.shape, exact=True),
     library=two_link_tip,
     properties=(
         Property(
@@ -107,11 +107,11 @@ EXERCISE = Exercise(
         "course_lib.arms.planar_arm",
         "course_lib.lessons.decomposition_ik.grid_ik.planar_forward",
     ),
-    errors=(
-        ("IndexError", "too many indices", _COLUMNS_ONLY),
-        ("ValueError", "values to unpack", _FIRST_ROWS),
-    ),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(_COLUMNS_ONLY, raises=("IndexError", "too many indices"))
+EXERCISE.mistake(_FIRST_ROWS, raises=("ValueError", "values to unpack"))
 
 
 @EXERCISE.mistake(

@@ -108,9 +108,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("xy",),
     cases=_cases,
-    returns=numbers(
-        lambda xy: (2, 2), lambda array, xy: _NO_ROWS if _outside(xy) else None, gaps=True
-    ),
+    returns=numbers(lambda xy: (2, 2), gaps=True),
     library=ik_2r,
     alike=_alike,
     properties=(
@@ -163,15 +161,15 @@ EXERCISE = Exercise(
         "before arccos.",
     ),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms.planar_arm", "course_lib.ik.solve"),
-    errors=(
-        ("ZeroDivisionError", "", _DIVIDED),
-        ("ValueError", "math domain error", _NO_COSINE),
-        ("ValueError", "expected a number in range", _NO_COSINE),
-    ),
 )
 
+EXERCISE.mistake(_NO_ROWS, form=lambda array, xy: _outside(xy))
+EXERCISE.mistake(_DIVIDED, raises=("ZeroDivisionError", ""))
+EXERCISE.mistake(_NO_COSINE, raises=("ValueError", "math domain error"))
+EXERCISE.mistake(_NO_COSINE, raises=("ValueError", "expected a number in range"))
 
-@EXERCISE.seen
+
+@EXERCISE.mistake(recognises=True)
 def edge_out_of_reach(q, xy):
     """positions at the edge of the workspace count as out of reach.
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
@@ -83,7 +83,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("models", "cell", "xy"),
     cases=_cases,
-    returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), _known_form, gaps=True),
+    returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), gaps=True),
     library=predict,
     properties=(
         no_number(
@@ -116,6 +116,8 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
 @EXERCISE.mistake(at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)))

@@ -140,7 +140,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda q: (len(q),),
-        lambda array, q: _CENTRES if len(q) > 2 and array.shape == (2, 2) else None,
     ),
     library=split_branches,
     tries_arguments=False,
@@ -186,7 +185,6 @@ EXERCISE = Exercise(
             ),
         ),
     ),
-    errors=(("ValueError", "should be >= n_clusters", _ONE_SAMPLE),),
     hints=(
         "K-means may call either cluster 0. In which case are the labels right as they are?",
         "Compare the mean q2 of both, centres[0, 1] and centres[1, 1]. Which array has 0 for 1 and "
@@ -194,6 +192,9 @@ EXERCISE = Exercise(
         "If the first is the smaller one, 1 - labels exchanges the two.",
     ),
 )
+
+EXERCISE.mistake(_CENTRES, form=lambda array, q: len(q) > 2 and array.shape == (2, 2))
+EXERCISE.mistake(_ONE_SAMPLE, raises=("ValueError", "should be >= n_clusters"))
 
 
 def _other(q, **changes):

@@ -120,13 +120,11 @@ EXERCISE = Exercise(
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
     library=right,
-    errors=(
-        (
-            "LinAlgError",
-            "Singular",
-            Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?"),
-        ),
-    ),
+)
+
+EXERCISE.mistake(
+    Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?"),
+    raises=("LinAlgError", "Singular"),
 )
 
 

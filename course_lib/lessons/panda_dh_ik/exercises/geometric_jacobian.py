@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, part_is
 from course_lib.lessons.panda_dh_ik.exercises import shared
@@ -73,7 +73,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("frames",),
     cases=_cases,
-    returns=numbers(lambda frames: (6, len(frames) - 1), _known_form),
+    returns=numbers(lambda frames: (6, len(frames) - 1)),
     properties=(
         SAME_TWICE,
         part_is(
@@ -105,8 +105,10 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm",),
     library=right,
-    errors=(("IndexError", "is out of bounds for axis 0", _SEVEN),),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(_SEVEN, raises=("IndexError", "is out of bounds for axis 0"))
 
 
 @EXERCISE.mistake(z=(0, 1), step=(1, -1), base=(np.eye(4), shared.T_W0))

@@ -5,7 +5,7 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.naming import attempt
 from course_lib.checks.vocabulary import any_pose, remembered, unit
@@ -117,9 +117,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda src, *rest: (len(src),),
-        lambda array, src, *rest: (
-            _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None
-        ),
     ),
     properties=(
         Property(
@@ -160,6 +157,13 @@ EXERCISE = Exercise(
     ),
     library=right,
     tries_arguments=False,
+)
+
+EXERCISE.mistake(
+    OTHER_FORM,
+    form=lambda array, src, *rest: (
+        _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None
+    ),
 )
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, damped, panda_jacobian, panda_step
 
@@ -110,7 +110,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda q, *rest: (len(q),),
-        lambda array, q, J, *rest: _OUTER if array.shape in ((len(q), len(q)), J.T.shape) else None,
     ),
     properties=(
         Property(
@@ -134,14 +133,24 @@ EXERCISE = Exercise(
     library=damped,
     alike=_alike,
     forbidden=("course_lib.ik.damped_path",),
-    errors=(
-        ("LinAlgError", "Singular", _SINGULAR),
-        ("LinAlgError", "square", Mistake("J itself is inverted", "Is J square in general?")),
-        ("ValueError", "core dimension", _NO_PRODUCT),
-        ("ValueError", "not aligned", _NO_PRODUCT),
-        ("ValueError", "broadcast", _OTHER_SIZE),
-        ("UFuncTypeError", "", Mistake("q is changed in place", "What does q += ... write into?")),
+)
+
+EXERCISE.mistake(
+    OTHER_FORM,
+    form=lambda array, q, J, *rest: (
+        _OUTER if array.shape in ((len(q), len(q)), J.T.shape) else None
     ),
+)
+EXERCISE.mistake(_SINGULAR, raises=("LinAlgError", "Singular"))
+EXERCISE.mistake(
+    Mistake("J itself is inverted", "Is J square in general?"), raises=("LinAlgError", "square")
+)
+EXERCISE.mistake(_NO_PRODUCT, raises=("ValueError", "core dimension"))
+EXERCISE.mistake(_NO_PRODUCT, raises=("ValueError", "not aligned"))
+EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "broadcast"))
+EXERCISE.mistake(
+    Mistake("q is changed in place", "What does q += ... write into?"),
+    raises=("UFuncTypeError", ""),
 )
 
 

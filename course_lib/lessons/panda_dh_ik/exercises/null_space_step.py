@@ -59,7 +59,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda q, *rest: (len(q),),
-        lambda array, q, *rest: _PROJECTOR if array.shape == (len(q), len(q)) else None,
     ),
     properties=(
         Property(
@@ -91,19 +90,18 @@ EXERCISE = Exercise(
         "q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)",
     ),
     library=right,
-    errors=(
-        (
-            "LinAlgError",
-            "Singular",
-            Mistake("J J^T is inverted, which fails at a singularity", "What works there too?"),
-        ),
-        ("ValueError", "core dimension", _OTHER_SIZE),
-        ("ValueError", "could not be broadcast", _OTHER_SIZE),
-    ),
 )
 
+EXERCISE.mistake(_PROJECTOR, form=lambda array, q, *rest: array.shape == (len(q), len(q)))
+EXERCISE.mistake(
+    Mistake("J J^T is inverted, which fails at a singularity", "What works there too?"),
+    raises=("LinAlgError", "Singular"),
+)
+EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "core dimension"))
+EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "could not be broadcast"))
 
-@EXERCISE.seen
+
+@EXERCISE.mistake(recognises=True)
 def full_rank(answer, q, J, *rest):
     """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there,
     and the null space has more dimensions: does your formula still hold?"""

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, near, products
@@ -69,7 +69,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("q",),
     cases=_cases,
-    returns=numbers(lambda q: (8, 4, 4), _known_form),
+    returns=numbers(lambda q: (8, 4, 4)),
     properties=(
         SAME_TWICE,
         LAST_ROW,
@@ -103,6 +103,8 @@ EXERCISE = Exercise(
     library=shared.frames,
     forbidden=("course_lib.arms.panda", "course_lib.arms.SerialArm"),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
 @EXERCISE.mistake

@@ -209,11 +209,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda *case: (7,),
-        {
-            (4, 4): Mistake(
-                "a pose is returned", "Inverse kinematics goes from a pose to joint angles."
-            )
-        },
         gaps=True,
     ),
     properties=(
@@ -288,15 +283,20 @@ EXERCISE = Exercise(
     forbidden=SOLVERS,
 )
 
+EXERCISE.mistake(
+    Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles."),
+    form=(4, 4),
+)
 
-@EXERCISE.seen
+
+@EXERCISE.mistake(recognises=True)
 def stopped_too_early(q, T, q0):
     """the iteration stops too early, or the angles are rounded. How close does the task ask you to
     come, and does your damping still slow you down there?"""
     return _REACHED < _gaps(flange(q), T).max() < 0.02 and _inside(q, T, q0)
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def base_forgotten(q, T, q0):
     """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and
     from where is your flange?"""
@@ -304,7 +304,7 @@ def base_forgotten(q, T, q0):
     return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def flange_forgotten(q, T, q0):
     """the flange is forgotten: the frame of joint 7 is at T_target.
 
@@ -313,7 +313,7 @@ def flange_forgotten(q, T, q0):
     return bool((_gaps(frames(q)[6], T) < 1e-3).all())
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def one_half_only(q, T, q0):
     """only the position, or only the orientation, is brought to T_target.
 

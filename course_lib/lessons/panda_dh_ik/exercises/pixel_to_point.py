@@ -59,7 +59,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda pixels, *rest: (len(pixels), 3),
-        lambda array, pixels, *rest: _ONES if array.shape == (len(pixels), 4) else None,
     ),
     properties=(
         Property(
@@ -97,6 +96,8 @@ EXERCISE = Exercise(
     ),
     library=right,
 )
+
+EXERCISE.mistake(_ONES, form=lambda array, pixels, *rest: array.shape == (len(pixels), 4))
 
 
 @EXERCISE.mistake

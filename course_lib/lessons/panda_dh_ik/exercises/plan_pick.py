@@ -3,7 +3,7 @@ than they can give."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import rows
+from course_lib.checks.answer_types import OTHER_FORM, rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
@@ -178,7 +178,7 @@ EXERCISE = Exercise(
     points=4,
     arguments=("q0", "T_grasp"),
     cases=_cases,
-    returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS, _other_form),
+    returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS),
     properties=(
         Property(
             "the times increase from row to row",
@@ -259,6 +259,8 @@ EXERCISE = Exercise(
     library=right,
     tries_arguments=False,
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_other_form)
 
 
 @EXERCISE.mistake(

@@ -5,7 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, any_pose, away_from_zero, near, unit
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import any_pose, away_from_zero, near, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, length, log_so3, matrix_to_quaternion
@@ -83,7 +84,7 @@ def _fine(T, T_target):
     """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some
     digits."""
     angle = _angle(T, T_target)
-    return 1e-7 if angle > _NEARLY_PI else max(FINE, 1e-14 / (np.pi - angle) ** 2)
+    return 1e-7 if angle > _NEARLY_PI else max(EXACT, 1e-14 / (np.pi - angle) ** 2)
 
 
 def _gap(e, *case):
@@ -122,7 +123,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("T", "T_target"),
     cases=_cases,
-    returns=numbers(lambda *case: (6,), dict.fromkeys([(2, 3), (3, 2)], _HALVES)),
+    returns=numbers(lambda *case: (6,)),
     properties=(
         Property(
             "the first three numbers are p_target - p, along the world's axes",
@@ -172,12 +173,13 @@ EXERCISE = Exercise(
     ),
     library=pose_error,
     alike=_alike,
-    errors=(
-        ("ValueError", "is not a rotation", _NO_ROTATION),
-        ("ValueError", "of shape (..., 3, 3)", _WHOLE_POSE),
-    ),
     forbidden=("course_lib.ik.pose_error",),
 )
+
+EXERCISE.mistake(_HALVES, form=(2, 3))
+EXERCISE.mistake(_HALVES, form=(3, 2))
+EXERCISE.mistake(_NO_ROTATION, raises=("ValueError", "is not a rotation"))
+EXERCISE.mistake(_WHOLE_POSE, raises=("ValueError", "of shape (..., 3, 3)"))
 
 
 @EXERCISE.mistake(signs=((-1, -1), (-1, 1), (1, -1)))

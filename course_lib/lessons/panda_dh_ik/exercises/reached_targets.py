@@ -96,12 +96,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda targets, *rest: (len(targets),),
-        {
-            (): Mistake(
-                "one number is returned",
-                "The answer is True or False for each target: its mean is the share.",
-            )
-        },
     ),
     properties=(
         Property(
@@ -141,9 +135,17 @@ EXERCISE = Exercise(
     ),
     library=right,
     tries_arguments=False,
-    errors=(("ValueError", "core dimension", _ONE_MATRIX),),
     forbidden=("course_lib.ik.solve",),
 )
+
+EXERCISE.mistake(
+    Mistake(
+        "one number is returned",
+        "The answer is True or False for each target: its mean is the share.",
+    ),
+    form=(),
+)
+EXERCISE.mistake(_ONE_MATRIX, raises=("ValueError", "core dimension"))
 
 
 @EXERCISE.mistake(clip=("", "end"))

@@ -6,7 +6,9 @@ from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     IS_A_POSE,
+    POINTS_MOVED,
     TRIANGLE,
+    are_points,
     close,
     difference,
     exactly,
@@ -147,16 +149,16 @@ EXERCISE = Exercise(
     library=registered,
     broken=_broken,
     forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),
-    errors=(
-        (
-            "ValueError",
-            "is not a rotation",
-            Mistake(
-                "rigid.transform is given a reflection",
-                "Which sign makes U V^T a rotation, and costs least?",
-            ),
-        ),
+)
+
+EXERCISE.mistake(POINTS_MOVED, form=are_points)
+
+EXERCISE.mistake(
+    Mistake(
+        "rigid.transform is given a reflection",
+        "Which sign makes U V^T a rotation, and costs least?",
     ),
+    raises=("ValueError", "is not a rotation"),
 )
 
 
@@ -170,13 +172,13 @@ def _has_block(T, block, src, dst, weights):
     return same(T, pose(block, np.average(dst - src @ block.T, 0, weights)))
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def of_the_transpose(T, *case):
     """R is the rotation nearest to the transpose of B. Are the points of dst on the left in B?"""
     return _has_block(T, registered(*case)[:3, :3].T, *case)
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def sign_missing(T, *case):
     """U V^T has the same sign for all points: it is returned as it is, or always changed. How do
     you see whether it is a reflection, and at which singular value does a change of sign cost
@@ -184,7 +186,7 @@ def sign_missing(T, *case):
     return _has_block(T, _reflection(*case), *case)
 
 
-@EXERCISE.seen
+@EXERCISE.mistake(recognises=True)
 def sign_elsewhere(T, *case):
     """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what
     does that cost at each of the singular values?"""

@@ -6,7 +6,8 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, LAST_ROW, any_pose, orthogonality_error, remembered
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered
 from course_lib.registration import register_points
 
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 1, 0]])
@@ -131,7 +132,7 @@ def _sign_of_determinant(B):
     return int(np.sign(np.linalg.det(U @ Vt)))
 
 
-_POINTS = Mistake(
+POINTS_MOVED = Mistake(
     "the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix."
 )
 _APART = Mistake(
@@ -139,12 +140,13 @@ _APART = Mistake(
 )
 
 
-def _known_form(array, points, *rest):
-    a_rotation = array.shape == (3, 3) and orthogonality_error(array) < FINE
-    return _POINTS if array.shape == points.shape and not a_rotation else None
+def are_points(array, points, *rest):
+    """Return whether an answer is the moved points, and no rotation: of three points the shape is (3, 3)."""
+    a_rotation = array.shape == (3, 3) and orthogonality_error(array) < EXACT
+    return array.shape == points.shape and not a_rotation
 
 
-_fitted = numbers(lambda *case: (4, 4), _known_form)
+_fitted = numbers(lambda *case: (4, 4))
 
 
 def read_pose(value, *case):
@@ -161,7 +163,7 @@ IS_A_POSE = (
     LAST_ROW,
     Property(
         "the block R of T has columns of length one at right angles: R^T R = I",
-        lambda T, *case: orthogonality_error(T[:3, :3]) < FINE,
+        lambda T, *case: orthogonality_error(T[:3, :3]) < EXACT,
         says=lambda T, *case: (
             f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}."
         ),

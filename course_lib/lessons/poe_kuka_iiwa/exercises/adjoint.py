@@ -48,7 +48,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("T",),
     cases=_cases,
-    returns=numbers(lambda T: (6, 6), {(4, 4): _ON_POSES, (2, 2, 3, 3): _NESTED}),
+    returns=numbers(lambda T: (6, 6)),
     library=adjoint,
     properties=(
         part_is(
@@ -86,6 +86,9 @@ EXERCISE = Exercise(
     forbidden=("course_lib.rigid.adjoint",),
     broken=lambda T: in_blocks(T, lambda R, P, zero: [[R.T, zero], [P @ R, R]]),
 )
+
+EXERCISE.mistake(_ON_POSES, form=(4, 4))
+EXERCISE.mistake(_NESTED, form=(2, 2, 3, 3))
 
 
 @EXERCISE.mistake(

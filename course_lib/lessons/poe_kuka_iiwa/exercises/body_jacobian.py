@@ -61,6 +61,8 @@ EXERCISE = Exercise(
     forbidden=("course_lib.arms.SerialArm",),
 )
 
+EXERCISE.mistake(shared.ONE_COLUMN, form=(6,))
+
 
 @EXERCISE.mistake(
     others=(

@@ -5,7 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, LAST_ROW, X, Y, Z, first_off, unit
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, first_off, unit
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
 from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, hat, length
@@ -53,7 +54,7 @@ def _is_across(twist):
 
 
 def _p_is_right(T, twist):
-    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * FINE * max(
+    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * EXACT * max(
         1.0, np.abs(twist[3:]).max()
     )
 
@@ -98,7 +99,7 @@ EXERCISE = Exercise(
         LAST_ROW,
         Property(
             "the upper left 3x3 block is the rotation by |omega| about omega",
-            lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * FINE,
+            lambda T, twist: np.abs(T[BLOCK] - exp_so3(twist[:3])).max() < 2 * EXACT,
             says=lambda T, twist: first_off(T[BLOCK], exp_so3(twist[:3])),
         ),
         Property(

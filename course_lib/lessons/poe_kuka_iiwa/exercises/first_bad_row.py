@@ -96,9 +96,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("t", "q", "limits"),
     cases=_cases,
-    returns=numbers(
-        lambda *case: (), lambda array, t, *rest: _ALL_ROWS if array.size > 1 else None
-    ),
+    returns=numbers(lambda *case: ()),
     library=_right,
     properties=(
         Property(
@@ -120,6 +118,8 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.trajectory.loading.load",),
 )
+
+EXERCISE.mistake(_ALL_ROWS, form=lambda array, t, *rest: array.size > 1)
 
 
 @EXERCISE.mistake

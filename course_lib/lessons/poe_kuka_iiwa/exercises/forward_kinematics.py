@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
+from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
@@ -33,7 +33,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("screws", "M", "q"),
     cases=lambda rng: [*shared.arms(rng), (shared.WHOLE, shared.WHOLE_HOME, shared.WHOLE_ANGLES)],
-    returns=numbers(lambda *case: (4, 4), _known_form),
+    returns=numbers(lambda *case: (4, 4)),
     library=shared.tool_pose,
     properties=(
         SAME_TWICE,
@@ -64,6 +64,8 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm",),
 )
+
+EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
 @EXERCISE.mistake

@@ -5,7 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, first_off
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import first_off
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
 from course_lib.rigid import hat_se3
 from course_lib.rotations import hat
@@ -26,7 +27,7 @@ def _cases(rng):
 
 def _fits(part, right):
     """Return whether the part is right, in small twists too."""
-    return np.abs(part - right).max() <= FINE * np.abs(right).max()
+    return np.abs(part - right).max() <= EXACT * np.abs(right).max()
 
 
 EXERCISE = Exercise(

@@ -54,7 +54,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda screws, M, q, mass, center: (len(q),),
-        lambda array, screws, *rest: _WRENCH if array.shape == (6,) else None,
     ),
     library=_right,
     properties=(
@@ -81,6 +80,8 @@ EXERCISE = Exercise(
         "mass).",
     ),
 )
+
+EXERCISE.mistake(_WRENCH, form=lambda array, screws, *rest: array.shape == (6,))
 
 
 def _by(screws, M, q, mass, center, wrench):

@@ -107,11 +107,6 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(
         lambda screws, M, T_target, q0: (len(q0),),
-        {
-            (4, 4): Mistake(
-                "a pose is returned", "Inverse kinematics goes from a pose to joint angles."
-            )
-        },
         gaps=True,
     ),
     library=descent,
@@ -177,9 +172,14 @@ EXERCISE = Exercise(
         "If short(twist), return q. Else add np.linalg.pinv(J) @ twist to q. After the last step, "
         "np.full(len(q0), np.nan).",
     ),
-    errors=(("LinAlgError", "must be square", _INVERTED),),
     forbidden=SOLVERS,
 )
+
+EXERCISE.mistake(
+    Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles."),
+    form=(4, 4),
+)
+EXERCISE.mistake(_INVERTED, raises=("LinAlgError", "must be square"))
 
 
 @EXERCISE.mistake(

@@ -6,7 +6,8 @@ from course_lib.arms import ur5e
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import FINE, orthogonality_error, pose
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import orthogonality_error, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, axes
 
 _TOLERANCE = 1e-4  # metres: a tenth of the drawing's last digit
@@ -14,17 +15,8 @@ _SCREWS, _M = ur5e().screw_axes, ur5e().home[-1]
 _OMEGA, _V = _SCREWS[:, :3], _SCREWS[:, 3:]
 _POINTS = np.cross(_OMEGA, _V)
 _R, _P = _M[BLOCK], _M[COLUMN]
-_read_screws = numbers(
-    lambda: (6, 6), {(6, 3): Mistake("v is missing", "A screw axis is omega and v: six numbers.")}
-)
-_read_pose = numbers(
-    lambda: (4, 4),
-    {
-        (3,): Mistake(
-            "only the flange's position is returned", "A pose is R and p, of shape (4, 4)."
-        )
-    },
-)
+_read_screws = numbers(lambda: (6, 6))
+_read_pose = numbers(lambda: (4, 4))
 
 
 def _read(value):
@@ -96,7 +88,7 @@ EXERCISE = Exercise(
         Property(
             "M is a pose (R, p): R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
             lambda read: (
-                np.allclose(read[2][3], [0, 0, 0, 1], atol=FINE)
+                np.allclose(read[2][3], [0, 0, 0, 1], atol=EXACT)
                 and orthogonality_error(read[2][BLOCK]) < 1e-6
                 and np.linalg.det(read[2][BLOCK]) > 0
             ),
@@ -143,6 +135,12 @@ EXERCISE = Exercise(
         "base's. The columns "
         "of its rotation are x, y and z; its position adds up the lengths along -x, -y and z.",
     ),
+)
+
+EXERCISE.mistake(Mistake("v is missing", "A screw axis is omega and v: six numbers."), form=(6, 3))
+EXERCISE.mistake(
+    Mistake("only the flange's position is returned", "A pose is R and p, of shape (4, 4)."),
+    form=(3,),
 )
 
 

@@ -64,7 +64,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("omega", "point", "theta"),
     cases=_cases,
-    returns=numbers(lambda *case: (2, 4, 4), {(4, 4): _ONE_POSE, (8, 4): _ONE_POSE}),
+    returns=numbers(lambda *case: (2, 4, 4)),
     library=_right,
     properties=(
         LAST_ROW,
@@ -109,6 +109,9 @@ EXERCISE = Exercise(
         "scipy.spatial.transform.Rotation",
     ),
 )
+
+EXERCISE.mistake(_ONE_POSE, form=(4, 4))
+EXERCISE.mistake(_ONE_POSE, form=(8, 4))
 
 
 @EXERCISE.mistake

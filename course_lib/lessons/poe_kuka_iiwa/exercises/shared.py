@@ -111,12 +111,8 @@ def in_blocks(T, form):
     return np.block(form(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
 
 
-read_jacobian = numbers(
-    lambda screws, *rest: (6, len(screws)),
-    {
-        (6,): Mistake(
-            "one column is returned, not a matrix (6, n)",
-            "Where does your loop collect the columns?",
-        )
-    },
+read_jacobian = numbers(lambda screws, *rest: (6, len(screws)))
+ONE_COLUMN = Mistake(
+    "one column is returned, not a matrix (6, n)",
+    "Where does your loop collect the columns?",
 )

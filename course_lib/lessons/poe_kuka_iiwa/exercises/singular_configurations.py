@@ -70,11 +70,6 @@ EXERCISE = Exercise(
     cases=lambda rng: [()],
     returns=numbers(
         lambda: (3, 7),
-        {
-            (7, 3): Mistake(
-                "rows and columns are swapped", "One configuration a row: the shape is (3, 7)."
-            )
-        },
     ),
     library=_right,
     properties=(
@@ -118,6 +113,11 @@ EXERCISE = Exercise(
         "reduce the rank. Plot the smallest singular value against q3, or q5.",
         "It vanishes at a right angle: q3 or q5 is pi / 2.",
     ),
+)
+
+EXERCISE.mistake(
+    Mistake("rows and columns are swapped", "One configuration a row: the shape is (3, 7)."),
+    form=(7, 3),
 )
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.vocabulary import SAME_TWICE, part_is, products
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
+    ONE_COLUMN,
     arms,
     columns,
     exponentials,
@@ -62,6 +63,8 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm",),
 )
+
+EXERCISE.mistake(ONE_COLUMN, form=(6,))
 
 
 @EXERCISE.mistake(own=(0, 1))
