@@ -79,10 +79,3 @@ def other_joints(screws, M, q, others):
     B = screws @ adjoint(inverse(M)).T
     each = shared.exponentials(B, -q)
     return shared.columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)
-
-
-@EXERCISE.mistake(seen=lambda J, *arm: np.abs(J - _right(*arm)).max() < 1e-5)
-def few_digits(screws, M, q):
-    """the answer is right to its first digits only. Differences are not exact to nine digits, nor
-    is np.round: exp_se3 and adjoint are."""
-    return np.round(_right(screws, M, q), 8)
