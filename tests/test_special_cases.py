@@ -148,6 +148,20 @@ def test_a_difference_that_the_numbers_shown_do_not_show_is_printed():
     assert "off by" not in text
 
 
+def into_a_copy(x):
+    y = x.copy()
+    y[:] = x / 2
+    return y
+
+
+def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
+    cases = lambda rng: [(np.array([1.5, 0.25]),), (np.array([3.0, 5.0]),)]  # noqa: E731
+    mistake = judge(replace(HALF, cases=cases), Here(into_a_copy)).mistake
+    assert mistake.name.startswith("the answer is wrong for whole numbers only")
+    wrong_for_all = judge(replace(HALF, cases=cases), Here(lambda x: into_a_copy(x) + 0.3)).mistake
+    assert wrong_for_all is None or "whole numbers only" not in wrong_for_all.name
+
+
 # Every exercise
 
 

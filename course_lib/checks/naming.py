@@ -103,6 +103,8 @@ class Naming:
         few_digits = self._few_digits(wrong)
         if few_digits is not None:
             return few_digits
+        if self._is_for_whole_numbers_only(wrong):
+            return Mistake(*_ONLY_WHOLE)
         own = self.exercise.mistakes
         found = next(
             (known for known in own if self._explains(known, failing, wrong, everywhere=True)), None
@@ -114,6 +116,11 @@ class Naming:
         if found is None and not self.few_bits():
             found = next((known for known in own if self._explains(known, failing, wrong)), None)
         return found
+
+    def _is_for_whole_numbers_only(self, wrong):
+        """Return whether the answers are wrong in cases with whole numbers only, and right in all others."""
+        of_floats = [i for i, case in enumerate(self.cases) if not _has_integers(case)]
+        return bool(of_floats) and not set(of_floats) & set(wrong)
 
     def few_bits(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
@@ -317,6 +324,12 @@ def everyday(naming):
         )
         for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
+
+
+def _has_integers(case):
+    """Return whether an argument is a whole number, or an array of such, of type int."""
+    numbers = [argument for argument in case if isinstance(argument, np.ndarray | int)]
+    return any(np.asarray(number).dtype.kind == "i" for number in numbers)
 
 
 def _is_short(array):
@@ -540,6 +553,12 @@ _WHOLE = (
     "digits after the point are cut off",
     "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has "
     "room for digits.",
+)
+
+_ONLY_WHOLE = (
+    "the answer is wrong for whole numbers only: digits after the point are cut off",
+    "np.array(a), a.copy() and np.zeros_like(a) hold whole numbers only if a does. What becomes of "
+    "the digits that you write into such an array?",
 )
 
 _FLOAT64 = "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told otherwise."

@@ -136,7 +136,8 @@ def _nearly(T, twist):
 @EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))
 def small_angles(twist, bound):
     """small angles are taken for none, or lose their digits. At omega = 1e-8 the body still moves
-    sideways by omega v / 2: does 1 - cos(omega) keep its digits there?"""
+    sideways by omega v / 2. Which of your formulas does this omega take, and how many digits has
+    it there?"""
     return _with_position(twist, twist[1:]) if abs(twist[0]) < bound else None
 
 

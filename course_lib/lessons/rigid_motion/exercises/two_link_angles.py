@@ -76,7 +76,9 @@ EXERCISE = Exercise(
             lambda angles, tip: angle_gap(*angles) > angle_gap(*two_link_angles(tip)) / 2,
             where=lambda tip: not _straight(tip),
             mistake=Mistake(
-                "the same elbow is returned twice", "The cosine does not tell the sign of theta2."
+                "the same elbow is returned twice",
+                "The cosine does not tell the sign of theta2. Close to the edge of the reach, too, "
+                "there are two solutions.",
             ),
         ),
     ),

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_of_angles
@@ -13,7 +14,24 @@ from course_lib.planar import wrap_angle
 
 
 def _cases(rng):
-    named = [0.0, 1.0, -2.5, 3.0, 6.0, -6.0, 4, -4, 3.2, -3.2, 8.0, -8.0, 10.0, -10.0]
+    named = [
+        0.0,
+        1.0,
+        -2.5,
+        3.0,
+        6.0,
+        -6.0,
+        4,
+        -4,
+        3.2,
+        -3.2,
+        8.0,
+        -8.0,
+        10.0,
+        -10.0,
+        5000.0,
+        -5000.0,
+    ]
     exact = [REVOLUTION, -REVOLUTION, np.pi, -np.pi, 3 * np.pi, -3 * np.pi, np.pi / 2, 3.5 * np.pi]
     sizes = rng.uniform([0, np.pi, REVOLUTION, 20, 200], [np.pi, REVOLUTION, 3 * np.pi, 60, 900])
     near = [
@@ -44,6 +62,12 @@ def _same_direction(value, angle):
     return np.all(np.abs(wrap_angle(value - angle)) <= _rounding(angle))
 
 
+def _distance(value, right, angle):
+    """Return how far an answer is from the right direction; if that is right, how far from the number."""
+    apart = distance_of_angles(value, right)
+    return apart if apart > np.max(_rounding(angle)) else difference(value, right)
+
+
 def _revolutions(value, angle):
     """Return in words how many revolutions lie between the first wrong answer and its angle."""
     values, angles = np.ravel(value), np.ravel(angle)
@@ -69,7 +93,7 @@ EXERCISE = Exercise(
     cases=_cases,
     sweeps=(_beside(0), _beside(1), _beside(-1), _beside(2)),
     returns=numbers(np.shape, exact=True),
-    distance=distance_of_angles,
+    distance=_distance,
     properties=(
         Property(
             "an angle that lies between -pi and pi already comes back as it is",

@@ -95,7 +95,10 @@ def _rebuilt(within):
 
 def _off(found, R):
     worst = max(found, key=lambda triple: _misses(triple, R))
-    return f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}."
+    return (
+        f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}, "
+        f"off by {_misses(worst, R):.2g}."
+    )
 
 
 @remembered
