@@ -95,18 +95,21 @@ class Naming:
         failing: the positions among them at which the property fails of which the message speaks;
         a mistake that is recognised in the answers, and not predicted, is looked for in these.
 
-        That only the first digits are right is said before anything else, because a rounded answer
-        satisfies no formula to the digits that are asked for. Then, one that explains all answers
-        is preferred to one that explains the wrong ones only; a few True or False, or signs, fit
-        many mistakes by chance, so these must explain all.
+        Said first is what can be told from the answers themselves: rounding, float32, and digits
+        cut off in whole numbers. Then comes a mistake of the exercise that predicts every answer,
+        and then that only the first digits are right: such an answer is blamed for nothing else.
+        At last, one that explains all answers is preferred to one that explains the wrong ones
+        only; a few True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
-        few_digits = self._few_digits(wrong)
-        if few_digits is not None:
-            return few_digits
-        if self._is_for_whole_numbers_only(wrong):
-            return Mistake(*_ONLY_WHOLE)
         own = self.exercise.mistakes
-        found = next(
+        of_digits = self._shortened(wrong)
+        if of_digits is None and self._is_for_whole_numbers_only(wrong):
+            of_digits = Mistake(*_ONLY_WHOLE)
+        if of_digits is not None:
+            return of_digits
+        predicting = [known for known in own if self._predicts_all(known, wrong)]
+        found = predicting[0] if predicting else self._few_digits(wrong)
+        found = found or next(
             (known for known in own if self._explains(known, failing, wrong, everywhere=True)), None
         )
         found = found or next(
@@ -116,6 +119,13 @@ class Naming:
         if found is None and not self.few_bits():
             found = next((known for known in own if self._explains(known, failing, wrong)), None)
         return found
+
+    def _predicts_all(self, mistake, wrong):
+        """Return whether a function of the mistake predicts all wrong answers, and contradicts no other."""
+        return any(
+            self._accounts_for(mistake, answer, wrong, everywhere=True)
+            for answer in mistake.answers
+        )
 
     def _is_for_whole_numbers_only(self, wrong):
         """Return whether the answers are wrong in cases with whole numbers only, and right in all others."""
@@ -147,27 +157,38 @@ class Naming:
         right = self.right(position)
         return 0.0 if right is None else np.nan_to_num(np.abs(right), posinf=0).max(initial=0)
 
-    def _few_digits(self, wrong):
-        """Return the Mistake of answers that are right to their first digits only, or None."""
+    def _shortened(self, wrong):
+        """Return the Mistake of answers of float32, or of rounded ones that are nearly right; or None."""
         arrays = [attempt(np.asarray, value, float) for value in self.values]
         if any(array is None for array in arrays) or all(map(_is_whole, arrays)):
             return None
-        if not all(map(_is_short, arrays)) and all(
-            np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays
-        ):
+        in_float32 = all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays)
+        if in_float32 and not all(map(_is_short, arrays)):
             return Mistake("the answer has the seven digits of float32", _FLOAT64)
-        off = [self.distance(i) for i in wrong]
-        sizes = [1 + self._size(i) for i in wrong]
-        if not all(0 < gap <= _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True)):
+        if not self._are_nearly_right(wrong):
             return None
         for k in range(1, 9):
             if all(np.array_equal(x, np.round(x, k), equal_nan=True) for x in arrays):
                 return Mistake(f"the answer is rounded to {k} digits", _FEW_DIGITS)
+        return None
+
+    def _few_digits(self, wrong):
+        """Return the Mistake of most answers being right to their first digits only, or None."""
         ordinary = [i for i, case in enumerate(self.cases) if not isinstance(case, MadeCase)]
-        if 2 * len(set(wrong) & set(ordinary)) < len(ordinary):
-            return None  # digits are lost beside a special value only
-        name = f"the answer is right to its first digits only: it is off by {max(off):.2g}"
+        of_most = 2 * len(set(wrong) & set(ordinary)) >= len(ordinary)
+        if not of_most or not self._are_nearly_right(wrong):
+            return None  # or digits are lost beside a special value only
+        off = max(self.distance(i) for i in wrong)
+        name = f"the answer is right to its first digits only: it is off by {off:.2g}"
         return Mistake(name, _FEW_DIGITS)
+
+    def _are_nearly_right(self, wrong):
+        """Return whether each wrong answer is a number or an array that differs from the right one in later digits."""
+        if any(isinstance(self.values[i], bool) for i in wrong):
+            return False
+        sizes = [1 + self._size(i) for i in wrong]
+        off = [self.distance(i) for i in wrong]
+        return all(0 < gap <= _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True))
 
     def of_other_form(self, position, value):
         """Return the Mistake of an answer of another shape than asked for, or None."""
