@@ -231,6 +231,11 @@ def test_no_figure_offers_to_upload_itself():
     assert config["displaylogo"] is False
 
 
+def test_jupyterlab_fits_charts_itself():
+    # With plotly's own "responsive" a chart has no height there once the theme is switched.
+    assert "responsive" not in stored(go.Figure(go.Scatter(y=[1, 2])))["config"]
+
+
 def test_show_stores_the_figure_its_words_and_the_size_of_its_picture():
     output = shown(charts.lines(T, {"a": T}, **METRES, height=300))
     assert set(output.data) == {PLOTLY, "text/plain"}

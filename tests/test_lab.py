@@ -355,3 +355,39 @@ def test_a_sentence_says_that_the_kernel_does_not_answer_until_it_does(browser):
     page.evaluate("answer({})")
     assert page.text_content("body") == ""
     context.close()
+
+
+# ---- charts ----
+
+CHART = """import numpy as np
+from course_lib.figures import charts, show
+x = np.arange(11.0)
+fig = charts.panels(xlabel="time (s)", ylabel="height (m)")
+charts.add_line(fig, x, x**2 / 10, "a ball", markers=True)
+show(fig, alt="A curve that rises as a parabola does, to 10 m.")"""
+PLACE = "({ _fullLayout: { xaxis, yaxis } }) => ({ x: xaxis.c2p(5), y: yaxis.c2p(2.5) })"
+
+
+def test_a_chart_is_live_in_both_themes_and_the_pointer_shows_the_value_of_the_data(
+    server, folder, browser
+):
+    book = new_notebook(cells=[new_code_cell(CHART)])
+    book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    nbformat.write(book, folder / "charts.ipynb")
+    with opened(browser, "charts") as page:
+        choose(page, "Run", "Run All Cells")
+        plot = page.locator(".js-plotly-plot")
+        expect(plot.locator(".nsewdrag")).to_be_attached()
+        for theme in ("JupyterLab Dark", "JupyterLab Light"):
+            page.get_by_role("menuitem", name="Settings").first.click()
+            page.get_by_text("Theme", exact=True).first.hover()
+            page.get_by_text(theme, exact=True).first.click()
+            expect(page.locator("body")).to_have_attribute("data-jp-theme-name", theme)
+            plot.locator(".nsewdrag").hover(position=plot.evaluate(PLACE))
+            label = plot.locator(".hoverlayer .hovertext")
+            expect(label).to_contain_text("time: 5 s")
+            expect(label).to_contain_text("height: 2.5 m")
+            page.mouse.move(5, 5)
+        assert [
+            url for url in page.asked if f"localhost:{PORT}" not in url and "http" in url[:5]
+        ] == []

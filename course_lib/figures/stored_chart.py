@@ -21,9 +21,10 @@ DIGITS = (
 # Added before rounding, in units of the last digit kept: a number half-way between two of them, as
 # 0.5 m is in steps of 1 m, would otherwise be rounded up on one machine and down on another.
 _OFF_TIES = 0.0137
+# Without "responsive", which charts.js sets on pages: JupyterLab fits charts itself, and with it they
+# would vanish there when its theme is switched.
 CONFIG = {
     "displaylogo": False,
-    "responsive": True,
     "showSendToCloud": False,  # plotly would offer to upload the figure
     "modeBarButtonsToRemove": ["select2d", "lasso2d", "autoScale2d"],
 }
