@@ -1,4 +1,7 @@
-"""Plots over one variable and of planar arms, and what all share: columns, axes in metres, parts of pi, legends."""
+"""Plots over one variable and of planar arms, and what all plots share.
+
+They share panels in columns, axes in metres, ticks at parts of pi, and legends.
+"""
 
 from fractions import Fraction
 
@@ -18,7 +21,8 @@ from course_lib.figures.style import (
 )
 
 STYLES = ("-", "--", ":", "-.")
-_JOINTS = (BLUE, PURPLE, GREEN, RED)
+_JOINT_COLOURS = (BLUE, PURPLE, GREEN, RED)
+_MIN_RATIO_FOR_POWERS = 30  # an axis from 1 to less than that shows one or two powers of ten
 
 
 def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
@@ -55,7 +59,7 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
         ax.set(**{f"{axis}scale": "log"})
         scale = ax.xaxis if axis == "x" else ax.yaxis
         low, high = scale.get_view_interval()
-        if high < 30 * low:  # too few powers of ten to read it by
+        if high < _MIN_RATIO_FOR_POWERS * low:
             scale.set(
                 major_locator=LogLocator(subs=[1, 2, 5]),
                 major_formatter="{x:g}",
@@ -71,53 +75,87 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
 
 
 def draw_lines(ax, x, series):
-    """Draw lines {label: ordinates (n,)} over x (n,), each in its own colour and style."""
+    """Draw lines over x, each in its own colour and style.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+    x : array_like, shape (n,)
+    series : dict
+        Label to ordinates, shape (n,).
+    """
     for i, (label, y) in enumerate(series.items()):
-        ax.plot(x, y, label=label, linestyle=STYLES[i % 4], linewidth=2)
+        ax.plot(x, y, label=label, linestyle=STYLES[i % len(STYLES)], linewidth=2)
 
 
 def draw_arms(contents, every, window=None):
-    """Return a figure of arms side by side, drawn at several instants, the later the darker, with the tip's path.
+    """Return a figure of arms side by side at several instants, with the paths of their tips.
 
-    contents: {title: points (n, links + 1, 2)}, the base first, the tip last, in metres. Every so
-    many instants are drawn, and the last. window: (2, 2), the lowest and the highest x and y shown;
-    if None, what links of one metre can reach.
+    The later the instant, the darker the arm.
+
+    Parameters
+    ----------
+    contents : dict
+        Title to points, shape (n, links + 1, 2), the base first, the tip last, in metres.
+    every : int
+        Each instant whose number is a multiple of this is drawn, and the last one.
+    window : array_like, shape (2, 2), optional
+        The lowest x and y shown, then the highest; what links of one metre can reach if None.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    half = max(points.shape[1] for points in contents.values()) - 0.7
-    low, high = np.array([[-half] * 2, [half] * 2] if window is None else window)
+    if window is None:
+        half = max(points.shape[1] for points in contents.values()) - 0.7
+        window = [[-half, -half], [half, half]]
+    low, high = np.array(window)
     height = 1.1 + 3.3 * (high[1] - low[1]) / (high[0] - low[0])
     fig, axes = in_columns(contents, 4.2, height, xlabel="x (m)", ylabel="y (m)")
     for ax, points in zip(axes, contents.values(), strict=True):
         last = len(points) - 1
         for i in [*range(0, last, every), last]:
-            look = {"color": CRIMSON if i == last else GREY, "alpha": 0.25 + 0.75 * i / last}
-            look |= {
-                "linewidth": 5,
-                "markersize": 8,
-                "markeredgecolor": "white",
-                "solid_capstyle": "round",
-            }
-            ax.plot(*points[i].T, "-o", **look)
+            ax.plot(
+                *points[i].T,
+                "-o",
+                color=CRIMSON if i == last else GREY,
+                alpha=0.25 + 0.75 * i / last,
+                linewidth=5,
+                markersize=8,
+                markeredgecolor="white",
+                solid_capstyle="round",
+            )
         ax.plot(*points[:, -1].T, color=BLUE, linestyle="--", linewidth=2)
         ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     return fig
 
 
 def velocities_of_the_tip(contents, frame=""):
-    """Return planar arms with the velocity that each joint gives the tip, at 1 rad/s about an axis out of the page.
+    """Return planar arms with the velocity that each joint gives the tip.
 
-    contents: {title: points (n + 1, 2)}, the joints from the base on, and the tip, in metres, along
-    x and y of the frame that is drawn at the origin, with its name `frame`.
+    Each joint moves at 1 rad/s about an axis out of the page.
+
+    Parameters
+    ----------
+    contents : dict
+        Title to points, shape (n + 1, 2): the joints from the base on, and the tip, in metres along
+        x and y of the frame that is drawn at the origin.
+    frame : str, optional
+        The name of that frame.
+
+    Returns
+    -------
+    Picture
     """
     fig, axes = in_columns(contents, 4.4, 3.6, xlabel="x (m)", ylabel="y (m)")
-    said = []
+    in_words = []
     for ax, (title, points) in zip(axes, contents.items(), strict=True):
         tip = points[-1]
         velocities = (tip - points[:-1]) @ np.array([[0, 1], [-1, 0]])
         ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
-        for i, (joint, velocity, colour) in enumerate(
-            zip(points, velocities, _JOINTS, strict=False), 1
-        ):
+        joints = zip(points, velocities, _JOINT_COLOURS, strict=False)
+        for i, (joint, velocity, colour) in enumerate(joints, 1):
+            end = tip + velocity
             ax.plot(
                 *np.transpose([joint, tip]),
                 "--o",
@@ -126,44 +164,60 @@ def velocities_of_the_tip(contents, frame=""):
                 markersize=10,
                 markevery=[0],
             )
+            arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 2.5}
+            ax.annotate("", end, tip, arrowprops=arrow)
+            ax.plot(*np.transpose([tip, end]), color=colour, linewidth=2)
+            label = f"joint {i}: ({velocity[0]:.3g}, {velocity[1]:.3g})"
+            offset = _label_offset(velocity, velocities)
             ax.annotate(
-                "",
-                tip + velocity,
-                tip,
-                arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5},
+                label,
+                end,
+                offset,
+                textcoords="offset points",
+                color=colour,
+                va="center",
+                ha={-1: "right", 1: "left"}.get(round(offset[0] / 9), "center"),
             )
-            words = f"joint {i}: ({velocity[0]:.3g}, {velocity[1]:.3g})"
-            ax.plot(*np.transpose([tip, tip + velocity]), color=colour, linewidth=2)
-            ahead = velocity * 12 / np.linalg.norm(velocity)
-            beside = ahead[::-1] * [1, -1]
-            at = (
-                ahead if (velocities @ beside > 1e-9).any() else beside
-            )  # not where another arrow ends
-            look = {
-                "color": colour,
-                "va": "center",
-                "ha": {-1: "right", 1: "left"}.get(round(at[0] / 9), "center"),
-            }
-            ax.annotate(words, tip + velocity, at, textcoords="offset points", **look)
-            said.append(f"{title}, {words} m/s")
-        for end, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
-            ax.plot(*np.transpose([(0, 0), end]), color=colour, linewidth=3)
+            in_words.append(f"{title}, {label} m/s")
+        for axis_tip, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
+            ax.plot(*np.transpose([(0, 0), axis_tip]), color=colour, linewidth=3)
         ax.annotate(frame, (0, 0), (4, -14), textcoords="offset points")
         ax.set_aspect("equal", adjustable="datalim")
         ax.margins(0.3, 0.15)
     alt = (
-        f"Planar arms, and the velocity that each joint gives the tip at 1 rad/s: "
-        f"{plain('; '.join(said))}."
+        "Planar arms, and the velocity that each joint gives the tip at 1 rad/s: "
+        f"{plain('; '.join(in_words))}."
     )
-    return Picture(
-        fig,
-        alt,
-        "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long.",
+    caption = (
+        "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long."
     )
+    return Picture(fig, alt, caption)
+
+
+def _label_offset(velocity, velocities):
+    """Return where an arrow's label stands from its end, in points: not where another arrow ends."""
+    ahead = velocity * 12 / np.linalg.norm(velocity)
+    beside = ahead[::-1] * [1, -1]
+    another_is_beside = (velocities @ beside > 1e-9).any()
+    return ahead if another_is_beside else beside
 
 
 def in_columns(titles, width, height, *, xlabel, ylabel):
-    """Return a figure with a panel under each title, `width` inches wide, and its axes, all with the same y axis."""
+    """Return a figure with a panel under each title, and its axes, all with the same y axis.
+
+    Parameters
+    ----------
+    titles : collection of str
+    width, height : float
+        Of a panel, in inches.
+    xlabel, ylabel : str
+        Names of the axes, with their units.
+
+    Returns
+    -------
+    fig : matplotlib.figure.Figure
+    axes : ndarray of matplotlib.axes.Axes, shape (len(titles),)
+    """
     fig, axes = plane_figure(width * len(titles), height, len(titles), sharey=True)
     for ax, title in zip(axes, titles, strict=True):
         ax.set(title=title, xlabel=xlabel, ylabel=ylabel)
@@ -177,13 +231,13 @@ def in_metres(ax, **options):
 
 
 def legend_above(fig, columns, ax=None):
-    """Put one legend above all panels, at the left of the first: that of `ax`, or of all of them."""
+    """Put one legend of so many columns above all panels: that of `ax`, or of all of them."""
     handles = ax.get_legend_handles_labels() if ax else ()
     fig.legend(*handles, loc="outside upper left", ncols=columns, frameon=False)
 
 
 def pi_ticks(axis, parts):
-    """Set the ticks of an axis of angles, in radians, at multiples of pi / `parts`, written as fractions of pi."""
+    """Set the ticks of an axis of angles, in radians, at multiples of pi / `parts`, written so."""
     axis.set_major_locator(MultipleLocator(np.pi / parts))
     axis.set_major_formatter(FuncFormatter(lambda x, _: _in_parts_of_pi(x, parts)))
 
@@ -191,8 +245,11 @@ def pi_ticks(axis, parts):
 def _in_parts_of_pi(x, parts):
     """The nearest multiple of pi / parts as a formula."""
     part = Fraction(round(x * parts / np.pi), parts)
-    top = {0: "0", 1: r"\pi"}.get(abs(part.numerator), rf"{abs(part.numerator)}\pi")
-    return f"${'-' * (part < 0)}{top}{f'/{part.denominator}' * (part.denominator > 1)}$"
+    count = abs(part.numerator)
+    numerator = {0: "0", 1: r"\pi"}.get(count, rf"{count}\pi")
+    sign = "-" if part < 0 else ""
+    divided = f"/{part.denominator}" if part.denominator > 1 else ""
+    return f"${sign}{numerator}{divided}$"
 
 
 def plain(words):

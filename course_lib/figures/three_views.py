@@ -1,4 +1,7 @@
-"""The dimensioned drawings of notebook 4: the iiwa and the UR5e in three views, for reading their screw axes."""
+"""The dimensioned drawings of notebook 4: the iiwa and the UR5e in three views.
+
+They are for reading the arms' screw axes.
+"""
 
 import itertools
 
@@ -6,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from course_lib.figures.display import Picture
-from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY
+from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY, LINK_BLUE
 
 # Each arm's corners at joint angles zero, from the base to the flange, the distance from each
 # length between two of them to its dimension line, and the margins below and above the arm along x,
@@ -55,28 +58,40 @@ _VIEWS = {
     _END: (1, 2, 0, "from the front"),
 }
 _LEFT = {"$z_s$": (-1, 0), "$y_b$": (-1, 0)}  # aside in every view
-_TOWARDS = {
-    _TOP: 1,
-    _SIDE: -1,
-    _END: 1,
-}  # the sign of the hidden axis's direction that points at the viewer
+# The sign of the hidden axis's direction that points at the viewer.
+_TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}
+_ON_AXIS = 1e-9  # metres: a corner nearer than that to a joint's axis lies on it
 
 
 def three_views(name, arm, frames=("s", "b")):
-    """Return a Picture: a dimensioned drawing of an arm at joint angles zero, from the side, above and the front.
+    """Return a dimensioned drawing of an arm at joint angles zero.
 
-    name: "iiwa" or "ur5e". arm: the SerialArm whose screw axes are drawn. frames: how base and
-    flange are called.
+    It shows the arm from the side, from above and from the front.
+
+    Parameters
+    ----------
+    name : {"iiwa", "ur5e"}
+    arm : SerialArm
+        Its screw axes are drawn.
+    frames : tuple of str, optional
+        The names of the frames of base and flange, a character each.
+
+    Returns
+    -------
+    Picture
     """
     data = _ARMS[name]
-    corners, layout, scale = np.array(data["corners"]), data["layout"], data["scale"]
+    corners = np.array(data["corners"])
+    layout = data["layout"]
+    scale = data["scale"]
     limits = np.stack([corners.min(0), corners.max(0)], 1) + np.array(data["margins"]) * [-1, 1]
-    size = np.ptp(limits, axis=1)
-    widths = [size[_VIEWS[view][0]] for view in layout[0]]
-    heights = [size[_VIEWS[row[0]][1]] for row in layout]
-    size = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
-    fig = Figure(figsize=size, layout="constrained", facecolor="white")
-    for view, ax in fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights).items():
+    metres = np.ptp(limits, axis=1)
+    widths = [metres[_VIEWS[view][0]] for view in layout[0]]
+    heights = [metres[_VIEWS[row[0]][1]] for row in layout]
+    inches = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
+    fig = Figure(figsize=inches, layout="constrained", facecolor="white")
+    panels = fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights)
+    for view, ax in panels.items():
         i, j, _, title = _VIEWS[view]
         ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=limits[i], ylim=limits[j])
         ax.spines[:].set_visible(False)
@@ -100,18 +115,12 @@ def _draw(ax, view, arm, corners, data, base, tool):
         x, y = np.sign((_LEFT | data["aside"][view]).get(named, along)).astype(int)
         look = {"size": 9, "color": BLACK, "ha": ("center", "left", "right")[x], **look}
         look["va"] = ("center", "bottom", "top")[y]
-        ax.annotate(text, tip, (8 * x, 8 * y), textcoords="offset points", **look).set_in_layout(
-            False
-        )
+        written = ax.annotate(text, tip, (8 * x, 8 * y), textcoords="offset points", **look)
+        written.set_in_layout(False)
 
     def arrow(start, end, colour, **look):
-        ax.annotate(
-            "",
-            end,
-            start,
-            arrowprops={"color": colour, "shrinkA": 0, "shrinkB": 0, **look},
-            zorder=4,
-        )
+        properties = {"color": colour, "shrinkA": 0, "shrinkB": 0, **look}
+        ax.annotate("", end, start, arrowprops=properties, zorder=4)
 
     def frame(origin, R, name, size):
         for axis, colour in enumerate(FRAME_COLOURS):
@@ -121,41 +130,42 @@ def _draw(ax, view, arm, corners, data, base, tool):
                 word(f"${'xyz'[axis]}_{name}$", origin + size * along, along, color=colour)
         word(name, origin, (-1, -1), style="italic", size=11)
 
-    for look in ({"color": "#c9d3dc", "linewidth": 11}, {"color": GREY, "linewidth": 1}):
-        ax.plot(*flat.T, solid_capstyle="round", **look)
+    ax.plot(*flat.T, solid_capstyle="round", color=LINK_BLUE, linewidth=11)
+    ax.plot(*flat.T, solid_capstyle="round", color=GREY, linewidth=1)
     for ends, beside in zip(itertools.pairwise(corners), data["beside"], strict=True):
-        if view != (_TOP if np.ptp(ends, axis=0)[1] else _SIDE):
+        is_along_y = np.ptp(ends, axis=0)[1] > 0
+        if view != (_TOP if is_along_y else _SIDE):
             continue
         start, end = np.sort(ends, axis=0)[:, [i, j]]
         offset = beside * (np.array([1, 0]) if start[0] == end[0] else np.array([0, 1]))
         for point in (start, end):
-            ax.plot(
-                *np.transpose([point + 0.3 * offset, point + 1.1 * offset]),
-                color=BLACK,
-                linewidth=0.5,
-            )
+            extension_line = [point + 0.3 * offset, point + 1.1 * offset]
+            ax.plot(*np.transpose(extension_line), color=BLACK, linewidth=0.5)
         arrow(start + offset, end + offset, BLACK, arrowstyle="<->", linewidth=0.8)
         word(f"{1000 * np.abs(end - start).max():g}", (start + end) / 2 + offset, offset)
     numbers = {}
     for number, S in enumerate(arm.screw_axes, 1):
         # Its joint is drawn at the last corner of the arm that lies on the axis.
-        at = [
-            corner
-            for corner in corners[:-1]
-            if np.linalg.norm(np.cross(S[:3], corner) + S[3:]) < 1e-9
-        ][-1][[i, j]]
-        along, colour = S[[i, j]].round(9) + 0.0, FRAME_COLOURS[int(np.abs(S[:3]).argmax())]
+        distances = np.linalg.norm(np.cross(S[:3], corners[:-1]) + S[3:], axis=1)
+        last_on_axis = np.flatnonzero(distances < _ON_AXIS)[-1]
+        at = corners[last_on_axis, [i, j]]
+        along = S[[i, j]].round(9) + 0.0
+        colour = FRAME_COLOURS[int(np.abs(S[:3]).argmax())]
         if along.any():
             arrow(at - 0.07 * along, at + 0.13 * along, colour, arrowstyle="-|>", linewidth=1.6)
         else:
             look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
+            towards_viewer = S[k] * _TOWARDS[view] > 0
             ax.plot(*at, "o", markersize=11, markerfacecolor="white", **look)
-            ax.plot(*at, "." if S[k] * _TOWARDS[view] > 0 else "x", markersize=6, **look)
-        numbers.setdefault((*(at + 0.13 * along).round(3), *along, colour), []).append(str(number))
+            ax.plot(*at, "." if towards_viewer else "x", markersize=6, **look)
+        # Joints whose arrows lie on each other share a label.
+        tip = (at + 0.13 * along).round(3)
+        numbers.setdefault((*tip, *along, colour), []).append(str(number))
     for (x, y, dx, dy, colour), group in numbers.items():
         beyond = (dx, dy) if dx or dy else (-1, 0)
         word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=10)
-    straight = np.ptp(flat) == 0  # seen along the arm: its base frame is drawn beside it
+    # Seen along the arm, its base frame is drawn beside it.
+    straight = np.ptp(flat) == 0
     frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), base, 0.085)
     flange = arm.home[-1, :3, :3].round(9)
     if (flange != np.eye(3)).any():
@@ -174,9 +184,8 @@ def _in_words(arm, data, base, end):
     axes = ", ".join(f"{'xyz'[k]} along {direction(arm.home[-1, :3, k])}" for k in range(3))
     return (
         f"Drawing of the {data['title']} in three views, all joint angles zero, dimensions in "
-        f"millimetres. From the "
-        f"base the arm goes {path}. The arrows of the joint axes point along: {arrows}. The "
-        f"flange's frame {end} has {axes} of the base frame {base}."
+        f"millimetres. From the base the arm goes {path}. The arrows of the joint axes point "
+        f"along: {arrows}. The flange's frame {end} has {axes} of the base frame {base}."
     )
 
 

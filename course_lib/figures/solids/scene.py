@@ -7,14 +7,44 @@ from course_lib.figures.solids.model import X_RED, Part
 
 
 def floor_size(vertices):
-    """Return centre (2,) and radius of the floor below vertices (n, 3)."""
-    low, high = vertices[:, :2].min(0), vertices[:, :2].max(0)
-    centre = (low + high) / 2
-    reach = np.linalg.norm(vertices[:, :2] - centre, axis=1).max()
-    return np.round(centre, 3), round(max(1.12 * reach, 0.3 * np.ptp(vertices[:, 2])), 3)
+    """Return the floor below a model.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+        In metres.
+
+    Returns
+    -------
+    centre : ndarray, shape (2,)
+    radius : float
+        In metres.
+    """
+    flat = vertices[:, :2]
+    centre = (flat.min(0) + flat.max(0)) / 2
+    reach = np.linalg.norm(flat - centre, axis=1).max()
+    height = np.ptp(vertices[:, 2])
+    return np.round(centre, 3), round(max(1.12 * reach, 0.3 * height), 3)
 
 
 def triad(body, pose, size, radius=None):
-    """Return the arrows along the x, y and z axis of a frame (4, 4), as Parts of a body: red, green, blue."""
-    radius = 0.055 * size if radius is None else radius
+    """Return the arrows along the axes of a frame: x is red, y green and z blue.
+
+    Parameters
+    ----------
+    body : int
+        The number of the body that carries the arrows.
+    pose : array_like, shape (4, 4)
+        Of the frame in that of the body.
+    size : float
+        The length of an arrow, in metres.
+    radius : float, optional
+        Of an arrow, in metres.
+
+    Returns
+    -------
+    list of Part
+    """
+    if radius is None:
+        radius = 0.055 * size
     return [Part(body, X_RED + k, arrow(pose[:3, 3], pose[:3, k], size, radius)) for k in range(3)]

@@ -1,1 +1,4 @@
-"""Toys: interactive figures, in a live notebook and on an exported page; course_lib.figures names them."""
+"""Toys: interactive figures, in a live notebook and on an exported page.
+
+course_lib.figures names them.
+"""

@@ -1,4 +1,4 @@
-"""The student's own function alive in a figure: what is dragged is a question, their function answers it."""
+"""The student's own function alive in a figure: it answers what is dragged."""
 
 from dataclasses import dataclass, field
 
@@ -12,6 +12,7 @@ from course_lib.rotations import is_quaternion, is_so, matrix_to_quaternion, qua
 
 _SAMPLES = 41  # of a motion between two orientations
 _TOLERANCE = 1e-3  # of rotations that are drawn
+_TIME_STEP = 0.5  # seconds, of the library's path and of the function's at the start
 _STEP = 0.1  # metres between the positions that are asked beforehand
 
 
@@ -19,8 +20,17 @@ _STEP = 0.1  # metres between the positions that are asked beforehand
 class Figure:
     """A figure in which a function can live: see `reach`, `fly`, `table`, `drive` and `click`.
 
-    model: what the script needs, as JSON. ``ask(f, question)`` calls the function and returns its
-    answer as JSON; ``stored(f)`` returns answers given beforehand, for pages.
+    Parameters
+    ----------
+    model : dict
+        What the script needs, as JSON.
+    alt, caption : str
+        What the figure shows, in words, and what to try.
+    ask : callable
+        ``ask(f, question)`` calls the function and returns its answer as JSON; it raises ValueError
+        if what f returned cannot be drawn.
+    stored : callable, optional
+        ``stored(f)`` returns answers given beforehand, for pages, as JSON; None if there are none.
     """
 
     model: dict
@@ -31,7 +41,9 @@ class Figure:
 
 
 def alive(figure, f=None):
-    """Return a toy in which your own function answers what you drag; the library's answers if there is none.
+    """Return a toy in which your own function answers what you drag.
+
+    The library answers if there is no function.
 
     In a live notebook f is called in the kernel, one question at a time and always the newest. If
     it raises, the figure says so in one line and shows the library's answer. An exported page has
@@ -44,6 +56,15 @@ def alive(figure, f=None):
         it returns.
     f : callable, optional
         Your function. Its attribute ``whose``, if it has one, says whose it is.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `figure` comes from none of these, or f is no function.
     """
     if not isinstance(figure, Figure):
         kind = type(figure).__name__
@@ -72,37 +93,52 @@ def reach(arm, target, *, q, says=None):
     says : callable, optional
         says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is
         shown with it.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    ValueError
+        If `target` or `q` does not have its shape.
     """
     target = real_array(target, "target", (4, 4))
 
     def ask(f, question):
-        found = f(np.array(question["target"], float))
-        none = found is None or np.size(found) == 0
-        angles = np.empty((0, arm.n)) if none else np.atleast_2d(np.asarray(found, float))
+        answer = f(np.array(question["target"], float))
+        if answer is None or np.size(answer) == 0:
+            angles = np.empty((0, arm.n))
+        else:
+            angles = np.atleast_2d(np.asarray(answer, float))
         if angles.ndim != 2 or angles.shape[1] != arm.n:
             raise ValueError(
                 f"the joint angles should have shape ({arm.n},) or (k, {arm.n}); it is "
-                f"{np.shape(found)}"
+                f"{np.shape(answer)}"
             )
         angles = angles[np.isfinite(angles).all(-1)]
-        said = says(np.array(question["target"], float), angles) if says else ""
-        return {"value": angles.tolist(), "said": str(said)}
+        sentence = says(np.array(question["target"], float), angles) if says else ""
+        return {"value": angles.tolist(), "said": str(sentence)}
 
     title = f"An arm with {arm.n} joints and a target"
     alt = (
         f"An arm with {arm.n} joints as a solid body, and a target that can be dragged. The arm "
-        f"takes the joint "
+        "takes the joint angles that a function returns; if there are several solutions, the "
+        "others are translucent."
     )
-    alt += "angles that a function returns; if there are several solutions, the others are translucent."
-    model, others = {"figure": "reach", "goal": target.tolist()}, []
+    model = {"figure": "reach", "goal": target.tolist()}
+    others = []
     if np.ndim(q) == 2:
-        q, *others = np.round(real_array(q, "q", (arm.n,)), 6)
-        model["starts"] = [angles.tolist() for angles in (q, *others)]
+        starts = np.round(real_array(q, "q", (arm.n,)), 6)
+        model["starts"] = starts.tolist()
+        q, *others = starts
     return Figure(arm_view(arm, q, title, others) | model, alt, "Drag the target.", ask)
 
 
 def fly(start, goal, *, quaternions=False):
-    """Return a figure for `alive`: two orientations to drag, f(start, goal, s) flies from one to the other.
+    """Return a figure for `alive`: two orientations to drag, and a flight between them.
+
+    f(start, goal, s) flies from one to the other.
 
     Parameters
     ----------
@@ -111,73 +147,92 @@ def fly(start, goal, *, quaternions=False):
     quaternions : bool, optional
         If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation
         matrices.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    ValueError
+        If `start` or `goal` is no rotation matrix.
     """
-    ends = [real_array(R, name, (3, 3)) for R, name in ((start, "start"), (goal, "goal"))]
+    ends = [real_array(start, "start", (3, 3)), real_array(goal, "goal", (3, 3))]
     for R, name in zip(ends, ("start", "goal"), strict=True):
         if R.shape != (3, 3) or not is_so(R):
             raise ValueError(f"{name} must be a rotation matrix (3, 3)")
 
     def ask(f, question):
-        A, B = (np.array(R) for R in question["ends"])
+        first, last = np.array(question["ends"])
         if quaternions:
-            A, B = matrix_to_quaternion(A), matrix_to_quaternion(B)
-        s = np.linspace(0, 1, _SAMPLES)
-        found = np.array(
-            [numbers(f(A.copy(), B.copy(), share), "an array", *A.shape) for share in s]
+            first = matrix_to_quaternion(first)
+            last = matrix_to_quaternion(last)
+        shares = np.linspace(0, 1, _SAMPLES)
+        flown = np.array(
+            [numbers(f(first.copy(), last.copy(), s), "an array", *first.shape) for s in shares]
         )
-        kind, rotates = (
-            ("unit quaternion", is_quaternion) if quaternions else ("rotation matrix", is_so)
-        )
-        if not (right := rotates(found, _TOLERANCE)).all():
-            raise ValueError(f"the answer at s = {s[right.argmin()]:g} is not a {kind}")
-        return {"value": (quaternion_to_matrix(found) if quaternions else found).tolist()}
+        kind = "unit quaternion" if quaternions else "rotation matrix"
+        rotates = is_quaternion(flown, _TOLERANCE) if quaternions else is_so(flown, _TOLERANCE)
+        if not rotates.all():
+            raise ValueError(f"the answer at s = {shares[rotates.argmin()]:g} is not a {kind}")
+        return {"value": (quaternion_to_matrix(flown) if quaternions else flown).tolist()}
 
     alt = (
-        "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one that "
-        "flies from the "
+        "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one "
+        "that flies from the first orientation to the second, with the paths of its nose and of a "
+        "wing tip."
     )
-    alt += "first orientation to the second, with the paths of its nose and of a wing tip."
-    model = {"figure": "fly", "title": "Two orientations and the motion between them"}
-    return Figure(
-        model | {"ends": [R.tolist() for R in ends]},
-        alt,
-        "Drag a nose or a wing tip, then fly.",
-        ask,
-    )
+    model = {
+        "figure": "fly",
+        "title": "Two orientations and the motion between them",
+        "ends": [R.tolist() for R in ends],
+    }
+    return Figure(model, alt, "Drag a nose or a wing tip, then fly.", ask)
 
 
 def table(at):
-    """Return a figure for `alive`: a position to drag, f(position) answers with the two joint angles of the 2R arm.
+    """Return a figure for `alive`: a position to drag, and the 2R arm that is to reach it.
 
-    The true arm, with links of 1 m, is drawn beside it. For pages, f is asked beforehand at `at`
-    and 0.1 m apart, and there the query goes from one of these to the next.
+    f(position) answers with the arm's two joint angles. The true arm, with links of 1 m, is drawn
+    beside it. For pages, f is asked beforehand at `at` and 0.1 m apart, and there the query goes
+    from one of these to the next.
 
     Parameters
     ----------
     at : array_like, shape (2,)
         The query at the start, in metres. f is called with such an array and returns angles (2,),
         or None.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    ValueError
+        If `at` is no position in the plane.
     """
     at = real_array(at, "at", (2,))
 
     def ask(f, question):
-        found = f(np.array(question["at"], float))
-        if found is None:
+        answer = f(np.array(question["at"], float))
+        if answer is None:
             return {"value": []}
-        angles = np.asarray(found, float).ravel()
+        angles = np.asarray(answer, float).ravel()
         if angles.shape != (2,):
             raise ValueError(
-                f"the answer should be two joint angles; its shape is {np.shape(found)}"
+                f"the answer should be two joint angles; its shape is {np.shape(answer)}"
             )
         return {"value": angles.tolist() if np.isfinite(angles).all() else []}
 
     def stored(f):
         side = np.arange(-2, 2 + _STEP / 2, _STEP)
         grid = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2).round(4) + 0.0
-        grid = np.vstack([at, grid[np.linalg.norm(grid, axis=-1) <= 2]])
+        reachable = grid[np.linalg.norm(grid, axis=-1) <= 2]
+        queries = np.vstack([at, reachable])
         answers = Answers(f, ask)
-        given = [answers({"at": p})["value"] or [np.nan, np.nan] for p in grid]
-        return {"at": grid.T.tolist(), "q": np.round(given, 4).T.tolist()}
+        angles = [answers({"at": query})["value"] or [np.nan, np.nan] for query in queries]
+        return {"at": queries.T.tolist(), "q": np.round(angles, 4).T.tolist()}
 
     model = {
         "figure": "table",
@@ -187,16 +242,15 @@ def table(at):
     }
     alt = (
         "A planar arm with two links that takes the joint angles answered for a position, which "
-        "can be dragged, and "
+        "can be dragged, and beside it, blue, the arm that reaches the position exactly."
     )
-    alt += "beside it, blue, the arm that reaches the position exactly."
     return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
 
 
 def drive(plan, *, exact=False):
-    """Return a figure for `alive`: a robot to drive, f(start, plan, dt) follows its log to where it believes it is.
+    """Return a figure for `alive`: a robot to drive, and where it believes it is.
 
-    The true robot is drawn beside it.
+    f(start, plan, dt) follows the log of its velocities. The true robot is drawn beside it.
 
     Parameters
     ----------
@@ -205,8 +259,18 @@ def drive(plan, *, exact=False):
         is called with the whole log in this form, and returns poses (n, 3).
     exact : bool, optional
         Whether the library, where it answers, follows the log exactly and not by Euler's method.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    ValueError
+        If `plan` is not a sequence of such pairs.
     """
-    driven = propagate_body_exact(np.zeros(3), plan, 0.5)  # raises for what is no plan
+    # This raises for what is no plan.
+    driven = propagate_body_exact(np.zeros(3), plan, _TIME_STEP)
 
     def ask(f, question):
         log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
@@ -218,19 +282,19 @@ def drive(plan, *, exact=False):
         "title": "A robot and its own dead reckoning",
         "half": 3,
         "centre": [0.3, 0.7],
+        "dock": driven[-1, :2].round(3).tolist(),
+        "dt": _TIME_STEP,
+        "exact": bool(exact),
+        "plan": [[list(map(float, velocity)), float(duration)] for velocity, duration in plan],
     }
-    model |= {"dock": driven[-1, :2].round(3).tolist(), "dt": 0.5, "exact": bool(exact)}
-    model["plan"] = [[list(map(float, v)), float(t)] for v, t in plan]
     alt = (
         "A robot on a floor that arrow keys or buttons drive, its path, and beside it a second "
-        "robot: where a function "
+        "robot: where a function computes it to be from the log of its velocities. A slider sets "
+        "the step of that function."
     )
-    alt += (
-        "computes it to be from the log of its velocities. A slider sets the step of that function."
-    )
-    asked = "Do the robots still separate?" if exact else "Where do the robots separate?"
+    question = "Do the robots still separate?" if exact else "Where do the robots separate?"
     caption = (
-        f"Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by "
-        f"mouse). {asked}"
+        "Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by "
+        f"mouse). {question}"
     )
     return Figure(model, alt, caption, ask)

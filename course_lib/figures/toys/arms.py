@@ -1,4 +1,7 @@
-"""The toys of notebooks 4 and 5: the iiwa, the Panda, and any arm moved by the student's own forward kinematics."""
+"""The toys of notebooks 4 and 5: the iiwa, the Panda, and any arm.
+
+The student's own forward kinematics can move the arm.
+"""
 
 import inspect
 
@@ -11,36 +14,47 @@ from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
 
 _IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
-# a, alpha, d of arms.panda(): the rows of Craig's table.
-PANDA_ROWS = [[0, 0, 0.333], [0, -np.pi / 2, 0], [0, np.pi / 2, 0.316], [0.0825, np.pi / 2, 0]]
-PANDA_ROWS += [[-0.0825, -np.pi / 2, 0.384], [0, np.pi / 2, 0], [0.088, np.pi / 2, 0]]
+# a, alpha, d of arms.panda(), in metres and radians: the rows of Craig's table.
+PANDA_ROWS = [
+    [0, 0, 0.333],
+    [0, -np.pi / 2, 0],
+    [0, np.pi / 2, 0.316],
+    [0.0825, np.pi / 2, 0],
+    [-0.0825, -np.pi / 2, 0.384],
+    [0, np.pi / 2, 0],
+    [0.088, np.pi / 2, 0],
+]
 
 
 def iiwa_toy():
-    """Return a toy: the KUKA iiwa with sliders for its joints, screw axes, velocity and force ellipsoids.
+    """Return a toy: the KUKA iiwa with sliders for its joints, and its ellipsoids.
 
-    A further slider stretches the arm through a singularity of its elbow.
+    It shows the screw axes, the velocity ellipsoid and the force ellipsoid. A further slider
+    stretches the arm through a singularity of its elbow.
+
+    Returns
+    -------
+    Toy
     """
     alt = (
         "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are "
-        "dashed lines; "
-        "ellipsoids at the end-effector show how fast it moves and how hard it pushes in each "
-        "direction. One more "
-        "slider drives the arm through its stretched, singular configuration."
+        "dashed lines; ellipsoids at the end-effector show how fast it moves and how hard it "
+        "pushes in each direction. One more slider drives the arm through its stretched, singular "
+        "configuration."
     )
     caption = (
         "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is "
         "lost bears any load."
     )
     model = arm_view(iiwa14(), _IIWA_START, "The KUKA iiwa and its joints")
-    return Toy(
-        "arm", model | {"parts": ["axes", "ellipsoids", "singularity"]}, alt, caption=caption
-    )
+    model["parts"] = ["axes", "ellipsoids", "singularity"]
+    return Toy("arm", model, alt, caption=caption)
 
 
 def panda_toy(q):
-    """Return a toy: the Franka Panda with its joints, its DH frames one by one, and its elbow by one slider.
+    """Return a toy: the Franka Panda with its joints, its DH frames and its elbow.
 
+    Sliders move the joints, and show the frames of its Denavit-Hartenberg table one by one.
     The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within
     their limits.
 
@@ -48,29 +62,38 @@ def panda_toy(q):
     ----------
     q : array_like, shape (7,)
         Joint angles at the start, in radians.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `q` does not hold seven angles.
     """
     alt = (
         "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows "
-        "the frames of its "
-        "Denavit-Hartenberg table one by one; another swings the elbow while the flange keeps its "
-        "pose."
+        "the frames of its Denavit-Hartenberg table one by one; another swings the elbow while "
+        "the flange keeps its pose."
     )
     names = [f"{{{i}}}" for i in range(1, 8)] + ["{f}"]
     caption = (
-        "The flange can stay where it is while the elbow swings: seven joints, and six numbers for "
-        "a pose."
+        "The flange can stay where it is while the elbow swings: seven joints, and six numbers "
+        "for a pose."
     )
     model = arm_view(panda(), q, "The Franka Panda and its joints")
-    more = {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
-    more["frameNames"] = ["0", "f"]
-    return Toy("arm", model | more, alt, caption=caption)
+    model |= {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
+    model["frameNames"] = ["0", "f"]
+    return Toy("arm", model, alt, caption=caption)
 
 
 def jog(arm, fk=None, *, q, base=None, names=None):
-    """Return a toy: an arm with a slider for each joint, moved by your own forward kinematics in a live notebook.
+    """Return a toy: an arm with a slider for each joint.
 
-    Where ``fk`` and the library differ, both arms are drawn, the library's pale, so that a mistake
-    can be seen. On an exported page, without a kernel, the page itself moves the arm.
+    In a live notebook your own forward kinematics moves it. Where ``fk`` and the library differ,
+    both arms are drawn, the library's pale, so that a mistake can be seen. On an exported page,
+    without a kernel, the page itself moves the arm.
 
     Parameters
     ----------
@@ -87,12 +110,20 @@ def jog(arm, fk=None, *, q, base=None, names=None):
     names : (str, str), optional
         Names of the base frame and of the end-effector's frame, as the text around the figure has
         them; "s" and "b" if None.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `fk` is no function, `q` does not have its shape, or `base` is no pose.
     """
     if fk is not None and not callable(fk):
         raise ValueError(f"fk must be a function of joint angles; it is {fk!r:.60}")
-    fk = getattr(
-        fk, "attempt", fk
-    )  # a wrong answer, in whose place check.NAME.use gave a right one
+    # A wrong answer, in whose place check.NAME.use gave a right one.
+    fk = getattr(fk, "attempt", fk)
     base = np.eye(4) if base is None else real_array(base, "base", (4, 4))
     if not is_se(base):
         raise ValueError("base must be a pose (rigid.nearest_se gives one near it)")
@@ -100,17 +131,18 @@ def jog(arm, fk=None, *, q, base=None, names=None):
         raise ValueError(f"names must be two names, of base and end-effector; it is {names!r:.60}")
     alt = (
         f"An arm with {arm.n} joints as a solid body, with a slider for each joint and its screw "
-        f"axes as dashed lines."
+        "axes as dashed lines."
     )
-    answer = (
-        None if fk is None else Answers(fk, _moved_by(arm, inverse(base), _positional(fk) >= 3))
-    )
+    answer = None
+    if fk is not None:
+        takes_screws = _positional(fk) >= 3
+        answer = Answers(fk, _moved_by(arm, inverse(base), takes_screws))
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
+    model["parts"] = ["axes"]
     caption = "Which of the dashed axes move with a joint, and which stay?"
-    more = {"parts": ["axes"]}
     if names is not None:
-        more["frameNames"] = list(names)
-    return Toy("arm", model | more, alt, answer, caption)
+        model["frameNames"] = list(names)
+    return Toy("arm", model, alt, answer, caption)
 
 
 def _are_two_names(names):
@@ -119,21 +151,31 @@ def _are_two_names(names):
 
 
 def build_up_toy(arm, *, q):
-    """Return a toy that builds an arm's product of exponentials up, factor by factor, with the Jacobian's columns.
+    """Return a toy that builds an arm's product of exponentials up, factor by factor.
+
+    It shows the columns of the Jacobian too.
 
     Parameters
     ----------
     arm : SerialArm
     q : array_like, shape (n,)
         Joint angles, in radians.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `q` does not hold an angle for each joint.
     """
     model = arm_view(arm, q, f"An arm with {arm.n} joints, factor by factor", np.zeros((1, arm.n)))
     model["start"] = min(4, arm.n)
     alt = (
-        "An arm as a translucent body, whose product of exponentials is built up factor by factor. "
-        "Each screw axis is "
-        "drawn where it was, dashed, and where it is now; the column of the Jacobian that belongs "
-        "to it stands out."
+        "An arm as a translucent body, whose product of exponentials is built up factor by "
+        "factor. Each screw axis is drawn where it was, dashed, and where it is now; the column "
+        "of the Jacobian that belongs to it stands out."
     )
     caption = "A factor moves everything after it; the axes before it stay where they are."
     return Toy("build_up", model, alt, caption=caption)
@@ -156,21 +198,25 @@ def _moved_by(arm, to_base, takes_screws):
 
     def move(fk, question):
         q = np.array(question["q"], float)
-        if takes_screws:  # every body by the student's function, which is given the joints up to it
+        bodies = None
+        if takes_screws:
+            # The student's function moves every body: it is given the joints up to that one.
             screws = arm.screw_axes
-            ends = [(screws[:i], np.eye(4), q[:i]) for i in range(1, arm.n + 1)] + [
-                (screws, arm.home[-1], q)
-            ]
-            *bodies, end = (
-                numbers(fk(*(part.copy() for part in each)), "a pose", 4, 4) for each in ends
-            )
+
+            def pose(count, home):
+                answer = fk(screws[:count].copy(), home.copy(), q[:count].copy())
+                return numbers(answer, "a pose", 4, 4)
+
+            bodies = [pose(count, np.eye(4)) for count in range(1, arm.n + 1)]
+            end = pose(arm.n, arm.home[-1])
         else:
-            end, bodies = np.asarray(fk(q.copy()), float), None
-            if end.shape == (arm.n + 1, 4, 4) and np.isfinite(end).all():
-                frames = to_base @ end
-                end, bodies = frames[-1], frames[:-1] @ inverse(arm.home[:-1])
+            answer = np.asarray(fk(q.copy()), float)
+            if answer.shape == (arm.n + 1, 4, 4) and np.isfinite(answer).all():
+                frames = to_base @ answer
+                bodies = frames[:-1] @ inverse(arm.home[:-1])
+                end = frames[-1]
             else:
-                end = to_base @ numbers(end, "a pose", 4, 4)
+                end = to_base @ numbers(answer, "a pose", 4, 4)
         if bodies is not None:
             bodies = [np.eye(4).tolist(), *(np.asarray(T).tolist() for T in bodies)]
         gap = float(np.abs(end - arm.fk(q)).max())
@@ -180,18 +226,37 @@ def _moved_by(arm, to_base, takes_screws):
 
 
 def arm_view(arm, q, title, also=()):
-    """Return what a script needs to draw an arm as a solid body: its kinematics, its bodies, where to look.
+    """Return what a script needs to draw an arm as a solid body.
 
-    The view is centred on the arm at q and at further joint angles `also`, shape (k, n).
+    That is the arm's kinematics, its bodies, and where to look.
+
+    Parameters
+    ----------
+    arm : SerialArm
+    q : array_like, shape (n,)
+        Joint angles at the start, in radians.
+    title : str
+        What the figure's buttons and pictures are called.
+    also : array_like, shape (k, n), optional
+        Further joint angles; the view is centred on the arm at all of them.
+
+    Returns
+    -------
+    dict
+        As JSON.
+
+    Raises
+    ------
+    ValueError
+        If `q` does not hold an angle for each joint.
     """
     q = real_array(q, "q", (arm.n,))
     if q.shape != (arm.n,):
         raise ValueError(f"q must have shape ({arm.n},); its shape is {q.shape}")
     model = Model.of(shell(arm))
-    at = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
-    size = np.linalg.norm(
-        np.diff(np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]]), axis=0), axis=-1
-    ).sum()
+    vertices = model.placed(link_poses(arm, np.array([q, *also]))).reshape(-1, 3)
+    origins = np.concatenate([np.zeros((1, 3)), arm.home[:, :3, 3]])
+    size = np.linalg.norm(np.diff(origins, axis=0), axis=-1).sum()
     return {
         "title": title,
         "arm": {"screws": arm.screw_axes.tolist(), "home": arm.home.tolist()},
@@ -200,7 +265,7 @@ def arm_view(arm, q, title, also=()):
         "q": q.tolist(),
         "size": round(float(size), 4),
         "floor": round(float(0.5 * size), 4),
-        "ground": round(float(min(0, at[:, 2].min())), 4),
+        "ground": round(float(min(0, vertices[:, 2].min())), 4),
         "elevation": 0.3,
-        "centre": ((at.min(0) + at.max(0)) / 2).round(3).tolist(),
+        "centre": ((vertices.min(0) + vertices.max(0)) / 2).round(3).tolist(),
     }

@@ -6,14 +6,15 @@ from course_lib import rigid
 from course_lib.figures.solids import scene
 from course_lib.figures.solids.model import Model, Part
 from course_lib.figures.style import BLACK as INK
-from course_lib.figures.toys.toy import Toy, solid
+from course_lib.figures.toys.toy import OFF_TIES, Toy, solid
 from course_lib.rotations import log_so3
 
-_RATE, _MOST_POSES = (
-    20,
-    600,
-)  # poses in a second, and in a film; bodies move along screws between them
+# Poses in a second and in a film; bodies move along screws between them.
+_RATE = 20
+_MAX_POSES = 600
+_MAX_POINTS = 300  # about so many points of a path are stored
 _MILLIMETRES = 1000  # the unit of positions, in which numbers are short
+_POSITION_OFF_TIES = 3.1e-4  # OFF_TIES in millimetres
 VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
 
 
@@ -34,57 +35,70 @@ def film(
 ):
     """Return a toy in which bodies move in real time, or stand still if there is one time.
 
-    parts: Parts, of the bodies 0, 1, ... poses: (m, bodies, 4, 4), at times (m,), in seconds,
-    increasing. name: that of its file if it is written as an animation. paths: (points (n, 3),
-    colour, dashes in pixels); a row of NaN interrupts a path. words: (word, point, colour). pale:
-    Parts that are translucent. view: (3,), the direction to the eye. ground: the height of the
-    floor; that of the lowest point if None, no floor if False. near: (n, 3), what the picture
-    shows; all if None.
+    Parameters
+    ----------
+    parts : list of Part
+        Of the bodies 0, 1, and so on.
+    poses : array_like, shape (m, bodies, 4, 4)
+    times : array_like, shape (m,)
+        Of the poses, in seconds, increasing.
+    alt, caption : str
+        What the film shows, and what to notice in it.
+    name : str, optional
+        That of its file if it is written as an animation.
+    paths : sequence of (points, colour, dashes), optional
+        Points, shape (n, 3), in metres; a row of NaN interrupts a path. Dashes are in pixels.
+    words : sequence of (word, point, colour), optional
+        Points, shape (3,), in metres.
+    pale : sequence of Part, optional
+        Parts that are translucent.
+    view : array_like, shape (3,), optional
+        The direction to the eye.
+    ground : float or False, optional
+        The height of the floor; that of the lowest point if None, no floor if False.
+    near : array_like, shape (n, 3), optional
+        What the picture shows, in metres; all if None.
+
+    Returns
+    -------
+    Toy
     """
-    kept = _evenly(len(times), min(_MOST_POSES, round(_RATE * (times[-1] - times[0])) + 1))
-    poses, times = np.asarray(poses, float)[kept], np.asarray(times, float)[kept]
+    sampled = round(_RATE * (times[-1] - times[0])) + 1
+    kept = _evenly(len(times), min(_MAX_POSES, sampled))
+    poses = np.asarray(poses, float)[kept]
+    times = np.asarray(times, float)[kept]
     model = Model.of(parts)
     vertices = model.placed(poses[:: max(1, len(poses) // 20)]).reshape(-1, 3)
-    more = [
-        *(part.moved(poses[0, part.body]).mesh.vertices for part in pale),
-        *(points for points, *_ in paths),
-        *([p] for _, p, _ in words),
-    ]
-    shown = np.concatenate([vertices, *more])
-    low, high = (extreme(shown if near is None else near, 0) for extreme in (np.nanmin, np.nanmax))
+    pale_vertices = [part.moved(poses[0, part.body]).mesh.vertices for part in pale]
+    path_points = [points for points, *_ in paths]
+    word_points = [[point] for _, point, _ in words]
+    shown = near
+    if near is None:
+        shown = np.concatenate([vertices, *pale_vertices, *path_points, *word_points])
+    low = np.nanmin(shown, 0)
+    high = np.nanmax(shown, 0)
     centre, radius = scene.floor_size(vertices)
-    azimuth, elevation = (
-        np.arctan2(view[1], view[0]),
-        np.arctan2(view[2], np.hypot(view[0], view[1])),
-    )
+    azimuth = np.arctan2(view[1], view[0])
+    elevation = np.arctan2(view[2], np.hypot(view[0], view[1]))
+    floor_height = low[2] if ground is None else ground
+    positions = _MILLIMETRES * poses[..., :3, 3] + _POSITION_OFF_TIES
     meta = {
         "title": alt.split(": ", 1)[-1].split(". ")[0],
         "solid": solid(model),
         "times": (times - times[0]).round(4).tolist(),
         # Two arrays, because each is rounded by its own largest number.
-        "rotations": (np.round(log_so3(poses[..., :3, :3]) + 3.1e-7, 5) + 0.0).tolist(),
-        "positions": (np.round(_MILLIMETRES * poses[..., :3, 3] + 3.1e-4, 2) + 0.0).tolist(),
-        "paths": [
-            [
-                np.round(points[:: max(1, len(points) // 300)] + 3.1e-7, 4).tolist(),
-                colour,
-                list(dash),
-            ]
-            for points, colour, dash in paths
-        ],
+        "rotations": (np.round(log_so3(poses[..., :3, :3]) + OFF_TIES, 5) + 0.0).tolist(),
+        "positions": (np.round(positions, 2) + 0.0).tolist(),
+        "paths": [[_rounded_path(points), colour, list(dash)] for points, colour, dash in paths],
         "words": [
-            [word, np.round(np.add(point, 3.1e-7), 4).tolist(), colour]
+            [word, np.round(np.add(point, OFF_TIES), 4).tolist(), colour]
             for word, point, colour in words
         ],
         "centre": ((low + high) / 2).round(3).tolist(),
         "radius": round(0.25 * float(np.linalg.norm(high - low)), 3),
         "azimuth": round(float(azimuth), 4),
         "elevation": round(float(elevation), 4),
-        "floor": [
-            *centre.tolist(),
-            round(float(low[2] if ground is None else ground), 4),
-            float(radius),
-        ],
+        "floor": [*centre.tolist(), round(float(floor_height), 4), float(radius)],
     }
     if ground is False:
         del meta["floor"]
@@ -92,7 +106,15 @@ def film(
         meta["pale"] = solid(Model.of(pale))
     if near is not None:
         meta["near"] = np.round(near, 4).tolist()
-    return Toy("film", meta | ({"movie": name} if name else {}), alt, caption=caption)
+    if name:
+        meta["movie"] = name
+    return Toy("film", meta, alt, caption=caption)
+
+
+def _rounded_path(points):
+    """Return about `_MAX_POINTS` of the points of a path, as JSON."""
+    step = max(1, len(points) // _MAX_POINTS)
+    return np.round(points[::step] + OFF_TIES, 4).tolist()
 
 
 def flat_film(
@@ -110,9 +132,31 @@ def flat_film(
 ):
     """Return a film in the plane, around a centre, with `half` metres to both sides.
 
-    shapes: the corners (m, n, 2) of each thing that moves, at times (m,), in seconds: joined, and
-    closed or not. name: that of its file if it is written as an animation. still: (points (n, 2),
-    colour, dashes in pixels); one is a dot.
+    Parameters
+    ----------
+    shapes : sequence of array_like, shape (m, n, 2)
+        The corners of each thing that moves, in metres.
+    times : array_like, shape (m,)
+        In seconds, increasing.
+    alt, caption : str
+        What the film shows, and what to notice in it.
+    name : str
+        That of its file if it is written as an animation.
+    still : sequence of (points, colour, dashes)
+        What stands still: points, shape (n, 2), in metres, joined by a line; a single point is a
+        dot. Dashes are in pixels.
+    half : float
+        Metres from the centre to both sides.
+    centre : array_like, shape (2,), optional
+        In metres.
+    proportion : float, optional
+        Height over width.
+    closed : bool, optional
+        Whether the last corner is joined to the first.
+
+    Returns
+    -------
+    Toy
     """
     meta = {
         "title": alt.split(". ")[1],
@@ -134,29 +178,58 @@ def flat_film(
 def still(parts, alt, caption="", *, at=None, proportion=0.75, **look):
     """Return a picture of Parts that stand still, without a floor.
 
-    at: (bodies, 4, 4), the poses of bodies; if None, there is one, where its meshes are.
-    proportion: height over width. look: as of `film`.
+    Parameters
+    ----------
+    parts : list of Part
+    alt, caption : str
+        What the picture shows, and what to notice in it.
+    at : array_like, shape (bodies, 4, 4), optional
+        The poses of bodies; if None, there is one, where its meshes are.
+    proportion : float, optional
+        Height over width.
+    **look
+        Further arguments of `film`.
+
+    Returns
+    -------
+    Toy
     """
     poses = [np.eye(4)[None]] if at is None else [at]
-    made = film(parts, poses, [0.0], alt, caption, ground=False, **look)
-    made.meta["proportion"] = proportion
-    return made
+    picture = film(parts, poses, [0.0], alt, caption, ground=False, **look)
+    picture.meta["proportion"] = proportion
+    return picture
 
 
 def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
-    """Return a picture of things beside each other, `apart` metres as seen from `view`.
+    """Return a picture of things beside each other.
 
-    groups: {title: (Parts, pale Parts, paths, words)}, each around the origin. high: where the
-    titles stand.
+    Parameters
+    ----------
+    groups : dict
+        Title to (Parts, pale Parts, paths, words), each around the origin; paths and words are those
+        of `film`.
+    apart : float
+        Metres between neighbours, as seen from `view`.
+    alt, caption : str
+        What the picture shows, and what to notice in it.
+    view : array_like, shape (3,), optional
+        The direction to the eye.
+    high : float, optional
+        Metres above the origin at which the titles stand.
+
+    Returns
+    -------
+    Toy
     """
     parts, pale, paths, words = [], [], [], []
     right = apart * np.cross([0, 0, 1], view) / np.linalg.norm(view[:2])
     places = (np.arange(len(groups)) - (len(groups) - 1) / 2)[:, None] * right
-    for i, (place, (title, group)) in enumerate(zip(places, groups.items(), strict=True)):
-        for drawn, own in zip((parts, pale), group, strict=False):
-            drawn += [Part(i, part.colour, part.mesh) for part in own]
-        paths += [(points + place, *look) for points, *look in group[2]]
-        words += [(word, point + place, colour) for word, point, colour in group[3]]
+    for body, (place, (title, group)) in enumerate(zip(places, groups.items(), strict=True)):
+        own_parts, own_pale, own_paths, own_words = group
+        parts += [Part(body, part.colour, part.mesh) for part in own_parts]
+        pale += [Part(body, part.colour, part.mesh) for part in own_pale]
+        paths += [(points + place, *look) for points, *look in own_paths]
+        words += [(word, point + place, colour) for word, point, colour in own_words]
         words.append((title, place + np.array([0, 0, high]), INK))
     at = rigid.transform(np.broadcast_to(np.eye(3), (len(places), 3, 3)), places)
     return still(
@@ -164,6 +237,6 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
     )
 
 
-def _evenly(n, most):
+def _evenly(n, max_count):
     """The numbers of at most so many of n samples, the first and the last among them."""
-    return np.unique(np.linspace(0, n - 1, min(n, max(most, 2))).astype(int))
+    return np.unique(np.linspace(0, n - 1, min(n, max(max_count, 2))).astype(int))

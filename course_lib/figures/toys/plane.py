@@ -5,11 +5,18 @@ from course_lib.figures.toys.toy import Toy
 
 
 def two_poses_toy():
-    """Return a toy: two planar poses to drag, the straight and the screw motion between them, and the pole."""
+    """Return a toy: two planar poses to drag, and two motions between them.
+
+    The motions are the straight one and the screw motion, whose pole is drawn.
+
+    Returns
+    -------
+    Toy
+    """
     alt = (
         "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow "
-        "keys, with the "
-        "straight motion and the screw motion between them, and the pole of the screw motion."
+        "keys, with the straight motion and the screw motion between them, and the pole of the "
+        "screw motion."
     )
     caption = "The dot is the pole: the red arc is one rotation about it."
     model = {"start": [-3.0, -1.5, 0.2], "goal": [2.5, 1.5, 2.0], "half": 5.0}
@@ -17,7 +24,9 @@ def two_poses_toy():
 
 
 def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping=0.05):
-    """Return a toy: a planar arm with four links of 1 m, a target to drag, and damped least-squares steps towards it.
+    """Return a toy: a planar arm with four links of 1 m, and a target to drag.
+
+    The arm takes damped least-squares steps towards the target.
 
     Parameters
     ----------
@@ -29,8 +38,18 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
         Share of each computed step that is taken, from 0.05 to 4.
     damping : float
         Added to the diagonal of J J^T, in square metres, from 1e-4 to 30.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If an argument does not have its shape, or lies outside its interval.
     """
-    q, target = real_array(q, "q", (4,)), real_array(target, "target", (2,))
+    q = real_array(q, "q", (4,))
+    target = real_array(target, "target", (2,))
     for name, value, low, high in (("step", step, 0.05, 4), ("damping", damping, 1e-4, 30)):
         if not low <= value <= high:
             raise ValueError(f"{name} must lie between {low:g} and {high:g}; it is {value!r}")
@@ -43,23 +62,27 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
     }
     alt = (
         f"A planar arm with 4 links and a target at ({target[0]:g}, {target[1]:g}) m that can be "
-        f"dragged or moved by "
-        "the arrow keys. Sliders set step size and damping of the damped least-squares steps; a "
-        "green ellipse shows "
-        "the manipulability, a curve the distance left after each step."
+        "dragged or moved by the arrow keys. Sliders set step size and damping of the damped "
+        "least-squares steps; a green ellipse shows the manipulability, a curve the distance left "
+        "after each step."
     )
     caption = "The longer the ellipse in a direction, the faster the joints can move the tip there."
     return Toy("planar_arm", model, alt, caption=caption)
 
 
 def cells_toy():
-    """Return a toy: a two-link arm's workspace in cells whose size a slider sets, and the two planes of one cell."""
+    """Return a toy: a two-link arm's workspace in cells whose size a slider sets.
+
+    It shows the two planes of one cell.
+
+    Returns
+    -------
+    Toy
+    """
     alt = (
         "The workspace of a two-link arm cut into square cells of 0.5 m, coloured by the error of "
-        "each cell's two "
-        "planes. A slider sets the size; the cell under the query, which starts at (0.9, 0.7) m, "
-        "shows its planes "
-        "over x and y."
+        "each cell's two planes. A slider sets the size; the cell under the query, which starts "
+        "at (0.9, 0.7) m, shows its planes over x and y."
     )
     caption = (
         "Each cell has the colour of its error: where is it largest, and what do smaller cells "

@@ -20,9 +20,10 @@ from course_lib.figures.display import show_caption
 from course_lib.figures.solids.model import PALETTE
 from course_lib.figures.stills import TOY, as_key, stored_stills
 
-_OFF_TIES = (
-    3.1e-7  # lengths of models are round numbers: one machine would round a tie up, another down
-)
+# Added before rounding, in metres or radians: lengths of models are round numbers, and one machine
+# would round a tie up, another down. It is smaller than what any of them is rounded to.
+OFF_TIES = 3.1e-7
+_MAX_PROBLEM = 300  # characters of what a student's function raised
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
 # The scripts that are a folder with a file for each subject, in the order in which the files are
@@ -49,6 +50,8 @@ PARTS = {
     "toy_orientation": ("modes", "axis", "gimbals", "order", "velocity", "belt"),
     "toy_alive": ("answers", "reach", "fly", "table", "drive", "click"),
 }
+# How the owners that exercises name are called in messages.
+_OWNERS = {"yours": "your function", "the library's": "the library's function"}
 BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
 ELSEWHERE = (
     "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` "
@@ -138,12 +141,12 @@ class Toy:
         show_caption(self.caption)
 
     def _still_page(self, still):
-        """Return the HTML that is shown where widgets are not: the still, or the words, and where the toy moves."""
+        """Return the HTML that is shown where widgets are not, which says where the toy moves."""
         alt = html.escape(self.alt)
-        shown = (
-            f'<img src="data:image/png;base64,{still}" alt="{alt}">' if still else f"<p>{alt}</p>"
-        )
-        return f"{shown}<p>{ELSEWHERE}</p>"
+        picture = f"<p>{alt}</p>"
+        if still:
+            picture = f'<img src="data:image/png;base64,{still}" alt="{alt}">'
+        return f"{picture}<p>{ELSEWHERE}</p>"
 
     def stored(self):
         """Return what a stored notebook holds: a figure without traces, whose script draws it."""
@@ -151,79 +154,106 @@ class Toy:
 
     def widget(self):
         """Return the toy as a widget for JupyterLab, which loads the same scripts as the page."""
-        widget = _widget_class()(
-            _esm=module(tuple(self.meta["scripts"])), meta=self.meta, alt=self.alt
-        )
+        scripts = module(tuple(self.meta["scripts"]))
+        widget = _widget_class()(_esm=scripts, meta=self.meta, alt=self.alt)
+
+        def reply(_widget, question, _buffers):
+            widget.send(BEGUN)
+            widget.send(self.answer(question))
+
         if self.answer is not None:
             widget.answers = True
-            widget.on_msg(
-                lambda _, question, __: (widget.send(BEGUN), widget.send(self.answer(question)))
-            )
+            widget.on_msg(reply)
         return widget
 
 
 class Answers:
-    """The student's function as a script sees it: a callable that takes a question and returns an answer.
+    """The student's function as a script sees it: it takes a question and returns an answer.
 
-    The attribute ``whose`` of f, if it has one, says whose it is. ``ask(f, question)`` calls a
-    function for a question and returns its answer, a dict of JSON; it raises ValueError if what f
-    returned cannot be drawn.
+    Parameters
+    ----------
+    f : callable
+        Its attribute ``whose``, if it has one, says whose it is.
+    ask : callable
+        ``ask(f, question)`` calls a function for a question and returns its answer, a dict of JSON;
+        it raises ValueError if what f returned cannot be drawn.
     """
 
     def __init__(self, f, ask):
-        self.f, self.ask = f, ask
-        whose = str(getattr(f, "whose", "your function"))
-        self.whose = {"yours": "your function", "the library's": "the library's function"}.get(
-            whose, whose
-        )
+        self.f = f
+        self.ask = ask
+        whose = str(getattr(f, "whose", "yours"))
+        self.whose = _OWNERS.get(whose, whose)
 
     def __call__(self, question):  # noqa: D102
         answer = {"whose": self.whose, "problem": None, "value": None, "gap": None}
         try:
             return answer | self.ask(self.f, question)
         except (Exception, KeyboardInterrupt) as error:  # of the student's code
-            said = " ".join(str(error).split())
-            answer["problem"] = (
-                f"{self.whose[0].upper()}{self.whose[1:]}: {type(error).__name__}: {said}."[:300]
-            )
+            message = " ".join(str(error).split())
+            owner = f"{self.whose[0].upper()}{self.whose[1:]}"
+            problem = f"{owner}: {type(error).__name__}: {message}."
+            answer["problem"] = problem[:_MAX_PROBLEM]
         return answer
 
 
 def numbers(given, what, *shape):
-    """Return what a student's function gave as an array of a shape, where "n" is any size; ValueError if it is none."""
-    found = np.asarray(given, float)
-    if (
-        not found.size
-        or found.ndim != len(shape)
-        or any(size not in ("n", m) for m, size in zip(found.shape, shape, strict=True))
-    ):
-        asked = str(shape).replace("'", "")
+    """Return what a student's function gave as an array of a shape.
+
+    Parameters
+    ----------
+    given : object
+        What the function returned.
+    what : str
+        What it should have returned, in words, for the message.
+    *shape : int or "n"
+        The sizes that it should have, where "n" is any size.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    ValueError
+        If it is no such array, is empty, or contains NaN or infinity.
+    """
+    array = np.asarray(given, float)
+    if not array.size or not _has_shape(array, shape):
+        wanted = str(shape).replace("'", "")
         raise ValueError(
-            f"the answer should be {what} of shape {asked}; its shape is {found.shape}"
+            f"the answer should be {what} of shape {wanted}; its shape is {array.shape}"
         )
-    if not np.isfinite(found).all():
+    if not np.isfinite(array).all():
         raise ValueError("the answer contains NaN or infinity")
-    return found
+    return array
+
+
+def _has_shape(array, shape):
+    if array.ndim != len(shape):
+        return False
+    return all(size in ("n", actual) for actual, size in zip(array.shape, shape, strict=True))
 
 
 def _rounded(node):
-    """Return JSON with numbers of twelve decimals, whose last ones differ between processors, and 0 in place of -0."""
+    """Return JSON with numbers of twelve decimals, because further ones differ between processors.
+
+    A -0 becomes 0, and what is not finite becomes null.
+    """
     if isinstance(node, dict):
         return {key: _rounded(value) for key, value in node.items()}
     if isinstance(node, list | tuple):
         return [_rounded(item) for item in node]
-    return (
-        (round(node, 12) + 0.0 if math.isfinite(node) else None)
-        if isinstance(node, float)
-        else node
-    )
+    if not isinstance(node, float):
+        return node
+    return round(node, 12) + 0.0 if math.isfinite(node) else None
 
 
 def is_live():
-    """Return whether a person looks at this kernel: Jupyter names the session of each in an environment variable.
+    """Return whether a person looks at this kernel.
 
-    What runs notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold
-    plain models.
+    Jupyter names the session of each person's kernel in an environment variable. What runs notebooks
+    for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
@@ -248,18 +278,21 @@ def script(name):
 
 @cache
 def module(scripts):
-    """Return the JavaScript module of a toy's widget: its scripts, and the function `render` that anywidget calls."""
+    """Return the JavaScript module of a toy's widget: its scripts, and anywidget's `render`."""
     return "\n".join(script(name) for name in scripts) + _RENDER
 
 
 def solid(model):
-    """Return a solids.Model for scene.js, as JSON: whole numbers in base64, lengths in tenths of a millimetre."""
+    """Return a solids.Model for scene.js, as JSON: whole numbers in base64.
+
+    Lengths are in tenths of a millimetre.
+    """
 
     def packed(array, kind):
         return base64.b64encode(np.round(array).astype(kind).tobytes()).decode()
 
     return {
-        "vertices": packed(1e4 * (model.vertices + _OFF_TIES), "<i2"),
+        "vertices": packed(1e4 * (model.vertices + OFF_TIES), "<i2"),
         "faces": packed(model.faces, "<u2"),
         "colours": packed(model.colours[model.faces[:, 0]], "u1"),
         "bodies": packed(model.bodies, "u1"),
@@ -269,7 +302,8 @@ def solid(model):
 
 @cache
 def _widget_class():
-    import anywidget  # here, for stored notebooks do without
+    # Imported here, because stored notebooks do without.
+    import anywidget
     import traitlets
 
     class ToyWidget(anywidget.AnyWidget):
