@@ -15,12 +15,12 @@ unexport PYTHONDONTWRITEBYTECODE
 
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
-test html pdf grade notebooks animations bench: export IPYTHONDIR = $(CURDIR)/build/ipython
-test html pdf grade notebooks animations bench: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
+test html pdf grade notebooks animations data bench: export IPYTHONDIR = $(CURDIR)/build/ipython
+test html pdf grade notebooks animations data bench: export MPLCONFIGDIR = $(CURDIR)/build/matplotlib
 # Many small k-means, in parallel tests: threads of their own would only get in each other's way.
 test html notebooks: export OMP_NUM_THREADS = 1
 
-.PHONY: help environment lab update test html pdf student grade notebooks animations lock bench clean
+.PHONY: help environment lab update test html pdf student grade notebooks animations data lock bench clean
 
 help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -80,6 +80,9 @@ notebooks: environment ## run the notebooks and write their outputs into them; N
 
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
 	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
+
+data: environment ## compute a trajectory of the iiwa with exact velocities, build/data/iiwa_trajectory.csv
+	@$(PY) -m course_lib.pack.data
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
 	@sh course_lib/pack/environment.sh lock

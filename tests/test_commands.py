@@ -14,10 +14,14 @@ import numpy as np
 import pytest
 from course_copy import ROOT, copied, made, run
 from nbformat.v4 import new_code_cell, new_markdown_cell
+from numpy.testing import assert_allclose
 from site_notebooks import cell, output, write
 
+from course_lib import trajectory
+from course_lib.arms import iiwa14
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
+from course_lib.pack.data import end_effector_velocity
 from course_lib.pack.grade import options
 
 
@@ -74,6 +78,15 @@ def test_make_update_makes_the_folder_of_exercises_and_says_that_it_is_new(cours
     assert "Made exercises/" in made(course, "update")
     assert "are of this version" in made(course, "update")
     shutil.rmtree(course / "exercises")
+
+
+def test_make_data_writes_a_trajectory_whose_velocities_are_exact(course):
+    assert "200 samples" in made(course, "data")
+    computed = trajectory.load(course / "build/data/iiwa_trajectory.csv")
+    assert not trajectory.disagreement(computed)
+    J = iiwa14().position_jacobian(computed.q)
+    velocity = (J @ computed.qd[..., None])[..., 0]
+    assert_allclose(velocity, end_effector_velocity(computed.t), atol=1e-8)
 
 
 @pytest.mark.tools("browser")
