@@ -656,12 +656,13 @@ def iterations(counts, most):
     bars = most // width + 1
     first = width * np.arange(bars)  # the least number of iterations in each bar
     fig = charts.panels(
-        [name.replace(", ", ",<br>") for name in counts],
+        list(counts),
         xlabel="iterations",
         ylabel="targets reached",
-        height=360,
+        columns=1,
+        share="x",
+        height=560,
     )
-    fig.layout.margin.t = 70  # a title may have two lines
     for panel, (name, taken) in enumerate(counts.items()):
         bar = np.minimum(np.asarray(taken, int), first[-1]) // width
         heights = np.bincount(bar, minlength=bars)
