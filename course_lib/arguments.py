@@ -1,4 +1,7 @@
-"""Checks of arguments: each returns a usable value, or raises a ValueError that names the argument."""
+"""Checks of arguments, which return a usable value or raise a ValueError.
+
+The message names the argument, what it should be and what came.
+"""
 
 import os
 from functools import partial
@@ -6,48 +9,70 @@ from pathlib import Path
 
 import numpy as np
 
-_LARGEST = 1e100  # of an entry, so that products of three do not overflow
-_MOST_AXES = 16  # some of numpy's functions stop at 32, and results have more axes than arguments
+# The largest size of an entry. The product of three such entries, 1e300, is still below the largest
+# float, 1.8e308.
+_MAX_SIZE = 1e100
+# Some of numpy's functions stop at 32 axes, and results have more axes than arguments.
+_MAX_AXES = 16
 
 
 def real_array(value, name, *shapes, batched=True, copy=True, infinite=False, gaps=False):
-    """Return an argument as a float64 array whose last axes have one of the given shapes, such as (3,) or ("n", 3).
+    """Return an argument as a float64 array whose last axes have one of the given shapes.
 
-    "n" is any number from 1 on. The axes before them are the batch, unless batched=False; () allows
-    every shape. With copy=False, for callers that only read the array, it may be `value` itself.
-    With infinite=True entries may be infinite, as joint limits may; with gaps=True they may be NaN,
-    as answers that are missing are.
+    A shape is a tuple such as (3,) or ("n", 3), in which "n" stands for any number from 1 on.
+
+    Parameters
+    ----------
+    value : array_like
+    name : str
+        The argument's name, for messages.
+    *shapes : tuple
+        The allowed shapes of the last axes; () allows every shape.
+    batched : bool, default True
+        Whether more axes, those of the batch, may stand before them.
+    copy : bool, default True
+        With False, for callers that only read the array, the result may be `value` itself.
+    infinite : bool, default False
+        Whether entries may be infinite, as joint limits may.
+    gaps : bool, default False
+        Whether entries may be NaN, as missing answers are.
+
+    Returns
+    -------
+    array (..., *shape)
+
+    Raises
+    ------
+    ValueError
+        If the argument is not such an array.
     """
     expected = partial(_expected, name, shapes, batched)
     if isinstance(value, np.ma.MaskedArray):
         raise ValueError(f"{expected()}; it is a masked array: fill its gaps, or leave them out")
     try:
         array = np.asarray(value)
-    except (
-        Exception
-    ) as unreadable:  # ragged lists, and any exception from a foreign object's __array__
+    except Exception as unreadable:
+        # This catches ragged lists, and whatever a foreign object's __array__ raises.
         raise ValueError(f"{expected()}; numpy cannot read it: {unreadable!s:.200}") from unreadable
     if array.dtype.kind not in "iuf":
-        what = (
-            f"a {type(value).__name__}" if array.shape == () else f"entries of type {array.dtype}"
-        )
-        raise ValueError(f"{expected()}; it holds {what}")
+        is_single = array.shape == ()
+        contents = f"a {type(value).__name__}" if is_single else f"entries of type {array.dtype}"
+        raise ValueError(f"{expected()}; it holds {contents}")
     if not any(_fits(array.shape, shape, batched) for shape in shapes):
         raise ValueError(f"{expected()}; its shape is {array.shape}")
-    if array.ndim > _MOST_AXES:
-        raise ValueError(f"{name} must have at most {_MOST_AXES} axes; it has {array.ndim}")
+    if array.ndim > _MAX_AXES:
+        raise ValueError(f"{name} must have at most {_MAX_AXES} axes; it has {array.ndim}")
     if array.dtype != np.float64:
         array = array.astype(np.float64)
     elif copy:
         array = array.copy()
-    usable = ~np.isnan(array) if infinite else np.abs(array) <= _LARGEST
+    usable = ~np.isnan(array) if infinite else np.abs(array) <= _MAX_SIZE
     if gaps:
         usable |= np.isnan(array)
-    if (
-        np.count_nonzero(usable) < array.size
-    ):  # a third of the time of usable.all() for a small array
+    # For a small array, counting takes a third of the time of usable.all().
+    if np.count_nonzero(usable) < array.size:
         first = tuple(np.argwhere(~usable)[0])
-        wanted = f"at most {_LARGEST:g}, of either sign" if np.isfinite(array[first]) else "finite"
+        wanted = f"at most {_MAX_SIZE:g}, of either sign" if np.isfinite(array[first]) else "finite"
         raise ValueError(f"{name} must be {wanted}; {entry(name, first)} is {array[first]}")
     return array
 
@@ -61,14 +86,20 @@ def tolerance(value, name="tol"):
 
 
 def positive(value, name, *shape, batched=True):
-    """Return an argument as an array of finite numbers above zero; with batched=False and no shape, one number."""
+    """Return an argument as an array of finite numbers above zero.
+
+    With batched=False and no shape it is one number.
+    """
     array = real_array(value, name, shape, batched=batched)
     refuse_first(array <= 0, name, "must be greater than zero; it is {:g}", array)
     return array
 
 
 def count(value, name="n", least=0):
-    """Return an argument as a whole number, of at most 10^9: no memory holds an answer with more entries."""
+    """Return an argument as a whole number from `least` to 10^9.
+
+    No memory holds an answer with more entries than that.
+    """
     if (
         isinstance(value, bool | np.bool_)
         or not isinstance(value, int | np.integer)
@@ -81,7 +112,7 @@ def count(value, name="n", least=0):
 
 
 def generator(value, name="rng"):
-    """Return an argument if it is a numpy random Generator; a seed is none."""
+    """Return an argument if it is a numpy random Generator, which a seed is not."""
     if not isinstance(value, np.random.Generator):
         kind = type(value).__name__
         raise ValueError(
@@ -105,7 +136,10 @@ def file_path(value, name="path"):
 
 
 def broadcast(**batches):
-    """Return the common shape of several batches, given by their arguments' names; an error names the first misfit."""
+    """Return the common shape of several batches, given by their arguments' names.
+
+    An error names the first argument whose batch does not fit those before it.
+    """
     common = ()
     for name, batch in batches.items():
         try:
@@ -119,7 +153,10 @@ def broadcast(**batches):
 
 
 def refuse_first(bad, name, reason, *values):
-    """Raise ValueError for the first True in a batch of flags: reason, formatted with that entry of the values."""
+    """Raise ValueError for the first True in a batch of flags.
+
+    The message is `reason`, formatted with the entries of the values at the same index.
+    """
     if np.count_nonzero(bad):
         index = tuple(np.argwhere(bad)[0])
         raise ValueError(
@@ -128,7 +165,9 @@ def refuse_first(bad, name, reason, *values):
 
 
 def read_only(array):
-    """Return an array that cannot be changed in place, for values that functions read and that must stay as they are.
+    """Return an array that cannot be changed in place.
+
+    It is for values that functions read and that must stay as they are.
 
     Examples
     --------
@@ -143,7 +182,10 @@ def read_only(array):
 
 
 def entry(name, index):
-    """Return how the entry of an array is written in a message, such as R[2, 0]; with no index, the array's name."""
+    """Return how a message writes the entry of an array, such as R[2, 0].
+
+    Without an index it is the array's name.
+    """
     return f"{name}[{', '.join(str(int(i)) for i in index)}]" if len(index) else name
 
 

@@ -1,4 +1,4 @@
-"""Serial arms: the pose and the velocity of the end-effector for given joint angles.
+"""Serial arms, with the pose and the velocity of the end-effector for given joint angles.
 
 An arm is kept as the screw axes of its joints and the poses of its frames, all at joint angles zero
 and in the base frame.
@@ -21,9 +21,11 @@ from course_lib.rigid import checked_pose, hat_se3, nearest_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 from course_lib.urdf import ROTATING, chain
 
-_SMALL_BATCH = 50  # configurations: up to here matrix products are as fast as BatchedArm
+# Configurations. Up to here matrix products are as fast as BatchedArm.
+_SMALL_BATCH = 50
 _IDENTITY = np.eye(4)
-_NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # of x, y, z, for cross products
+# The axes that follow and precede x, y and z, for cross products: (a x b)_x = a_y b_z - a_z b_y.
+_NEXT, _LAST = [1, 2, 0], [2, 0, 1]
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,8 @@ class DHRow:
     theta: float = 0.0
 
 
-@dataclass(frozen=True, eq=False)  # two arms are equal only if they are the same one
+# Without eq, two arms are equal only if they are the same one.
+@dataclass(frozen=True, eq=False)
 class SerialArm:
     """An arm of n revolute joints, which does not change: its arrays are read-only.
 
@@ -79,7 +82,9 @@ class SerialArm:
 
     @classmethod
     def from_screws(cls, omega, points, home, limits=None):
-        """Return the arm whose joint i rotates about the direction omega[i] through points[i] (MR section 4.1).
+        """Return the arm whose joint i rotates about the direction omega[i] through points[i].
+
+        Source: MR section 4.1.
 
         Parameters
         ----------
@@ -100,12 +105,16 @@ class SerialArm:
 
         Examples
         --------
-        >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], transform(np.eye(3), [1, 0, 0]))  # 1 m long
+        An arm of one link, 1 m long:
+
+        >>> home = transform(np.eye(3), [1, 0, 0])
+        >>> arm = SerialArm.from_screws([[0, 0, 1]], [[0, 0, 0]], home)
         >>> print(arm.fk([np.pi / 2])[:3, 3].round(9))
         [0. 1. 0.]
         """
         omega = real_array(omega, "omega", ("n", 3), batched=False)
-        n, size = len(omega), length(omega)
+        n = len(omega)
+        size = length(omega)
         refuse_first(size == 0, "omega", "is zero: an axis needs a direction")
         omega = omega / size[:, None]
         points = real_array(points, "points", (n, 3), batched=False)
@@ -116,7 +125,8 @@ class SerialArm:
             limits[:, 0] >= limits[:, 1], "limits", "must be low before high; it is {}", limits
         )
         screw_axes = np.concatenate([omega, np.cross(points, omega)], -1)
-        return cls(screw_axes, np.concatenate([transform(np.eye(3), points), home[None]]), limits)
+        frames = transform(np.eye(3), points)
+        return cls(screw_axes, np.concatenate([frames, home[None]]), limits)
 
     @classmethod
     def from_dh(cls, rows, convention="modified", end=None, limits=None):
@@ -139,7 +149,8 @@ class SerialArm:
 
         Examples
         --------
-        >>> arm = SerialArm.from_dh([DHRow(a=1, alpha=0, d=0), DHRow(a=0.5, alpha=0, d=0)], "standard")
+        >>> rows = [DHRow(a=1, alpha=0, d=0), DHRow(a=0.5, alpha=0, d=0)]
+        >>> arm = SerialArm.from_dh(rows, "standard")
         >>> print(arm.fk([0, np.pi / 2])[:3, 3].round(9))
         [1.  0.5 0. ]
         """
@@ -256,7 +267,9 @@ class SerialArm:
         )
 
     def space_jacobian(self, q):
-        """Return the space Jacobian: it maps joint velocities to the end-effector's spatial twist (MR eq. 5.11).
+        """Return the space Jacobian (MR eq. 5.11).
+
+        It maps joint velocities to the end-effector's spatial twist.
 
         Returns
         -------
@@ -276,11 +289,12 @@ class SerialArm:
         )
 
     def geometric_jacobian(self, q):
-        """Return the geometric Jacobian: angular velocity and velocity of the end-effector's origin.
+        """Return the geometric Jacobian of the end-effector's origin.
 
-        Both are expressed along the base frame's axes, in the order (omega, v) that this library
-        uses everywhere; Siciliano and others have (v, omega). Other names for this twist are hybrid
-        and local-world-aligned.
+        It maps joint velocities to the angular velocity of the end-effector and the velocity of its
+        origin. Both are expressed along the base frame's axes, in the order (omega, v) that this
+        library uses everywhere; Siciliano and others have (v, omega). Other names for this twist
+        are hybrid and local-world-aligned.
 
         Returns
         -------
@@ -299,7 +313,9 @@ class SerialArm:
         )
 
     def body_jacobian(self, q):
-        """Return the body Jacobian: it maps joint velocities to the end-effector's twist in its frame (MR eq. 5.22).
+        """Return the body Jacobian (MR eq. 5.22).
+
+        It maps joint velocities to the end-effector's twist in its own frame.
 
         Returns
         -------
@@ -314,10 +330,10 @@ class SerialArm:
          [3. 2.]]
         """
         J = self.geometric_jacobian(q)
-        halves = J.reshape(
-            *J.shape[:-2], 2, 3, self.n
-        )  # omega and v, both along the base frame's axes
-        return (np.swapaxes(self.fk(q)[..., None, :3, :3], -1, -2) @ halves).reshape(J.shape)
+        # omega and v, both along the base frame's axes. R^T brings both to the end-effector's axes.
+        halves = J.reshape(*J.shape[:-2], 2, 3, self.n)
+        R_transposed = np.swapaxes(self.fk(q)[..., None, :3, :3], -1, -2)
+        return (R_transposed @ halves).reshape(J.shape)
 
     def position_jacobian(self, q):
         """Return the Jacobian of the end-effector's position, along the base frame's axes.
@@ -338,21 +354,24 @@ class SerialArm:
 
     @cached_property
     def batched(self):
-        """The same arm for large batches: a BatchedArm."""
+        """The same arm for large batches, as a BatchedArm."""
         return BatchedArm.of(self.screw_axes, self.home)
 
     def _evaluate(self, q, shape, small_batch, fill):
-        """Return (..., *shape) for q (..., n): by the textbook's matrix products, or by BatchedArm for many."""
+        """Return the results (..., *shape) for q (..., n).
+
+        Few configurations are computed by the textbook's matrix products, many by BatchedArm.
+        """
         q = real_array(q, "q", (self.n,))
         if q.size <= _SMALL_BATCH * self.n:
             return small_batch(q)
         return in_chunks(fill, shape, q, batch=q.shape[:-1], most=CHUNK)
 
     def pose_and_geometric_jacobian(self, q):
-        """Return the end-effector's pose (..., 4, 4) and geometric Jacobian (..., 6, n), without looking at q.
+        """Return the end-effector's pose (..., 4, 4) and geometric Jacobian (..., 6, n).
 
-        For small batches q (..., n) that the caller has looked at. It costs little more than one of
-        the two.
+        It is for small batches q (..., n) that the caller has checked, and costs little more than
+        one of the two.
         """
         moved = self._partial_products(q)
         T = moved[..., -1, :, :] @ self.home[-1]
@@ -360,10 +379,18 @@ class SerialArm:
 
     @cached_property
     def _constants(self):
-        """The screw matrices (n, 4, 4), their squares, and each axis's direction and point as columns, (n, 4, 2)."""
+        """The constants of the textbook's matrix products.
+
+        They are the screw matrices (n, 4, 4), their squares, and each axis's direction and point as
+        columns, (n, 4, 2).
+        """
         S, omega, v = hat_se3(self.screw_axes), self.screw_axes[:, :3], self.screw_axes[:, 3:]
         axes = np.zeros((self.n, 4, 2))
-        axes[:, :3, 0], axes[:, :3, 1], axes[:, 3, 1] = omega, np.cross(omega, v), 1
+        axes[:, :3, 0] = omega
+        # omega x v is the point of the axis nearest to the origin (MR section 3.3.2.2). Its last
+        # entry is 1, the direction's is 0, so that a pose moves both in one matrix product.
+        axes[:, :3, 1] = np.cross(omega, v)
+        axes[:, 3, 1] = 1
         return S, S @ S, axes
 
     def _partial_products(self, q):
@@ -371,20 +398,26 @@ class SerialArm:
         S, S_squared, _ = self._constants
         q = q[..., None, None]
         # Rodrigues' formula holds for 4 x 4 matrices too if the screw has no pitch: S^3 = -S.
+        # 2 sin^2(q/2) is 1 - cos q without the loss of digits near 0.
         exponentials = _IDENTITY + np.sin(q) * S + 2 * np.sin(q / 2) ** 2 * S_squared
         for before, product in pairwise(exponentials.swapaxes(-3, 0)):
             product[...] = before @ product
         return exponentials
 
     def _jacobians(self, moved, reference):
-        """Return (..., 6, n): omega of each axis and the velocity of the reference point, omega x (reference - point).
+        """Return the Jacobians (..., 6, n) for the velocity of a reference point.
+
+        Each column is omega of an axis and the velocity that a rotation about this axis gives the
+        reference point, omega x (reference - point).
 
         moved: (..., n, 4, 4), the partial products. A joint does not move its own axis, so joint
         i's product serves.
         """
         axes = moved @ self._constants[2]
-        omega, arm = axes[..., :3, 0], reference - axes[..., :3, 1]
-        v = omega[..., _NEXT] * arm[..., _LAST] - omega[..., _LAST] * arm[..., _NEXT]
+        omega = axes[..., :3, 0]
+        lever = reference - axes[..., :3, 1]
+        # np.cross does the same, but is slower for such small arrays.
+        v = omega[..., _NEXT] * lever[..., _LAST] - omega[..., _LAST] * lever[..., _NEXT]
         return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 
@@ -396,7 +429,9 @@ def checked_arm(value, name):
 
 
 def planar_arm(lengths):
-    """Return the arm in the plane z = 0 whose links lie along x at q = 0 (MR figure 4.1, with n = 3).
+    """Return the arm in the plane z = 0 whose links lie along x at q = 0.
+
+    MR figure 4.1 shows it for n = 3.
 
     Parameters
     ----------
@@ -416,16 +451,16 @@ def planar_arm(lengths):
     lengths = positive(lengths, "lengths", "n", batched=False)
     ends = np.concatenate([[0.0], np.cumsum(lengths)])
     points = np.stack([ends, 0 * ends, 0 * ends], -1)
-    return SerialArm.from_screws(
-        np.tile([0.0, 0, 1], (len(lengths), 1)), points[:-1], transform(np.eye(3), points[-1])
-    )
+    omega = np.tile([0.0, 0, 1], (len(lengths), 1))
+    return SerialArm.from_screws(omega, points[:-1], transform(np.eye(3), points[-1]))
 
 
 def iiwa14():
-    """Return the KUKA LBR iiwa 14 as published in the report: the end-effector 1.301 m above the base at q = 0.
+    """Return the KUKA LBR iiwa 14 as published in the report.
 
-    The geometry is read off the published Jacobian and pose. The manufacturer's flange is 5 mm
-    higher, at 0.360 + 0.420 + 0.400 + 0.126 = 1.306 m.
+    At q = 0 its end-effector is 1.301 m above the base. The geometry is read off the published
+    Jacobian and pose. The manufacturer's flange is 5 mm higher, at 0.360 + 0.420 + 0.400 + 0.126 =
+    1.306 m.
 
     Returns
     -------
@@ -448,9 +483,8 @@ def iiwa14():
         [0, 0, 1.18],
     ]
     limits = np.deg2rad([170, 120, 170, 120, 170, 120, 175])
-    return SerialArm.from_screws(
-        omega, points, transform(np.eye(3), [0, 0, 1.301]), np.stack([-limits, limits], -1)
-    )
+    home = transform(np.eye(3), [0, 0, 1.301])
+    return SerialArm.from_screws(omega, points, home, np.stack([-limits, limits], -1))
 
 
 def panda():
@@ -518,13 +552,21 @@ def ur5e():
 
 
 def _dh_frames(table, convention):
-    """Return the frames 1 to n at q = 0, and the frames about whose z axes the joints rotate, both (n, 4, 4)."""
+    """Return the frames 1 to n at q = 0, and those about whose z axes the joints rotate.
+
+    Both are arrays (n, 4, 4). In the modified convention a joint rotates about the z axis of its
+    own frame, in the standard one about that of the frame before it.
+    """
     frames, axes, before = [], [], np.eye(4)
     for a, alpha, d, theta in table:
         along_x = transform(rot_x(alpha), [a, 0, 0])
         along_z = transform(rot_z(theta), [0, 0, d])
-        frame = before @ (along_x @ along_z if convention == "modified" else along_z @ along_x)
-        axes.append(frame if convention == "modified" else before)
+        if convention == "modified":
+            frame = before @ (along_x @ along_z)
+            axes.append(frame)
+        else:
+            frame = before @ (along_z @ along_x)
+            axes.append(before)
         frames.append(frame)
         before = frame
     return np.array(frames), np.array(axes)

@@ -14,7 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-CHUNK = 2048  # configurations at a time
+# Configurations at a time: few enough that their numbers stay in the processor's cache.
+CHUNK = 2048
+# Entries of a rotation that differ by less from 0, 1 or -1 have it by rounding (a few times 2e-16).
 _ROUNDING = 1e-15
 
 
@@ -48,15 +50,22 @@ class BatchedArm:
 
     @classmethod
     def of(cls, screw_axes, home):
-        """Return the BatchedArm of an arm's screw axes (n, 6) and of the poses home (n + 1, 4, 4) of its frames."""
+        """Return the BatchedArm of an arm's screw axes (n, 6) and the poses of its frames.
+
+        The poses are `home` (n + 1, 4, 4), at q = 0, those of the joints' frames and then that of
+        the end-effector.
+        """
         axes, moments, origins = screw_axes[:, :3], screw_axes[:, 3:], home[:, :3, 3]
         # On each axis the point nearest to the origin of the joint's own frame: MR section 3.3.2.2.
-        points = np.cross(axes, moments) + (axes * origins[:-1]).sum(-1, keepdims=True) * axes
+        heights = (axes * origins[:-1]).sum(-1, keepdims=True)
+        points = np.cross(axes, moments) + heights * axes
         points = np.concatenate([points, origins[-1:]])
         main = np.abs(axes).argmax(-1)
         signs = np.sign(np.take_along_axis(axes, main[:, None], -1))
         z = axes * signs
-        x = np.cross(np.eye(3)[main - 1], z)  # along a coordinate axis of the base if z is
+        # Perpendicular to z, and along a coordinate axis of the base if z is: the factors 0 and 1
+        # that this leaves are the products that are left out.
+        x = np.cross(np.eye(3)[main - 1], z)
         x /= np.linalg.norm(x, axis=-1, keepdims=True)
         frames = np.stack([x, np.cross(z, x), z], -1)
         before = np.swapaxes(np.concatenate([np.eye(3)[None], frames]), -1, -2)
@@ -76,11 +85,12 @@ class BatchedArm:
         )
 
     def joint_frames(self, q):
-        """Yield for each joint the columns and the origin (3, N) of the frame on its axis, for joint angles q (n, N).
+        """Yield for each joint the columns and the origin (3, N) of the frame on its axis.
 
-        What is the same for all configurations may come as (3, 1).
+        The joint angles are q (n, N). What is the same for all configurations may come as (3, 1).
         """
-        # sine and cosine from one function, which numpy has in vector code
+        # sin a = 2 t / (1 + t^2) and cos a = 2 / (1 + t^2) - 1 with t = tan(a/2): one function for
+        # both, which numpy has in vector code.
         tangent = np.tan(self.signs * q / 2)
         cosine_and_1 = 2 / (1 + tangent**2)
         sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
@@ -89,6 +99,7 @@ class BatchedArm:
             self.rotations[:-1], self.translations, sines, cosines, strict=True
         ):
             x, y, z = (_combination(columns, factors) for factors in rotation)
+            # The new columns are c x + s y and c y - s x, added in place to save arrays.
             columns = c * x, c * y, z
             np.add(columns[0], s * y, out=columns[0])
             np.subtract(columns[1], s * x, out=columns[1])
@@ -96,12 +107,19 @@ class BatchedArm:
             origin = origin + _combination(columns, translation) if translation else origin
 
     def end_effector(self, q):
-        """Return the end-effector's orientation, three columns (3, N), and its position (3, N), for q (n, N)."""
+        """Return the end-effector's orientation, three columns (3, N), and position (3, N).
+
+        The joint angles are q (n, N).
+        """
         *_, (columns, origin) = self.joint_frames(q)
         return self._end_effector(columns, origin)
 
     def end_effector_and_axes(self, q):
-        """Return what `end_effector` does, and each axis's direction and a point on it, both (n, 3, N)."""
+        """Return the end-effector's orientation and position, and its joints' axes.
+
+        The first two are as `end_effector` returns them. Each axis is given by its direction and a
+        point on it, both (n, 3, N).
+        """
         directions, points = np.empty((2, *q.shape[:1], 3, *q.shape[1:]))
         for i, (columns, origin) in enumerate(self.joint_frames(q)):
             directions[i], points[i] = self.signs[i] * columns[2], origin
@@ -112,7 +130,10 @@ class BatchedArm:
         _fill_pose(T, *self.end_effector(q))
 
     def fill_frames(self, q, T):
-        """Write the poses of the frames that the joints move to T (n + 1, 4, 4, N), the end-effector's last."""
+        """Write the poses of the frames that the joints move to T (n + 1, 4, 4, N).
+
+        The end-effector's come last.
+        """
         for i, (columns, origin) in enumerate(self.joint_frames(q)):
             rotation, translation = self.frame_offsets[i]
             offset = _combination(columns, translation)
@@ -122,7 +143,10 @@ class BatchedArm:
         _fill_pose(T[-1], *self._end_effector(columns, origin))
 
     def fill_space_jacobian(self, q, J):
-        """Write the space Jacobians to J (6, n, N): omega, and v = p x omega for a point p on the axis."""
+        """Write the space Jacobians to J (6, n, N).
+
+        A column is omega of an axis, and v = p x omega for a point p on the axis.
+        """
         *_, directions, points = self.end_effector_and_axes(q)
         J[:3] = np.swapaxes(directions, 0, 1)
         _fill_cross(J[3:], points, directions)
@@ -153,16 +177,18 @@ def _fill_cross(result, a, b):
 
 
 def _rotation_factors(R):
-    """Return the nonzero factors of each column, with entries near 0, 1 or -1 rounded: R is a product of rotations."""
+    """Return the nonzero factors of each column of a rotation matrix.
+
+    R is a product of rotations, so its entries near 0, 1 or -1 are meant to be that, and are
+    rounded.
+    """
     near = np.round(R)
-    return [
-        _nonzero_factors(column, 1.0)
-        for column in np.where(np.abs(R - near) <= _ROUNDING, near, R).T
-    ]
+    R = np.where(np.abs(R - near) <= _ROUNDING, near, R)
+    return [_nonzero_factors(column, 1.0) for column in R.T]
 
 
 def _nonzero_factors(vector, size):
-    """Return (row, factor) for the entries that are more than rounding beside `size`."""
+    """Return (row, factor) for the entries that are not mere rounding compared with `size`."""
     return [
         (row, float(factor)) for row, factor in enumerate(vector) if abs(factor) > _ROUNDING * size
     ]

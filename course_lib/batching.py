@@ -1,4 +1,6 @@
-"""Batches in the layout that makes numpy fast, a structure of arrays: the items of a batch lie along the last axis.
+"""Batches in the layout that makes numpy fast, a structure of arrays.
+
+The items of a batch lie along the last axis.
 
 An array (N, 3, 3) keeps the nine entries of one matrix together. numpy then works on N tiny
 matrices one after the other, and the overhead of each is most of the time. Here R is (3, 3, N), and
@@ -14,7 +16,9 @@ import math
 
 import numpy as np
 
-ITEMS = 6000  # of a few entries, such as vectors and matrices
+# Items of a few entries, such as vectors and matrices, computed at a time: so few that they stay in
+# the processor's cache.
+ITEMS = 6000
 
 
 def by_entries(formula, shape, *arrays, batch):
@@ -35,19 +39,18 @@ def by_entries(formula, shape, *arrays, batch):
 
 
 def in_chunks(fill, shape, *arrays, batch, most):
-    """Return the results (*batch, *shape) for a batch, computed for at most so many items at a time.
+    """Return the results (*batch, *shape) for a batch, computed in chunks.
 
-    fill(*arrays, result) is given the arrays (..., m) of a chunk, and writes to result (*shape, m).
+    At most `most` items are computed at a time. fill(*arrays, result) is given the arrays (..., m)
+    of a chunk, and writes to result (*shape, m).
     """
     n = math.prod(batch)
     result = np.empty((n, *shape))
     items = [array.reshape((n, *array.shape[len(batch) :])) for array in arrays]
     for start in range(0, n, most):
         chunk = slice(start, start + most)
-        fill(
-            *(np.ascontiguousarray(_batch_last(each[chunk])) for each in items),
-            _batch_last(result[chunk]),
-        )
+        arguments = [np.ascontiguousarray(_batch_last(array[chunk])) for array in items]
+        fill(*arguments, _batch_last(result[chunk]))
     return result.reshape((*batch, *shape))
 
 

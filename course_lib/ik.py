@@ -1,4 +1,4 @@
-"""Inverse kinematics by iteration: joint angles for a pose, or a position, that the end-effector is to reach.
+"""Inverse kinematics by iteration, for a pose or a position of the end-effector.
 
 Sources: Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method,
 IEEE Transactions on Robotics 27 (2011), for damping by the squared error; Nakamura and Hanafusa,
@@ -18,25 +18,34 @@ from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3, nearest_so
 
 REACHED = 1e-6  # metres and radians: a target is reached when both errors are at most this
-# for the search: a tenth, because `solve` measures the result once more
+# The search asks for a tenth of that, because `solve` measures the result once more.
 _REACHED_SQUARED = (REACHED / 10) ** 2
-_DAMPING = (
-    0.1  # times the squared error: short steps far from the target, full Newton steps near it
-)
-# added to it, so that nothing is divided by zero when the arm is stretched towards its target
-_LEAST_DAMPING = 1e-12
-# steps, after which a descent is given up if its last step failed to halve the squared error,
+# The damping is this many times the squared error (Sugihara 2011): steps are short far from the
+# target, and full Newton steps near it.
+_DAMPING = 0.1
+# This is added to the damping, so that nothing is divided by zero when the arm is stretched towards
+# its target.
+_MIN_DAMPING = 1e-12
+# After _PATIENCE steps a descent is given up if its last step failed to halve the squared error,
+# unless the squared error is below _NEAR.
 _PATIENCE = 10
-_NEAR = 0.01  # unless the squared error is below this
-_CANDIDATES = 8  # random configurations, of which the one nearest to the target becomes a start
-_CANDIDATES_ALONE = 32  # the same for a descent by itself, which costs more than choosing well
-_ONE_BY_ONE = 4  # descents for a single target before many are tried at once
-_TOGETHER = 128  # descents that together take about the time of one
+_NEAR = 0.01
+# Radians. A step in which no joint moves more ends a descent; it is far below _REACHED_SQUARED's
+# root, 1e-7.
+_STANDSTILL = 1e-9
+# Random configurations, of which the one nearest to the target becomes a start.
+_CANDIDATES = 8
+# The same for a descent by itself, which costs more than choosing well.
+_CANDIDATES_ALONE = 32
+# Descents for a single target before many are tried at once.
+_ONE_BY_ONE = 4
+# Descents that together take about the time of one.
+_TOGETHER = 128
 
 
 @dataclass(frozen=True)
 class IKResult:
-    """The result of `solve`. The batch (...) is that of the targets.
+    """The result of `solve`, with the batch (...) of the targets.
 
     Attributes
     ----------
@@ -57,7 +66,7 @@ class IKResult:
 
 
 def solve(arm, targets, rng, q0=None, starts=400, steps=50):
-    """Return joint angles within the arm's limits for which the end-effector has the poses `targets`.
+    """Return joint angles, within the limits, at which an arm has the poses `targets`.
 
     Levenberg-Marquardt descends from q0, or from a random configuration. If it fails to converge,
     it descends again from other random configurations; each start is the one nearest to the target
@@ -88,23 +97,27 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     >>> from course_lib.arms import panda
     >>> arm = panda()
     >>> target = arm.fk([0.1, -0.5, 0.2, -2.0, 0.3, 1.8, 0.4])
-    >>> found = solve(arm, target, np.random.default_rng(0))
-    >>> bool(found.success), bool(np.abs(arm.fk(found.q) - target).max() < 1e-6)
+    >>> result = solve(arm, target, np.random.default_rng(0))
+    >>> bool(result.success), bool(np.abs(arm.fk(result.q) - target).max() < 1e-6)
     (True, True)
     """
     checked_arm(arm, "arm")
     targets = checked_pose(targets, "targets", (4, 4))
     generator(rng)
-    starts, steps = count(starts, "starts", least=1), count(steps, "steps", least=1)
-    batch, poses = targets.shape[:-2], targets.reshape(-1, 4, 4)
+    starts = count(starts, "starts", least=1)
+    steps = count(steps, "steps", least=1)
+    batch = targets.shape[:-2]
+    poses = targets.reshape(-1, 4, 4)
     if q0 is not None:
         q0 = real_array(q0, "q0", (arm.n,))
         if broadcast(targets=batch, q0=q0.shape[:-1]) != batch:
             raise ValueError(
                 f"q0 must have a start for each target, {batch}; its batch is {q0.shape[:-1]}"
             )
-        q0 = np.clip(np.broadcast_to(q0, (*batch, arm.n)).reshape(-1, arm.n), *arm.limits.T)
-    best, iterations = np.empty((len(poses), arm.n)), np.empty(len(poses), int)
+        q0 = np.broadcast_to(q0, (*batch, arm.n)).reshape(-1, arm.n)
+        q0 = np.clip(q0, *arm.limits.T)
+    best = np.empty((len(poses), arm.n))
+    iterations = np.empty(len(poses), int)
     for first in range(0, len(poses), CHUNK):
         chunk = slice(first, first + CHUNK)
         search = _Search(arm, poses[chunk], rng, starts, steps)
@@ -129,17 +142,20 @@ class _Search:
 
     def __init__(self, arm, poses, rng, starts, steps):
         m = len(poses)
-        self.arm, self.poses, self.rng, self.starts, self.steps = arm, poses, rng, starts, steps
+        self.arm = arm
+        self.poses = poses
+        self.rng = rng
+        self.starts = starts
+        self.steps = steps
         # (4, 3, m): three columns, then the position
         self.goals = np.ascontiguousarray(poses[:, :3].T)
-        # For each target: the best joint angles, their squared error, steps and starts so far,
-        # whether it is reached.
-        self.best, self.least = np.zeros((m, arm.n)), np.full(m, np.inf)
-        self.iterations, self.started, self.solved = (
-            np.zeros(m, int),
-            np.zeros(m, int),
-            np.zeros(m, bool),
-        )
+        # For each target: the best joint angles and their squared error, the steps and the starts
+        # so far, and whether it is reached.
+        self.best = np.zeros((m, arm.n))
+        self.least = np.full(m, np.inf)
+        self.iterations = np.zeros(m, int)
+        self.started = np.zeros(m, int)
+        self.solved = np.zeros(m, bool)
 
     def run(self, q0):
         """Return the best joint angles (m, n) and the steps taken (m,).
@@ -164,40 +180,46 @@ class _Search:
             ended = self.solved[target] | _ends(
                 q, moved, age + 1, before, cost, self.steps, may_restart
             )
-            going_on = [each[..., ~ended] for each in (moved, target, age + 1, cost)]
+            going_on = [array[..., ~ended] for array in (moved, target, age + 1, cost)]
             new = self._new_descents(target[~ended])
             q, target, age, before = (
-                np.concatenate(both, -1) for both in zip(going_on, new, strict=True)
+                np.concatenate(pair, -1) for pair in zip(going_on, new, strict=True)
             )
         return self.best, self.iterations
 
     def _descend_one_by_one(self, q0):
         """Try the only target with a few descents by themselves."""
-        goal, (low, high) = self.goals[..., 0], self.arm.limits.T
-        while not self.solved[0] and self.started[0] < min(_ONE_BY_ONE, self.starts):
-            q = (
-                _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE)
-                if q0 is None
-                else q0
-            )
-            q, q0, age, before, ended = q[0], None, 0, np.inf, False
+        goal = self.goals[..., 0]
+        low, high = self.arm.limits.T
+        starts = min(_ONE_BY_ONE, self.starts)
+        while not self.solved[0] and self.started[0] < starts:
+            if q0 is None:
+                q = _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE)[0]
+            else:
+                q = q0[0]
+                q0 = None
+            age = 0
+            before = np.inf
+            ended = False
             self.started[0] += 1
             while not ended:
                 T, J = self.arm.pose_and_geometric_jacobian(q)
                 error = _error_by_entries(T[:3].T, goal)
                 cost, reached = _cost(error)
                 if cost < self.least[0]:
-                    self.best[0], self.least[0] = q, cost
-                moved, age = _step_within_limits(q, J, error, cost, low, high), age + 1
-                ended = reached or _ends(
-                    q, moved, age, before, cost, self.steps, self.started[0] < self.starts
-                )
-                q, before = moved, cost
+                    self.best[0] = q
+                    self.least[0] = cost
+                moved = _step_within_limits(q, J, error, cost, low, high)
+                age += 1
+                may_restart = self.started[0] < self.starts
+                ended = reached or _ends(q, moved, age, before, cost, self.steps, may_restart)
+                q = moved
+                before = cost
             self.solved[0] = reached
             self.iterations[0] += age
 
     def _record(self, q, target, error):
-        """Keep the best joint angles of each target; return the squared error of each descent."""
+        """Keep the best joint angles of each target, and return each descent's squared error."""
         cost, reached = _cost(error)
         np.fmin.at(self.least, target, cost)
         best = cost == self.least[target]
@@ -207,7 +229,9 @@ class _Search:
         return cost
 
     def _new_descents(self, running, q0=None):
-        """Return descents that begin at q0 (m, n) or at random configurations; running: the targets (N,) of others.
+        """Return new descents, which begin at q0 (m, n) or at random configurations.
+
+        running: the targets (N,) of the descents that go on.
 
         Every unsolved target without a descent gets one. Those that have failed before share the
         remaining room.
@@ -216,16 +240,19 @@ class _Search:
         idle = allowed & (np.bincount(running, minlength=len(allowed)) == 0)
         hard = allowed & (self.started > 0) & (idle | (self.started > 1))
         extra = max(0, _TOGETHER - len(running) - idle.sum()) // max(1, hard.sum())
-        target = np.repeat(
-            np.arange(len(allowed)), np.minimum(idle + extra * hard, self.starts - self.started)
-        )
+        starts_left = self.starts - self.started
+        number = np.minimum(idle + extra * hard, starts_left)
+        target = np.repeat(np.arange(len(allowed)), number)
         self.started += np.bincount(target, minlength=len(allowed))
         q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None else q0
         return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
 
 
 def _cost(error):
-    """Return the squared error (N,) of pose errors (6, N), and whether it means that the target is reached; or no N."""
+    """Return the squared error (N,) of pose errors (6, N), and whether each is small enough.
+
+    Small enough means that the target is reached. Both may be without N, for one pose.
+    """
     x, y, z, dx, dy, dz = error * error
     angle, distance = x + y + z, dx + dy + dz
     reached = (angle <= _REACHED_SQUARED) & (distance <= _REACHED_SQUARED)
@@ -233,16 +260,19 @@ def _cost(error):
 
 
 def _ends(q, moved, age, before, cost, steps, may_restart):
-    """Return whether a descent that steps from q to `moved` ends: it fails to converge, stands still, or is too long.
+    """Return whether a descent that steps from q to `moved` ends.
+
+    It ends if it fails to converge, stands still, or is too long.
 
     age: steps taken, with this one. before, cost: the squared errors one step earlier and at q.
     """
     fails = (age > _PATIENCE) & (cost > np.maximum(before / 2, _NEAR)) & may_restart
-    return fails | (abs(moved - q).max(0) < 1e-9) | (age >= steps)
+    stands_still = abs(moved - q).max(0) < _STANDSTILL
+    return fails | stands_still | (age >= steps)
 
 
 def _step_within_limits(q, J, error, cost, low, high):
-    """Return q after one damped step.
+    """Return q after one damped step within the limits.
 
     A joint that is at its limit and would leave it is held; the others compensate.
 
@@ -250,13 +280,15 @@ def _step_within_limits(q, J, error, cost, low, high):
     """
     downhill = _transpose_times(J, error)
     held = ((q <= low) & (downhill < 0)) | ((q >= high) & (downhill > 0))
-    step, sound = _damped_step(J * ~held, error, _DAMPING * cost + _LEAST_DAMPING)
+    step, sound = _damped_step(J * ~held, error, _DAMPING * cost + _MIN_DAMPING)
     step = np.where(sound & np.isfinite(step).all(0), step, 0.0)
     return np.minimum(np.maximum(q + step, low), high)
 
 
 def _damped_step(J, error, damping):
-    """Return J^T (J J^T + damping I)^-1 error, (n, N), and (N,) whether the damping outweighs rounding.
+    """Return the damped least-squares steps (n, N), and whether each can be trusted (N,).
+
+    A step is J^T (J J^T + damping I)^-1 error. It can be trusted if the damping outweighs rounding.
 
     J: (k, n, N). error: (k, N). damping: (N,). Or all without N, for one. It equals (J^T J +
     damping I)^-1 J^T error, by a smaller system. Many systems are solved together by Gaussian
@@ -266,6 +298,7 @@ def _damped_step(J, error, damping):
     k = len(error)
     if error.ndim == 1:
         A = J @ J.T
+        # Every (k + 1)-th entry of a k x k matrix is one of its diagonal.
         A.flat[:: k + 1] += damping
         try:
             return np.linalg.solve(A, error) @ J, True
@@ -276,6 +309,7 @@ def _damped_step(J, error, damping):
         A = np.einsum("in...,jn...->ij...", J, J)
         A[range(k), range(k)] += damping
         A = np.concatenate([A, error[:, None]], 1)  # the right side as a last column
+        # A pivot that is not positive can only come from rounding: the damping was lost in it.
         for i in range(k):
             sound &= A[i, i] > 0
             A[i, i:] /= A[i, i].copy()
@@ -287,47 +321,61 @@ def _damped_step(J, error, damping):
 
 
 def _transpose_times(J, x):
-    """Return J^T x, (n, N) for J (k, n, N) and x (k, N), or without N."""
+    """Return J^T x, which is (n, N), for J (k, n, N) and x (k, N), or all without N."""
     return x @ J if x.ndim == 1 else np.einsum("knN,kN->nN", J, x)
 
 
 def _error_by_entries(end, goal):
-    """Return the pose errors (6, N) from frames to goals, both (4, 3, N): three columns, then the position. Or no N."""
-    R = (
-        (goal[:3].T @ end[:3]).tolist()
-        if goal.ndim == 2
-        else np.einsum("kaN,kbN->abN", goal[:3], end[:3])
-    )
+    """Return the pose errors (6, N) from frames to goals, both (4, 3, N), or without N.
+
+    A frame or goal is given by its three columns and its position.
+    """
+    # The nine entries of R_goal R_end^T, summed over the three columns. For one pose, Python's own
+    # floats are faster than arrays without axes.
+    if goal.ndim == 2:
+        R = (goal[:3].T @ end[:3]).tolist()
+    else:
+        R = np.einsum("kaN,kbN->abN", goal[:3], end[:3])
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
-    x, y, z = (zy - yz) / 2, (xz - zx) / 2, (yx - xy) / 2  # the axis times the sine: MR eq. 3.53
-    sine, cosine = np.sqrt(x * x + y * y + z * z), (xx + yy + zz - 1) / 2
+    # The axis times the sine of the angle: MR eq. 3.53.
+    x, y, z = (zy - yz) / 2, (xz - zx) / 2, (yx - xy) / 2
+    sine = np.sqrt(x * x + y * y + z * z)
+    cosine = (xx + yy + zz - 1) / 2
+    # arctan2 keeps all digits near 0, which arccos(cosine) does not. Where the sine is 0, x, y and
+    # z are 0 as well, so any divisor but 0 gives the right product.
     stretch = np.arctan2(sine, cosine) / np.where(sine > 0, sine, 1.0)
     error = np.array([x, y, z, *(goal[3] - end[3])])
     error[:3] *= stretch
-    half_turn = cosine < -0.99  # the sine has too few correct digits of the axis here
-    if np.count_nonzero(half_turn):
-        error[:3, half_turn] = log_so3(np.moveaxis(np.asarray(R)[..., half_turn], -1, 0)).T
+    # Near pi the axis times the sine has too few correct digits of the axis.
+    near_pi = cosine < -0.99
+    if np.count_nonzero(near_pi):
+        rotations = np.moveaxis(np.asarray(R)[..., near_pi], -1, 0)
+        error[:3, near_pi] = log_so3(rotations).T
     return error
 
 
 def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
-    """Return for each of the poses (m, 4, 4) the nearest of a few random configurations, (m, n).
+    """Return for each of the poses (m, 4, 4) the nearest of a few configurations, (m, n).
 
-    They are uniform between the limits, or over one revolution if these allow more. Radians weigh
-    as much as metres.
+    These are uniformly distributed between the limits, or over one revolution if the limits allow
+    more. Radians weigh as much as metres.
     """
     low, high = arm.limits.T
     wide = high - low > 2 * np.pi
+    # The revolution about 0, moved so that it stays within the limits.
     middle = np.clip(0.0, low + np.pi, high - np.pi)
-    low, high = np.where(wide, middle - np.pi, low), np.where(wide, middle + np.pi, high)
+    low = np.where(wide, middle - np.pi, low)
+    high = np.where(wide, middle + np.pi, high)
     q = rng.uniform(low, high, (candidates, len(poses), arm.n))
     squares = (arm.fk(q) - poses) ** 2
+    # The squared Frobenius distance of two rotations is 8 sin^2(a/2), so half of it is a^2 for
+    # small angles a.
     distance = squares[..., :3, :3].sum((-2, -1)) / 2 + squares[..., :3, 3].sum(-1)
     return np.take_along_axis(q, distance.argmin(0)[None, :, None], 0)[0]
 
 
 def pose_error(T, target):
-    """Return the error from a pose to a target: the rotation vector and the translation that remain.
+    """Return the error from a pose to a target, a rotation vector and a translation.
 
     Both are expressed along the base frame's axes, in the order of SerialArm.geometric_jacobian:
     for small errors, geometric_jacobian(q) @ dq is about equal to the error that dq removes.
@@ -355,14 +403,17 @@ def pose_error(T, target):
 
 
 def _pose_error(T, target):
-    # Of two poses within the tolerance, as printed ones are, the product may lie beyond it.
+    # Of two poses within the tolerance, as printed ones are, the product may lie beyond it, so it
+    # is made a rotation again.
     R = nearest_so(target[..., :3, :3] @ np.swapaxes(T[..., :3, :3], -1, -2))
-    w = log_so3(R)
-    return np.concatenate([w, target[..., :3, 3] - T[..., :3, 3]], -1)
+    translation = target[..., :3, 3] - T[..., :3, 3]
+    return np.concatenate([log_so3(R), translation], -1)
 
 
 def damped_path(arm, target, q0, alpha, eps, steps):
-    """Return the joint angles of damped least-squares steps towards a point, q0 first (Nakamura and Hanafusa, 1986).
+    """Return the joint angles of damped least-squares steps towards a point, q0 first.
+
+    Source: Nakamura and Hanafusa (1986).
 
     Each step is q <- q - alpha (eps I + J^T J)^-1 J^T (p(q) - target), with the end-effector's
     position p and its Jacobian J. It ignores the joint limits.
@@ -398,13 +449,16 @@ def damped_path(arm, target, q0, alpha, eps, steps):
     q = real_array(q0, "q0", (arm.n,))
     alpha, eps = positive(alpha, "alpha"), positive(eps, "eps")
     batch = broadcast(target=target.shape[:-1], q0=q.shape[:-1], alpha=alpha.shape, eps=eps.shape)
-    k, steps, n = target.shape[-1], count(steps, "steps"), arm.n
+    k = target.shape[-1]
+    n = arm.n
+    steps = count(steps, "steps")
     flat = int(np.prod(batch))
     target = np.broadcast_to(target, (*batch, k)).reshape(flat, k).T
     alpha, eps = (np.broadcast_to(value, batch).reshape(flat) for value in (alpha, eps))
     path = np.empty((*batch, steps + 1, n))
     path[..., 0, :] = q
-    q, J = path[..., 0, :].reshape(flat, n).T, np.empty((6, n, flat))
+    q = path[..., 0, :].reshape(flat, n).T
+    J = np.empty((6, n, flat))
     for i in range(steps):
         _, position = arm.batched.fill_geometric_jacobian(q, J)
         step, sound = _damped_step(J[3 : 3 + k], position[:k] - target, eps)
@@ -420,5 +474,8 @@ def damped_path(arm, target, q0, alpha, eps, steps):
 
 
 def _is_planar(arm):
-    """Return whether the end-effector stays in the plane z = 0: all axes are along z, and it begins there."""
+    """Return whether the end-effector stays in the plane z = 0.
+
+    It does if all axes are along z and it begins there.
+    """
     return not arm.screw_axes[:, [0, 1, 5]].any() and arm.home[-1, 2, 3] == 0

@@ -1,4 +1,6 @@
-"""Paths of a body in the plane, and of an arm's joints: from pose to pose, and by a plan of velocities.
+"""Paths of a body in the plane and of an arm's joints.
+
+They lead from pose to pose, or follow a plan of velocities.
 
 A pose is (x, y, theta). The angle along a path continues beyond pi and is not wrapped, so that it
 can be drawn and differentiated. A plan is a sequence of pairs (velocities, duration).
@@ -12,7 +14,9 @@ import numpy as np
 from course_lib.arguments import broadcast, count, positive, real_array, refuse_first, tolerance
 from course_lib.rigid import exp_se2, log_se2
 
-_MOST_STEPS = 10_000_000  # of a plan; more would not fit into memory
+# Steps of a plan: the poses of more, of 24 bytes each and a few arrays of them, would not fit into
+# the memory of a small machine.
+_MAX_STEPS = 10_000_000
 
 
 def wrap_angle(angle):
@@ -34,13 +38,16 @@ def wrap_angle(angle):
     >>> print(wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 1e-20]) / np.pi)
     [ 1.00000000e+00  1.00000000e+00 -5.00000000e-01  3.18309886e-21]
     """
-    # exact, which adding pi and taking it off is not
+    # fmod is exact; adding pi, taking the remainder and subtracting pi would lose digits of small
+    # angles.
     angle = np.fmod(real_array(angle, "angle", ()), 2 * np.pi)
     return angle - 2 * np.pi * (angle > np.pi) + 2 * np.pi * (angle <= -np.pi)
 
 
 def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
-    """Return s(t): the cubic polynomial with given values and first derivatives at time 0 and at time T.
+    """Return the cubic polynomial s(t) with given values and derivatives at both ends.
+
+    The ends are time 0 and time T; the derivatives are the first ones.
 
     Parameters
     ----------
@@ -63,12 +70,17 @@ def cubic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0):
     """
     t, T, s0, s1, v0, v1 = _scaling_arguments(t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1)
     u = t / T
-    change, d0, d1 = s1 - s0, v0 * T, v1 * T
+    change = s1 - s0
+    # The derivatives by u. The polynomial is in Horner's form.
+    d0 = v0 * T
+    d1 = v1 * T
     return s0 + u * (d0 + u * (3 * change - 2 * d0 - d1 + u * (d0 + d1 - 2 * change)))
 
 
 def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
-    """Return s(t): the polynomial of degree five that also has given second derivatives at both ends.
+    """Return the polynomial s(t) of degree five that also has given second derivatives.
+
+    They are given at both ends, time 0 and time T.
 
     Parameters
     ----------
@@ -91,7 +103,12 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
         t=t, T=T, s0=s0, s1=s1, v0=v0, v1=v1, a0=a0, a1=a1
     )
     u = t / T
-    change, d0, d1, c0, c1 = s1 - s0, v0 * T, v1 * T, a0 * T * T, a1 * T * T
+    change = s1 - s0
+    # The first and second derivatives by u. The polynomial is in Horner's form.
+    d0 = v0 * T
+    d1 = v1 * T
+    c0 = a0 * T * T
+    c1 = a1 * T * T
     third = 10 * change - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
     fourth = -15 * change + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
     fifth = 6 * change - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
@@ -101,9 +118,10 @@ def quintic_time_scaling(t, T, s0=0.0, s1=1.0, v0=0.0, v1=0.0, a0=0.0, a1=0.0):
 def interpolate_body(
     start, goal, n, T=1.0, v_start=(0, 0, 0), v_goal=(0, 0, 0), scaling=cubic_time_scaling
 ):
-    """Return n poses from start to goal at evenly spaced times; x, y and theta each follow the time scaling.
+    """Return n poses of a body from start to goal at evenly spaced times.
 
-    The angle takes the shorter arc. With zero velocities the path is a straight line.
+    x, y and theta each follow the time scaling. The angle takes the shorter arc. With zero
+    velocities the path is a straight line.
 
     Parameters
     ----------
@@ -134,7 +152,9 @@ def interpolate_body(
 
 
 def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_time_scaling):
-    """Return n joint vectors from start to goal at evenly spaced times, each joint along the shorter arc.
+    """Return n joint vectors from start to goal at evenly spaced times.
+
+    Each joint takes the shorter arc.
 
     Parameters
     ----------
@@ -160,9 +180,10 @@ def interpolate_arm(start, goal, n, T=1.0, v_start=0, v_goal=0, scaling=cubic_ti
 
 
 def interpolate_body_screw(start, goal, n):
-    """Return n poses from start to goal along a screw motion of the plane: an arc, by the cubic time scaling.
+    """Return n poses of a body from start to goal along a screw motion of the plane.
 
-    T(s) = T_start exp(s log(T_start^-1 T_goal)), MR eq. 9.7.
+    The body moves on an arc, by the cubic time scaling: T(s) = T_start exp(s log(T_start^-1
+    T_goal)), MR eq. 9.7.
 
     Parameters
     ----------
@@ -190,7 +211,9 @@ def interpolate_body_screw(start, goal, n):
 
 
 def propagate_body(start, plan, dt):
-    """Return the poses that forward Euler reaches: p <- p + R(theta) v dt, theta <- theta + omega dt.
+    """Return the poses of a plan by the forward Euler method.
+
+    In each step p <- p + R(theta) v dt and theta <- theta + omega dt.
 
     Parameters
     ----------
@@ -219,12 +242,10 @@ def propagate_body(start, plan, dt):
     for velocity, elapsed in _segments(plan, dt, 3):
         step = np.diff(elapsed, prepend=0.0)
         theta = poses[..., -1:, 2] + velocity[2] * (elapsed - step)  # at the beginning of each step
-        rate = np.concatenate(
-            [_rotated(theta, velocity[:2]), np.full((*theta.shape, 1), velocity[2])], -1
-        )
-        poses = np.concatenate(
-            [poses, poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)], -2
-        )
+        angular_velocity = np.full((*theta.shape, 1), velocity[2])
+        rate = np.concatenate([_rotated(theta, velocity[:2]), angular_velocity], -1)
+        reached = poses[..., -1:, :] + np.cumsum(step[:, None] * rate, -2)
+        poses = np.concatenate([poses, reached], -2)
     return poses
 
 
@@ -253,9 +274,9 @@ def propagate_body_exact(start, plan, dt):
     start = real_array(start, "start", (3,))
     poses = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, 3):
-        poses = np.concatenate(
-            [poses, _along_twist(poses[..., -1, :], velocity[[2, 0, 1]], elapsed)], -2
-        )
+        twist = velocity[[2, 0, 1]]  # (omega, v_x, v_y)
+        reached = _along_twist(poses[..., -1, :], twist, elapsed)
+        poses = np.concatenate([poses, reached], -2)
     return poses
 
 
@@ -288,12 +309,15 @@ def propagate_arm(start, plan, dt):
     start = real_array(start, "start", ("n",))
     angles = start[..., None, :]
     for velocity, elapsed in _segments(plan, dt, start.shape[-1]):
-        angles = np.concatenate([angles, angles[..., -1:, :] + elapsed[:, None] * velocity], -2)
+        reached = angles[..., -1:, :] + elapsed[:, None] * velocity
+        angles = np.concatenate([angles, reached], -2)
     return angles
 
 
 def plan_times(plan, dt):
-    """Return the times at which propagate_body, propagate_body_exact and propagate_arm give their results.
+    """Return the times of the results of the functions that propagate a plan.
+
+    They are propagate_body, propagate_body_exact and propagate_arm.
 
     Parameters
     ----------
@@ -330,28 +354,33 @@ def pose_matrix(pose):
 
     Examples
     --------
-    >>> print(pose_matrix([2, 3, np.pi / 2]).round(9) @ [1, 0, 1])  # where the body's point (1, 0) is
+    The body's point (1, 0) is at
+
+    >>> print(pose_matrix([2, 3, np.pi / 2]).round(9) @ [1, 0, 1])
     [2. 4. 1.]
     """
     x, y, theta = np.moveaxis(real_array(pose, "pose", (3,)), -1, 0)
-    c, s, zero = np.cos(theta), np.sin(theta), np.zeros(theta.shape)
-    return np.stack([c, -s, x, s, c, y, zero, zero, zero + 1], -1).reshape(*theta.shape, 3, 3)
+    c, s = np.cos(theta), np.sin(theta)
+    zero, one = np.zeros(theta.shape), np.ones(theta.shape)
+    entries = np.stack([c, -s, x, s, c, y, zero, zero, one], -1)
+    return entries.reshape(*theta.shape, 3, 3)
 
 
 def _scaling_arguments(**values):
     arrays = {name: real_array(value, name, ()) for name, value in values.items()}
     broadcast(**{name: array.shape for name, array in arrays.items()})
     t, T = arrays["t"], positive(arrays["T"], "T")
-    outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))  # a sum of steps may miss T by rounding
+    # A sum of steps may miss T by rounding: a million steps by less than 1e-9 T.
+    outside = (t < -1e-9 * T) | (t > T * (1 + 1e-9))
     refuse_first(outside, "t", "must lie between 0 and T")
     return [np.clip(t, 0, T), *list(arrays.values())[1:]]
 
 
 def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
-    """Interpolate each coordinate by the time scaling, and angles in the direction of the shorter arc."""
+    """Interpolate each coordinate by the time scaling, and angles along the shorter arc."""
     k = start.shape[-1]
-    v_start, v_goal = (np.zeros(k) if np.isscalar(v) and v == 0 else v for v in (v_start, v_goal))
-    v_start, v_goal = real_array(v_start, "v_start", (k,)), real_array(v_goal, "v_goal", (k,))
+    v_start = _derivatives(v_start, "v_start", k)
+    v_goal = _derivatives(v_goal, "v_goal", k)
     broadcast(
         start=start.shape[:-1],
         goal=goal.shape[:-1],
@@ -362,12 +391,20 @@ def _interpolate(start, goal, is_angle, n, T, v_start, v_goal, scaling):
     t = np.linspace(0, T, count(n, least=2))[:, None]
     try:
         change = goal - start
-        ends = (start, start + np.where(is_angle, wrap_angle(change), change), v_start, v_goal)
-        return scaling(t, T, *(end[..., None, :] for end in ends))
+        end = start + np.where(is_angle, wrap_angle(change), change)
+        conditions = [values[..., None, :] for values in (start, end, v_start, v_goal)]
+        return scaling(t, T, *conditions)
     except TypeError as other:
         raise ValueError(
             f"scaling must be a function of (t, T, s0, s1, v0, v1): {other}"
         ) from other
+
+
+def _derivatives(value, name, k):
+    """Return an argument as an array (..., k), in which the number 0 stands for k zeros."""
+    if np.isscalar(value) and value == 0:
+        return np.zeros(k)
+    return real_array(value, name, (k,))
 
 
 def _rotated(theta, v):
@@ -385,7 +422,11 @@ def _along_twist(start, twist, s):
 
 
 def _segments(plan, dt, k):
-    """Return [(velocities, elapsed)] of a plan: for each pair the times (n,) at which its steps end. k: as in (k,)."""
+    """Return [(velocities, elapsed)] of a plan, with the times (n,) at which steps end.
+
+    The times count from the beginning of each pair. k is the number of velocities, as in the shape
+    (k,).
+    """
     dt = positive(dt, "dt", batched=False)
     try:
         pairs = [(velocities, duration) for velocities, duration in plan]
@@ -398,11 +439,12 @@ def _segments(plan, dt, k):
         velocities = real_array(velocities, f"plan[{i}][0]", (k,), batched=False)
         duration = tolerance(duration, f"plan[{i}][1]")
         with np.errstate(over="ignore"):
-            n = np.ceil(duration / dt * (1 - 1e-12))  # 2.1 / 0.3 is a hair above 7
+            # 2.1 / 0.3 is by rounding a little more than 7, and must not be 8 steps.
+            n = np.ceil(duration / dt * (1 - 1e-12))
         total += n
-        if total > _MOST_STEPS:
+        if total > _MAX_STEPS:
             raise ValueError(
-                f"dt must leave at most {_MOST_STEPS:,} steps for the plan; {dt:g} s makes "
+                f"dt must leave at most {_MAX_STEPS:,} steps for the plan; {dt:g} s makes "
                 f"{total:.3g}"
             )
         elapsed = np.append(dt * np.arange(1, int(n)), duration)  # the last step ends on time

@@ -1,7 +1,8 @@
-"""Rigid motions of the plane, SE(2), and of space, SE(3), as homogeneous matrices and as twists.
+"""Rigid motions of the plane, SE(2), and of space, SE(3), as matrices and as twists.
 
-A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x, omega_y, omega_z, v_x, v_y, v_z) in
-space. A matrix that is not a pose is refused where one is needed.
+The matrices are homogeneous. A twist is (omega, v): (omega, vx, vy) in the plane, (omega_x,
+omega_y, omega_z, v_x, v_y, v_z) in space. A matrix that is not a pose is refused where one is
+needed.
 
 Source: Lynch and Park, Modern Robotics (2017), called MR below, section 3.3; for the plane with the
 axis along z.
@@ -43,7 +44,9 @@ def transform(R, p):
 
 
 def is_se(T, tol=TOLERANCE):
-    """Return whether T is a pose: its rotation block satisfies is_so, and its last row is within tol of (0, ..., 0, 1).
+    """Return whether T is a pose.
+
+    Its rotation block satisfies is_so, and its last row is within tol of (0, ..., 0, 1).
 
     Parameters
     ----------
@@ -66,7 +69,10 @@ def is_se(T, tol=TOLERANCE):
 
 
 def checked_pose(value, name, *shapes, batched=True):
-    """Return `value` as an array (..., 3, 3) or (..., 4, 4), as the shapes allow, or ValueError if it is not a pose."""
+    """Return `value` as an array if it is a pose, or raise ValueError.
+
+    It is (..., 3, 3) or (..., 4, 4), as the shapes allow.
+    """
     T = real_array(value, name, *shapes, batched=batched, copy=False)
     refuse_first(~is_se(T), name, "is not a pose (rigid.nearest_se gives the nearest)")
     return T
@@ -120,7 +126,9 @@ def inverse(T):
 
 
 def adjoint(T):
-    """Return the matrix that converts a twist from frame b to frame a, given T = T_ab (MR definition 3.20).
+    """Return the matrix that converts a twist from frame b to frame a.
+
+    The argument is T = T_ab (MR definition 3.20).
 
     Parameters
     ----------
@@ -134,22 +142,25 @@ def adjoint(T):
 
     Examples
     --------
+    A body that rotates about b's z axis moves a's origin along x:
+
     >>> T_ab = transform(np.eye(3), [0, 2, 0])
-    >>> print(adjoint(T_ab) @ [0, 0, 1, 0, 0, 0])  # rotation about b's z axis: a's origin moves along x
+    >>> print(adjoint(T_ab) @ [0, 0, 1, 0, 0, 0])
     [0. 0. 1. 2. 0. 0.]
     """
     T = checked_pose(T, "T", (3, 3), (4, 4))
     R, p = T[..., :-1, :-1], T[..., :-1, -1]
     if R.shape[-1] == 2:
         Ad = np.zeros(T.shape)
-        Ad[..., 0, 0], Ad[..., 1, 0], Ad[..., 2, 0], Ad[..., 1:, 1:] = 1, p[..., 1], -p[..., 0], R
+        Ad[..., 0, 0] = 1
+        Ad[..., 1, 0] = p[..., 1]
+        Ad[..., 2, 0] = -p[..., 0]
+        Ad[..., 1:, 1:] = R
         return Ad
     Ad = np.zeros((*T.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    # p x R[:, j]
-    Ad[..., 3:, :3] = by_entries(
-        lambda T: _cross(T[:3, 3:], T[:3, :3]), (3, 3), T, batch=T.shape[:-2]
-    )
+    # Column j of [p] R is p x R[:, j].
+    Ad[..., 3:, :3] = by_entries(_position_cross_axes, (3, 3), T, batch=T.shape[:-2])
     return Ad
 
 
@@ -216,7 +227,9 @@ def vee_se3(matrix):
 
 
 def exp_se3(twist):
-    """Return the pose that a constant twist reaches in unit time: the exponential of SE(3) (MR proposition 3.25).
+    """Return the exponential of SE(3), the pose that a constant twist reaches in unit time.
+
+    Source: MR proposition 3.25.
 
     Parameters
     ----------
@@ -229,20 +242,22 @@ def exp_se3(twist):
 
     Examples
     --------
-    >>> print(exp_se3([0, 0, np.pi, 0, -np.pi, 0])[:3, 3].round(9))  # half a revolution about x = 1, y = 0, along z
+    Half a revolution about the line x = 1, y = 0, which is along z:
+
+    >>> print(exp_se3([0, 0, np.pi, 0, -np.pi, 0])[:3, 3].round(9))
     [2. 0. 0.]
     """
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
-    return _assemble(
-        exp_so3(omega), by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1])
-    )
+    p = by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1])
+    return _assemble(exp_so3(omega), p)
 
 
 def log_se3(T):
-    """Return the twist (omega, v) whose exponential is T, with |omega| at most pi: the inverse of exp_se3.
+    """Return the twist (omega, v) whose exponential is T, the inverse of exp_se3.
 
-    At exactly pi the sign of the axis is that of log_so3. Source: MR section 3.3.3.2.
+    The length of omega is at most pi. At exactly pi the sign of the axis is that of log_so3.
+    Source: MR section 3.3.3.2.
 
     Parameters
     ----------
@@ -265,7 +280,7 @@ def log_se3(T):
 
 
 def exp_se2(twist):
-    """Return the planar pose that a constant twist reaches in unit time: the exponential of SE(2).
+    """Return the exponential of SE(2), the pose that a constant twist reaches in unit time.
 
     Parameters
     ----------
@@ -278,7 +293,9 @@ def exp_se2(twist):
 
     Examples
     --------
-    >>> print(exp_se2([np.pi, 0, -np.pi])[:2, 2].round(9) + 0.0)  # half a revolution about the point (1, 0)
+    Half a revolution about the point (1, 0):
+
+    >>> print(exp_se2([np.pi, 0, -np.pi])[:2, 2].round(9) + 0.0)
     [2. 0.]
     """
     twist = real_array(twist, "twist", (3,), copy=False)
@@ -291,7 +308,9 @@ def exp_se2(twist):
 
 
 def log_se2(T):
-    """Return the twist whose exponential is T, with omega in (-pi, pi]: the inverse of exp_se2.
+    """Return the twist whose exponential is T, the inverse of exp_se2.
+
+    Its omega lies in (-pi, pi].
 
     Parameters
     ----------
@@ -318,7 +337,9 @@ def log_se2(T):
 def _assemble(R, p):
     n = p.shape[-1]
     T = np.zeros((*p.shape[:-1], n + 1, n + 1))
-    T[..., :n, :n], T[..., :n, n], T[..., n, n] = R, p, 1
+    T[..., :n, :n] = R
+    T[..., :n, n] = p
+    T[..., n, n] = 1
     return T
 
 
@@ -327,18 +348,25 @@ def _perpendicular(v):
 
 
 def _one_minus_cos(angle):
-    """(1 - cos a) / a^2, with all its digits: sin^2(a/2) does not cancel as 1 - cos a does."""
+    """Return (1 - cos a) / a^2 with all its digits.
+
+    sin^2(a/2) does not cancel as 1 - cos a does.
+    """
     return np.sinc(angle / (2 * np.pi)) ** 2 / 2
 
 
 def _half_cot(angle):
-    """(a/2) cot(a/2), which is 1 at 0."""
+    """Return (a/2) cot(a/2), which is 1 at 0."""
     tangent = np.tan(angle / 2)
     return np.divide(angle / 2, tangent, out=np.ones_like(tangent), where=tangent != 0)
 
 
 # Formulas for by_entries
 # ----------------------------------------------------------------------------------------------
+
+
+def _position_cross_axes(T):
+    return _cross(T[:3, 3:], T[:3, :3])
 
 
 def _inverse(T):
@@ -351,15 +379,19 @@ def _inverse(T):
 
 
 def _translation(twist, angle):
+    """Return the positions (3, N) of exp_se3: the integral of the rotation, times v."""
     omega, v = twist[:3], twist[3:]
+    # Where the angle is 0, omega is 0 as well, so any divisor but 0 gives 0.
     n = omega / np.where(angle > 0, angle, 1.0)
     once = _cross(n, v)
-    # With a unit axis, the factors' rounding errors at small angles vanish beside 1, so no series
-    # is needed.
-    return v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * _cross(n, once)
+    twice = _cross(n, once)
+    # With a unit axis, the factors' rounding errors at small angles are negligible beside the 1
+    # before v, so no series is needed. sinc(a / pi) is sin(a) / a, which is 1 at 0.
+    return v + angle * _one_minus_cos(angle) * once + (1 - np.sinc(angle / np.pi)) * twice
 
 
 def _velocity(omega, angle, p):
+    """Return the velocities v (3, N) of log_se3: MR eq. 3.92 times p."""
     n = omega / np.where(angle > 0, angle, 1.0)
     return p - _cross(omega, p) / 2 + (1 - _half_cot(angle)) * _cross(n, _cross(n, p))
 

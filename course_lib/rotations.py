@@ -170,7 +170,9 @@ def log_so3(R):
 
 
 def is_so(R, tol=TOLERANCE):
-    """Return whether R is a rotation: every entry of R^T R is within tol of I, and det R is within tol of +1.
+    """Return whether R is a rotation.
+
+    Every entry of R^T R is within tol of I, and det R is within tol of +1.
 
     Parameters
     ----------
@@ -218,6 +220,7 @@ def nearest_so(M):
     """
     M = real_array(M, "M", (2, 2), (3, 3), copy=False)
     U, _, Vt = np.linalg.svd(M)
+    # The factor is det(U V^T), 1 or -1 up to rounding.
     U[..., -1] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))[..., None]
     return U @ Vt
 
@@ -267,10 +270,10 @@ def nearest_quaternion(q):
 
 
 def quaternion_to_matrix(q):
-    """Return the rotation matrix of the unit quaternion q; q and -q give the same one (MR appendix B.3).
+    """Return the rotation matrix of the unit quaternion q (MR appendix B.3).
 
-    R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division makes R orthogonal to rounding
-    even if |q| is off by as much as the tolerance allows.
+    q and -q give the same matrix: R = I + 2 (w [v] + [v]^2) / |q|^2 with q = (w, v). The division
+    makes R orthogonal to rounding even if |q| is off by as much as the tolerance allows.
 
     Parameters
     ----------
@@ -367,25 +370,33 @@ def random_quaternions(n, rng):
     >>> print(is_quaternion(random_quaternions(3, np.random.default_rng(0))))
     [ True  True  True]
     """
-    s, angle1, angle2 = generator(rng).random((3, count(n))) * [[1.0], [2 * np.pi], [2 * np.pi]]
+    s, share1, share2 = generator(rng).random((3, count(n)))
+    angle1, angle2 = 2 * np.pi * share1, 2 * np.pi * share2
+    # Shoemake's two radii, with s uniform: then the area of the sphere is covered uniformly.
     near, far = np.sqrt(1 - s), np.sqrt(s)
-    return np.stack(
-        [np.cos(angle2) * far, np.sin(angle1) * near, np.cos(angle1) * near, np.sin(angle2) * far],
-        -1,
-    )
+    w = np.cos(angle2) * far
+    x = np.sin(angle1) * near
+    y = np.cos(angle1) * near
+    z = np.sin(angle2) * far
+    return np.stack([w, x, y, z], -1)
 
 
 def length(v):
-    """Return the lengths of a float array (..., n) of vectors, exact to rounding even if squares underflow."""
-    squared = (v * v) @ np.ones(v.shape[-1])  # twice as fast as a sum over short rows
+    """Return the lengths of a float array (..., n) of vectors.
+
+    They are exact to rounding even if squares underflow.
+    """
+    # The product with ones is twice as fast as a sum over short rows.
+    ones = np.ones(v.shape[-1])
+    squared = (v * v) @ ones
     size = np.sqrt(squared)
-    rough = squared < 1e-280  # these may have lost digits
+    # The smallest float with all digits is 2e-308: far above it no square has lost any.
+    rough = squared < 1e-280
     if np.count_nonzero(rough):
         exponent = np.frexp(np.abs(v).max(-1))[1]
         scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
-        size = np.where(
-            rough, np.ldexp(np.sqrt((scaled * scaled) @ np.ones(v.shape[-1])), exponent), size
-        )[()]
+        exact = np.ldexp(np.sqrt((scaled * scaled) @ ones), exponent)
+        size = np.where(rough, exact, size)[()]
     return size
 
 
@@ -396,7 +407,7 @@ def length(v):
 def _error_as_rotation(R):
     """Return the largest of the entries of |R^T R - I| and |det R - 1|."""
     gram = np.einsum("ki...,kj...->ij...", R, R)
-    diagonal = np.einsum("ii...->i...", gram)  # a view
+    diagonal = np.einsum("ii...->i...", gram)  # a view, so this changes gram
     diagonal -= 1
     return np.maximum(np.abs(gram).max((0, 1)), np.abs(_determinant(R) - 1))
 

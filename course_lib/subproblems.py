@@ -1,4 +1,6 @@
-"""The Paden-Kahan subproblems 1 to 4: the angles of rotation about given axes that bring points where they should be.
+"""The Paden-Kahan subproblems 1 to 4, which find angles of rotation about given axes.
+
+The angles bring points where they should be.
 
 All axes run through the origin; if they do not, subtract a point on the axis first. R(k, t) is the
 rotation by t about k. Batches are broadcast, angles lie in (-pi, pi]. If no angle solves the
@@ -24,10 +26,12 @@ from course_lib.rotations import (
     rot_y,
 )
 
-EXACT = 1e-9  # the largest error of an exact answer, as a share of the largest length given
-_ROUNDING = 1e-14  # what rounding may do to a length, as a share of the largest
-# two answers nearer than this (radians) are one: the circles touch; the error of that is below
-# 1e-14
+# The largest error of an exact answer, as a share of the largest length given.
+EXACT = 1e-9
+# The change of a length that rounding may cause, as a share of the largest length.
+_ROUNDING = 1e-14
+# Radians. Two answers nearer than this are one, because the circles touch. The error that this
+# makes is the square of it, below 1e-14.
 _TOUCH = 1e-7
 
 
@@ -55,7 +59,9 @@ class RotationAngles:
 
 
 def subproblem1(k, p, q):
-    """Return the angle about k that brings p to q, or as near as possible: R(k, theta) p = q.
+    """Return the angle about k that brings p to q, or as near as possible.
+
+    It solves R(k, theta) p = q.
 
     Parameters
     ----------
@@ -69,8 +75,8 @@ def subproblem1(k, p, q):
 
     Examples
     --------
-    >>> found = subproblem1([0, 0, 1], [1, 0, 2], [0, 1, 2])
-    >>> print(found.theta / np.pi, found.exact)
+    >>> answer = subproblem1([0, 0, 1], [1, 0, 2], [0, 1, 2])
+    >>> print(answer.theta / np.pi, answer.exact)
     0.5 True
     """
     k, p, q = _arguments(k=k, p=p, q=q)
@@ -82,7 +88,9 @@ def subproblem1(k, p, q):
 
 
 def subproblem2(k1, k2, p1, p2):
-    """Return the angles that bring two points together: R(k1, theta1) p1 = R(k2, theta2) p2.
+    """Return the angles that bring two points together.
+
+    They solve R(k1, theta1) p1 = R(k2, theta2) p2.
 
     The points move on circles, which lie on one sphere if the points are equally far from the
     origin. Circles meet twice, once or not at all. How far the points are from the origin does not
@@ -100,8 +108,8 @@ def subproblem2(k1, k2, p1, p2):
 
     Examples
     --------
-    >>> found = subproblem2([0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 1, 0])
-    >>> print((found.theta / np.pi).round(9) + 0.0)
+    >>> answer = subproblem2([0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 1, 0])
+    >>> print((answer.theta / np.pi).round(9) + 0.0)
     [[ 0.5  0. ]
      [-0.5  1. ]]
     """
@@ -133,7 +141,9 @@ def subproblem2(k1, k2, p1, p2):
 
 
 def subproblem3(k, p, q, d):
-    """Return the angles about k that bring p to the distance d from q: |R(k, theta) p - q| = d.
+    """Return the angles about k that bring p to the distance d from q.
+
+    They solve |R(k, theta) p - q| = d.
 
     Parameters
     ----------
@@ -155,18 +165,22 @@ def subproblem3(k, p, q, d):
     k, p, q, d = _arguments(k=k, p=p, q=q, d=d)
     d = _share(d, np.maximum(length(p), length(q)))
     p, q = _to_scale(p, q)
-    radius1, radius2, height = length(np.cross(k, p)), length(np.cross(k, q)), _dot(k, p - q)
-    nearest, farthest = height**2 + (radius1 - radius2) ** 2, height**2 + (radius1 + radius2) ** 2
-    asked = np.maximum(d, 0.0)
-    theta, count, free = _either_side(
-        k, p, q, asked**2 - nearest, farthest - asked**2, _ROUNDING * asked
-    )
-    got = length(_rotate(k, theta[..., 0], p) - q)
-    return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
+    radius1, radius2 = length(np.cross(k, p)), length(np.cross(k, q))
+    height = _dot(k, p - q)
+    nearest = height**2 + (radius1 - radius2) ** 2
+    farthest = height**2 + (radius1 + radius2) ** 2
+    wanted = np.maximum(d, 0.0)
+    over = wanted**2 - nearest
+    under = farthest - wanted**2
+    theta, count, free = _either_side(k, p, q, over, under, _ROUNDING * wanted)
+    distance = length(_rotate(k, theta[..., 0], p) - q)
+    return RotationAngles(theta, count, np.abs(distance - d) <= EXACT, free)
 
 
 def subproblem4(k, h, p, d):
-    """Return the angles about k that bring p to the height d along h: h . R(k, theta) p = d.
+    """Return the angles about k that bring p to the height d along h.
+
+    They solve h . R(k, theta) p = d.
 
     Parameters
     ----------
@@ -187,10 +201,12 @@ def subproblem4(k, h, p, d):
     """
     k, h, p, d = _arguments(k=k, h=h, p=p, d=d)
     h, p, d = _unit(h), _unit(p), _share(d, length(h), length(p))
-    middle, swing = _dot(k, h) * _dot(k, p), length(np.cross(k, h)) * length(np.cross(k, p))
+    # The height of the circle's center, and how far the point on the circle is above it at most.
+    middle = _dot(k, h) * _dot(k, p)
+    swing = length(np.cross(k, h)) * length(np.cross(k, p))
     theta, count, free = _either_side(k, p, h, middle + swing - d, d - middle + swing, _ROUNDING)
-    got = _dot(h, _rotate(k, theta[..., 0], p))
-    return RotationAngles(theta, count, np.abs(got - d) <= EXACT, free)
+    height = _dot(h, _rotate(k, theta[..., 0], p))
+    return RotationAngles(theta, count, np.abs(height - d) <= EXACT, free)
 
 
 def euler_yxy(R):
@@ -215,35 +231,38 @@ def euler_yxy(R):
     [[ 0.1     0.2     0.3   ]
      [-3.0416 -0.2    -2.8416]]
     """
-    # refuses all but rotations, and rounds to the nearest
+    # This refuses all but rotations, and gives the nearest rotation to rounding.
     R = quaternion_to_matrix(matrix_to_quaternion(R))
     ex, ey = np.eye(3)[:2]
     image = R[..., :, 1]  # of e_y: Ry(-b1) R e_y = Rx(b2) e_y
-    found = subproblem2(ex, ey, ey, image)
-    b2, b1 = found.theta[..., 0], -found.theta[..., 1]
-    first = (b2[..., 0] >= 0)[..., None]
-    b1, b2 = np.where(first, b1, b1[..., ::-1]), np.where(first, b2, b2[..., ::-1])
+    answer = subproblem2(ex, ey, ey, image)
+    b2, b1 = answer.theta[..., 0], -answer.theta[..., 1]
+    in_order = (b2[..., 0] >= 0)[..., None]
+    b1 = np.where(in_order, b1, b1[..., ::-1])
+    b2 = np.where(in_order, b2, b2[..., ::-1])
     rest = np.swapaxes(rot_y(b1) @ rot_x(b2), -1, -2) @ R[..., None, :, :]
     b3 = subproblem1(ey, ex, rest[..., :, 0]).theta
-    return RotationAngles(np.stack([b1, b2, b3], -1) + 0.0, found.count, found.exact, found.free)
+    theta = np.stack([b1, b2, b3], -1) + 0.0  # + 0.0 makes 0 of -0
+    return RotationAngles(theta, answer.count, answer.exact, answer.free)
 
 
 def _arguments(**arguments):
-    """Check vectors (..., 3), and d (...); return the vectors, broadcast, with axes (k...) of length one."""
-    arrays = {
-        name: real_array(value, name, () if name == "d" else (3,))
-        for name, value in arguments.items()
-    }
-    batch = broadcast(
-        **{name: array.shape if name == "d" else array.shape[:-1] for name, array in arrays.items()}
-    )
-    for name in [each for each in arrays if each.startswith("k")]:
-        refuse_first(length(arrays[name]) == 0, name, "is zero: an axis needs a direction")
-        arrays[name] = _unit(arrays[name])
-    return [
-        np.broadcast_to(array, batch if name == "d" else (*batch, 3))
-        for name, array in arrays.items()
-    ]
+    """Check and broadcast the arguments, vectors (..., 3) and d (...), and return them.
+
+    The axes, whose names begin with k, are returned with length one.
+    """
+    cores = {name: () if name == "d" else (3,) for name in arguments}
+    arrays, batches = {}, {}
+    for name, value in arguments.items():
+        array = real_array(value, name, cores[name])
+        arrays[name] = array
+        batches[name] = array.shape[: array.ndim - len(cores[name])]
+    batch = broadcast(**batches)
+    for name in arrays:
+        if name.startswith("k"):
+            refuse_first(length(arrays[name]) == 0, name, "is zero: an axis needs a direction")
+            arrays[name] = _unit(arrays[name])
+    return [np.broadcast_to(array, (*batch, *cores[name])) for name, array in arrays.items()]
 
 
 def _meeting(heights, radii, cosine, sine):
@@ -266,7 +285,10 @@ def _meeting(heights, radii, cosine, sine):
 
 
 def _less(cosine, sine):
-    """1 - cosine, with all its digits near 0."""
+    """Return 1 - cosine, with all its digits near 0.
+
+    It is sine^2 / (1 + cosine), which does not cancel.
+    """
     return np.where(cosine > 0, sine**2 / (1 + np.abs(cosine)), 1 - cosine)
 
 
@@ -288,20 +310,26 @@ def _either_side(k, p, q, over, under, rounding):
 
 
 def _angle_about(k, p, q):
-    """Return the angle about k from the direction of p to that of q: between their parts perpendicular to k."""
+    """Return the angle about k from the direction of p to that of q.
+
+    It is the angle between their parts perpendicular to k.
+    """
     p, q = np.cross(k, _unit(p)), np.cross(k, _unit(q))
     return _wrap(np.arctan2(_dot(k, np.cross(p, q)), _dot(p, q)))
 
 
 def _rotate(k, theta, p):
+    """Return the points p rotated about the unit axes k by theta."""
     return (exp_so3(theta[..., None] * k) @ p[..., None])[..., 0]
 
 
 def _on_axis(k, p):
+    """Return whether the points p lie on the unit axes k, to rounding."""
     return length(np.cross(k, _unit(p))) <= _ROUNDING
 
 
 def _unit(v):
+    """Return vectors of length one, and zero for zero."""
     size = length(v)[..., None]
     return v / np.where(size > 0, size, 1.0)
 
