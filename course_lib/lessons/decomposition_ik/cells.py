@@ -1,23 +1,32 @@
-"""Tables of inverse kinematics and their measurement: an arm that sags, cells, their samples and their errors."""
+"""Tables of inverse kinematics and their measurement.
+
+This module holds an arm that sags, the cells of a table, their samples and their errors.
+"""
 
 import numpy as np
 
 from course_lib.arguments import count, generator, real_array
 from course_lib.lessons.decomposition_ik.grid_ik import planar_forward
 
-# radians by which the first joint yields, for cos q1 and for cos(q1 + q2): the load
-SHOULDER = (
-    0.08,
-    0.04,
-)
-_BELT = 0.01  # radians by which the elbow's belt is stretched, for sin(3 q2)
-_NOISE = 1e-3  # metres, the standard deviation of a measured coordinate
+# The arm of the lesson is invented, and so are the next three numbers.
+# Radians by which the load bends the first joint, as factors of cos q1 and of cos(q1 + q2).
+SHOULDER = (0.08, 0.04)
+# Radians by which the elbow's belt is stretched, as the factor of sin(3 q2).
+_BELT = 0.01
+# The standard deviation of a measured coordinate, in metres.
+_NOISE = 1e-3
+# The names of the kinds of cells.
 KINDS = ("both elbows, separated", "one elbow, split in two", "elbows mixed")
 FEW = "fewer than 6 samples"
+_MIN_SAMPLES_OF_A_KIND = 6
+_MIN_SAMPLES_OF_AN_EXAMPLE = 30  # so that a picture shows two clusters
 
 
 def sagged(q):
-    """Return the joint angles (..., 2) that the sagging arm takes if it is sent to the angles q (..., 2)."""
+    """Return the joint angles that the sagging arm takes if it is sent to the angles q.
+
+    Both are arrays (..., 2), in radians.
+    """
     q = real_array(q, "q", (2,), gaps=True)
     return q - _sag(q, SHOULDER, _BELT)
 
@@ -28,10 +37,24 @@ def _sag(q, shoulder, belt):
 
 
 def sent(taken, shoulder=SHOULDER, belt=_BELT):
-    """Return the angles (..., 2) to send to the sagging arm so that it takes the angles `taken` (..., 2).
+    """Return the angles to send to the sagging arm so that it takes given angles.
 
-    shoulder: the coefficients of cos q1 and of cos(q1 + q2). belt: of sin(3 q2). There is no
-    formula: the equation is iterated, and each time what is left is an eighth at most.
+    There is no formula, so the equation q = taken + sag(q) is iterated. Each time the error becomes
+    an eighth of itself or less, so 20 times are enough for all digits.
+
+    Parameters
+    ----------
+    taken : array_like (..., 2)
+        The angles that the arm should take, in radians.
+    shoulder : array_like (2,), default SHOULDER
+        The factors of cos q1 and of cos(q1 + q2), in radians.
+    belt : float, default 0.01
+        The factor of sin(3 q2), in radians.
+
+    Returns
+    -------
+    array (..., 2)
+        Radians.
 
     Examples
     --------
@@ -47,12 +70,17 @@ def sent(taken, shoulder=SHOULDER, belt=_BELT):
 
 
 def measured(q, rng):
-    """Return the measured tips (..., 2) of the sagging arm at the angles q (..., 2) that were sent: 1 mm of noise."""
+    """Return the measured tips (..., 2) of the sagging arm, in metres.
+
+    q (..., 2) are the angles that were sent, in radians. The measurement has a noise of 1 mm.
+    """
     return planar_forward(sagged(q))[0] + generator(rng).normal(0, _NOISE, np.shape(q))
 
 
 def numbered(index, n):
-    """Return one number for each column and row (..., 2) of an n x n grid; -1 stays -1.
+    """Return one number for each column and row (..., 2) of a grid of n x n cells.
+
+    -1 stays -1.
 
     Examples
     --------
@@ -64,7 +92,7 @@ def numbered(index, n):
 
 
 def missing(angles):
-    """Return for answers (..., 2) whether they hold NaN.
+    """Return whether each of the answers (..., 2) holds NaN.
 
     Examples
     --------
@@ -75,7 +103,9 @@ def missing(angles):
 
 
 def in_ranges(solutions, lowest, highest):
-    """Return solutions (..., 2) with nan for those beyond the joint ranges; q1 is taken nearest to 90 degrees.
+    """Return solutions (..., 2), with NaN for those beyond the joint ranges.
+
+    q1 is taken nearest to 90 degrees. All angles are in radians.
 
     Examples
     --------
@@ -92,37 +122,51 @@ def in_ranges(solutions, lowest, highest):
 
 
 def kinds(q, number, count, split):
-    """Return the kind of each cell (count,), and the clearest example of each: {kind: (angles (m, 2), labels (m,))}.
+    """Return the kind of each cell (count,), and the clearest example of each kind.
+
+    The examples are {kind: (angles (m, 2), labels (m,))}.
 
     q: angles (m, 2) in the cells `number` (m,). split(angles): labels of two clusters. A cell with
     6 samples or more is of one of KINDS: its samples have both signs of q2 and the labels agree
     with them, or they have one sign, or they have both and a cluster mixes them.
     """
-    kind_of, clearest, examples = np.full(count, FEW, dtype=object), {}, {}
-    for c, own in _cells(number):
-        if len(own) < 6:
+    kind_of = np.full(count, FEW, dtype=object)
+    clearest, examples = {}, {}
+    for cell, rows in _cells(number):
+        if len(rows) < _MIN_SAMPLES_OF_A_KIND:
             continue
-        labels, up = split(q[own]), q[own, 1] > 0
-        one = up.all() or not up.any()
-        kind = kind_of[c] = KINDS[1] if one else KINDS[0] if (labels == ~up).all() else KINDS[2]
+        labels = split(q[rows])
+        up = q[rows, 1] > 0
+        kind = _kind(labels, up)
+        kind_of[cell] = kind
+        # A picture shows a kind well if the samples are far apart and no group of them is tiny.
         shares = (labels == up).mean(), up.mean(), 1 - up.mean()
-        clear = np.ptp(q[own, 1]) + 10 * min(shares)
-        if len(own) >= 30 and clear > clearest.get(kind, 0):
-            clearest[kind], examples[kind] = clear, (q[own], labels)
+        clarity = np.ptp(q[rows, 1]) + 10 * min(shares)
+        if len(rows) >= _MIN_SAMPLES_OF_AN_EXAMPLE and clarity > clearest.get(kind, 0):
+            clearest[kind] = clarity
+            examples[kind] = (q[rows], labels)
     return kind_of, {kind: examples[kind] for kind in KINDS if kind in examples}
 
 
+def _kind(labels, up):
+    """Return which of KINDS a cell is of, from two clusters and the signs of q2."""
+    if up.all() or not up.any():
+        return KINDS[1]
+    return KINDS[0] if (labels == ~up).all() else KINDS[2]
+
+
 def _cells(number):
-    """Yield (cell, positions of its samples) for the cells in use."""
+    """Yield (cell, rows of its samples) for the cells in use."""
     order = np.argsort(number, kind="stable")
+    # Where the number changes; -2 is no cell's number, so the first one counts as a change too.
     first = np.flatnonzero(np.diff(number[order], prepend=-2))
-    for own in np.split(order, first[1:]):
-        if number[own[0]] >= 0:
-            yield number[own[0]], own
+    for rows in np.split(order, first[1:]):
+        if number[rows[0]] >= 0:
+            yield number[rows[0]], rows
 
 
 def quadratic_terms(xy):
-    """Return the terms (..., 6) of positions (..., 2): 1, x, y, x^2, x y, y^2.
+    """Return the terms 1, x, y, x^2, x y and y^2 (..., 6) of positions (..., 2).
 
     Examples
     --------
@@ -134,7 +178,9 @@ def quadratic_terms(xy):
 
 
 class BranchTable:
-    """A table with a model for each cell and branch: of q1, its multiple of q2 included, and of the square of q2.
+    """A table with a model for each cell and branch.
+
+    A model gives q1, including a multiple of q2, and the square of q2.
 
     Parameters
     ----------
@@ -152,8 +198,12 @@ class BranchTable:
     --------
     With a model that is the same everywhere, q1 = 0.5 + q2 and q2 squared = 4:
 
-    >>> table = BranchTable(lambda xy: np.ones((len(xy), 1)), lambda terms, q: np.array([[0.5, 1], [4, 0]]),
-    ...                     branch=lambda q: np.array([0, 0, 1]), least=2)
+    >>> table = BranchTable(
+    ...     terms=lambda xy: np.ones((len(xy), 1)),
+    ...     fit=lambda terms, q: np.array([[0.5, 1], [4, 0]]),
+    ...     branch=lambda q: np.array([0, 0, 1]),
+    ...     least=2,
+    ... )
     >>> xy, q = np.zeros((3, 2)), np.array([[2.5, 2.0], [2.5, 2.0], [-1.5, -2.0]])
     >>> table.fit(xy, q, np.zeros(3, int)).predict(xy[:1], np.zeros(1, int))
     array([[[2.5, 2. ],
@@ -161,41 +211,54 @@ class BranchTable:
     """
 
     def __init__(self, terms, fit, branch, least=8):
-        self.terms, self.one, self.branch, self.least = terms, fit, branch, least
+        self.terms = terms
+        self.fit_model = fit
+        self.branch = branch
+        self.least = least
 
     def fit(self, xy, q, number):
-        """Fit to positions xy (m, 2) and angles q (m, 2) of samples in the cells `number` (m,); return self."""
+        """Fit the models to samples, and return self.
+
+        xy: positions (m, 2) in metres. q: angles (m, 2) in radians. number: the samples' cells
+        (m,).
+        """
         xy = real_array(xy, "xy", ("n", 2), batched=False)
         q = real_array(q, "q", xy.shape, batched=False)
         number = real_array(number, "number", (len(q),), batched=False).astype(int)
-        self.models, branch = {}, np.asarray(self.branch(q))
-        for c, own in _cells(number):
+        self.models = {}
+        branch = np.asarray(self.branch(q))
+        for cell, rows in _cells(number):
             for k in (0, 1):
-                mine = own[branch[own] == k]
-                if len(mine) >= self.least:
-                    self.models[c, k] = np.asarray(self.one(self.terms(xy[mine]), q[mine]))
+                samples = rows[branch[rows] == k]
+                if len(samples) >= self.least:
+                    model = self.fit_model(self.terms(xy[samples]), q[samples])
+                    self.models[cell, k] = np.asarray(model)
         self.size = sum(model.size for model in self.models.values())
         return self
 
     def predict(self, xy, number):
-        """Return the angles (m, 2, 2) of both branches for positions xy (m, 2) in the cells `number` (m,).
+        """Return the angles (m, 2, 2) of both branches for positions xy (m, 2).
 
-        They are NaN without a model.
+        number: the cells (m,) of the positions.
+
+        The angles are NaN where a cell and branch have no model.
         """
-        found = np.full((len(xy), 2, 2), np.nan)
-        for c, own in _cells(number):
+        angles = np.full((len(xy), 2, 2), np.nan)
+        for cell, rows in _cells(number):
             for k, sign in ((0, 1), (1, -1)):
-                if (c, k) in self.models:
-                    (*of_q1, factor), of_square = self.models[c, k]
-                    terms = self.terms(xy[own])
-                    # 0: the arm is stretched
+                if (cell, k) in self.models:
+                    (*of_q1, factor), of_square = self.models[cell, k]
+                    terms = self.terms(xy[rows])
+                    # A square below 0 is taken as 0, at which the arm is stretched.
                     q2 = sign * np.sqrt(np.maximum(terms @ of_square[:-1], 0))
-                    found[own, k] = np.column_stack([terms @ of_q1 + factor * q2, q2])
-        return found
+                    angles[rows, k] = np.column_stack([terms @ of_q1 + factor * q2, q2])
+        return angles
 
 
 class JointCells:
-    """A forward kinematics learnt in cells of joint space: in each a polynomial of degree two for what is measured.
+    """A forward kinematics learnt in cells of joint space.
+
+    In each cell it is a polynomial of degree two.
 
     It is fitted to the difference from the rigid arm. Every position follows from its angles, so
     there are no branches here, and no edge.
@@ -214,49 +277,77 @@ class JointCells:
         self.width = (real_array(highest, "highest", (2,), batched=False) - self.lowest) / n
 
     def fit(self, xy, q):
-        """Fit to measured positions xy (m, 2) and the angles q (m, 2) that were sent; return self."""
+        """Fit to samples, and return self.
+
+        xy: measured positions (m, 2) in metres. q: the angles (m, 2) that were sent, in radians.
+        """
         xy = real_array(xy, "xy", ("n", 2), batched=False)
         q = real_array(q, "q", xy.shape, batched=False)
         number, terms, _ = self._terms(q)
         self.models = np.zeros((self.n**2, 6, 2))
-        for c, own in _cells(number):
-            self.models[c] = np.linalg.lstsq(terms[own], xy[own] - planar_forward(q[own])[0])[0]
+        difference = xy - planar_forward(q)[0]
+        for cell, rows in _cells(number):
+            self.models[cell] = np.linalg.lstsq(terms[rows], difference[rows])[0]
         return self
 
     def forward(self, theta):
-        """Return positions (m, 2) and Jacobians (m, 2, 2) for angles theta (m, 2), as GridIK wants them."""
+        """Return positions (m, 2) and Jacobians (m, 2, 2) for angles theta (m, 2).
+
+        They are what GridIK expects of its `forward`.
+        """
         number, terms, slopes = self._terms(theta)
         position, J = planar_forward(theta)
         position = position + np.einsum("mt,mtk->mk", terms, self.models[number])
         return position, J + np.einsum("jmt,mtk->mkj", slopes, self.models[number])
 
     def _terms(self, theta):
-        """The cells (m,) of angles (m, 2), the six terms in each (m, 6), and their derivatives (2, m, 6)."""
-        at = (theta - self.lowest) / self.width
-        index = np.clip(np.nan_to_num(at).astype(int), 0, self.n - 1)
-        (u, v), o = (at - index - 0.5).T, np.zeros(len(at))
-        terms = np.stack([o + 1, u, v, u * u, u * v, v * v], axis=-1)
-        slopes = np.stack([[o, o + 1, o, 2 * u, v, o], [o, o, o + 1, o, u, 2 * v]]).transpose(
-            0, 2, 1
-        )
+        """Return the cells of angles (m, 2), their terms, and the derivatives of these.
+
+        The cells are (m,), the six terms (m, 6), and their derivatives by both angles (2, m, 6). In
+        each cell the terms are of coordinates u and v, which run from -1/2 to 1/2.
+        """
+        place = (theta - self.lowest) / self.width
+        index = np.clip(np.nan_to_num(place).astype(int), 0, self.n - 1)
+        u, v = (place - index - 0.5).T
+        zero, one = np.zeros(len(u)), np.ones(len(u))
+        terms = np.stack([one, u, v, u * u, u * v, v * v], axis=-1)
+        by_u = [zero, one, zero, 2 * u, v, zero]
+        by_v = [zero, zero, one, zero, u, 2 * v]
+        slopes = np.stack([by_u, by_v]).transpose(0, 2, 1)
         return numbered(index, self.n), terms, slopes / self.width[:, None, None]
 
 
 def largest_errors(corner, size, degree, solve):
-    """Return the largest errors of q2 (rad) and of the position (m) of one polynomial in a cell.
+    """Return the largest errors of q2 (rad) and of the position (m) in a cell.
 
-    The cell ends at the corner's x and has its y in the middle. A polynomial of this degree is
-    fitted to the first branch of solve(xy (m, 2)), angles (m, 2, 2), on a grid of 41 x 41
-    positions.
+    A polynomial is fitted to the first branch of the solutions on a grid of 41 x 41 positions in
+    the cell.
+
+    Parameters
+    ----------
+    corner : array (2,)
+        The middle of the cell's right side, in metres.
+    size : float
+        The length of the cell's sides, in metres.
+    degree : int
+        The degree of the polynomial.
+    solve : function
+        solve(xy (m, 2)) are the angles (m, 2, 2) of both branches.
+
+    Returns
+    -------
+    tuple of float
     """
-    grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 41)]), -1).reshape(-1, 2)
+    side = np.linspace(-1, 1, 41)
+    grid = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2)
     xy = corner + size / 2 * (grid - [1, 0])
+    # The two links are 1 m long, so the arm reaches no farther than 2 m.
     within = np.hypot(*xy.T) <= 2
-    (u, v), xy = grid[within].T, xy[within]
-    basis = np.stack(
-        [u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1
-    )
+    u, v = grid[within].T
+    xy = xy[within]
+    powers = [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
+    basis = np.stack([u**i * v**j for i, j in powers], axis=-1)
     angles = solve(xy)[:, 0]
     fitted = basis @ np.linalg.lstsq(basis, angles)[0]
-    off = np.linalg.norm(planar_forward(fitted)[0] - xy, axis=1)
-    return np.abs(fitted - angles)[:, 1].max(), off.max()
+    distances = np.linalg.norm(planar_forward(fitted)[0] - xy, axis=1)
+    return np.abs(fitted - angles)[:, 1].max(), distances.max()

@@ -1,4 +1,6 @@
-"""Inverse kinematics of an arm with two joints, learnt from samples: a grid of small models, a scikit-learn estimator.
+"""Inverse kinematics of an arm with two joints, learnt from samples.
+
+The estimator, made as scikit-learn's are, is a grid of small models.
 
 The box around the sampled positions is divided into cells. In each cell each branch, theta2 >= 0
 and theta2 < 0, has its own model, so that no model averages over two solutions.
@@ -22,15 +24,21 @@ from sklearn.utils.validation import check_is_fitted
 
 from course_lib.arguments import count, real_array, refuse_first, tolerance
 
-_SIGNS = np.array([[1.0], [-1.0]])  # of theta2 on the two branches
-# of a model: 1, u, v, u^2, u v, v^2, which the square of theta2 has, and |theta2|, which theta1 has
-# too
+# The signs of theta2 on the two branches.
+_SIGNS = np.array([[1.0], [-1.0]])
+# The terms of a model: 1, u, v, u^2, u v, v^2, which the square of theta2 has, and |theta2|, which
+# theta1 has too.
 _TERMS = 7
-_RIDGE = 1e-10  # on every term but the first, so that a single sample determines a model
-_ENOUGH = 9  # samples in a cell for a model whose answers are not verified
-_LEAST_SQUARE = 1e-14  # of theta2, so that a step on the fold itself divides by no zero
-_WIDEST = 1000.0  # radians, or degrees: far above it the ridge would be lost in the rounding
-_CHUNK = 4096  # queries at a time: few enough that all their numbers stay in the processor's cache
+# A ridge on every term but the first, so that a single sample determines a model.
+_RIDGE = 1e-10
+# Samples in a cell for a model whose answers are not verified.
+_MIN_UNVERIFIED = 9
+# The least square of theta2, so that a step on the fold itself does not divide by zero.
+_MIN_SQUARE = 1e-14
+# Radians, or degrees. Far above it the ridge would be lost in the rounding.
+_MAX_ANGLE = 1000.0
+# Queries at a time: few enough that all their numbers stay in the processor's cache.
+_CHUNK = 4096
 
 
 def planar_forward(theta, lengths=(1.0, 1.0)):
@@ -62,25 +70,29 @@ def planar_forward(theta, lengths=(1.0, 1.0)):
     (c1, s1), (c12, s12) = _cos_sin(theta[..., 0]), _cos_sin(theta[..., 0] + theta[..., 1])
     x2, y2 = lengths[1] * c12, lengths[1] * s12
     x, y = lengths[0] * c1 + x2, lengths[0] * s1 + y2
-    # Written in columns, which GridIK computes with.
-    return np.moveaxis(np.array([x, y]), 0, -1), np.moveaxis(
-        np.array([[-y, -y2], [x, x2]]), (0, 1), (-2, -1)
-    )
+    # The arrays are written in columns, with which GridIK computes.
+    position = np.moveaxis(np.array([x, y]), 0, -1)
+    J = np.moveaxis(np.array([[-y, -y2], [x, x2]]), (0, 1), (-2, -1))
+    return position, J
 
 
 def _cos_sin(angle):
-    """Return both from the tangent of half the angle, which takes numpy a quarter of the time."""
+    """Return cosine and sine from the tangent of half the angle.
+
+    cos a = 2 / (1 + t^2) - 1 and sin a = 2 t / (1 + t^2) with t = tan(a/2). This takes numpy a
+    quarter of the time of its own functions.
+    """
     t = np.tan(angle / 2)
     share = 2 / (1 + t * t)
     return share - 1, share * t
 
 
 class GridIK(BaseEstimator):
-    """Both solutions of the inverse kinematics of an arm with two joints in the plane, learnt from samples.
+    """Both solutions of the inverse kinematics of an arm with two joints in the plane.
 
-    The arm's two solutions must meet where theta2 = 0, and theta1 must range over less than one
-    revolution. In a cell in which a branch has angles one revolution apart, answers are missing, or
-    wrong if no `forward` verifies them.
+    They are learnt from samples. The arm's two solutions must meet where theta2 = 0, and theta1
+    must range over less than one revolution. In a cell in which a branch has angles one revolution
+    apart, answers are missing, or wrong if no `forward` verifies them.
 
     Parameters
     ----------
@@ -110,8 +122,8 @@ class GridIK(BaseEstimator):
     --------
     >>> theta = np.random.default_rng(0).uniform([0, -1.5], [2.9, 1.5], (50_000, 2))
     >>> xy, _ = planar_forward(theta)
-    >>> found = GridIK(forward=planar_forward).fit(xy, theta).predict([[0.5, 1.5]])
-    >>> planar_forward(found[0])[0].round(6)  # the tip at both solutions
+    >>> solutions = GridIK(forward=planar_forward).fit(xy, theta).predict([[0.5, 1.5]])
+    >>> planar_forward(solutions[0])[0].round(6)  # the tip at both solutions
     array([[0.5, 1.5],
            [0.5, 1.5]])
     """
@@ -136,19 +148,22 @@ class GridIK(BaseEstimator):
         xy = real_array(xy, "xy", ("n", 2), batched=False)
         theta = real_array(theta, "theta", xy.shape, batched=False)
         _check_samples(xy, theta, nx * ny)
-        box, ranges = (np.stack([a.min(0), a.max(0)]) for a in (xy, theta))
+        box = np.stack([xy.min(0), xy.max(0)])
+        ranges = np.stack([theta.min(0), theta.max(0)])
         self._check_forward(xy[:1000], theta[:1000], (box[1] - box[0]) / cells)
-        self.cells_, self.box_, self.range_, self.n_features_in_ = cells, box, ranges, 2
+        self.cells_ = cells
+        self.box_ = box
+        self.range_ = ranges
+        self.n_features_in_ = 2
         cell, u, v = self._cell(xy.T)
+        # One number for each branch and cell; after the cells of a branch comes "outside".
         slot = (nx * ny + 1) * (theta[:, 1] < 0) + cell
-        known = np.bincount(slot, minlength=2 * (nx * ny + 1)) >= (
-            _ENOUGH if self.forward is None else 1
-        )
+        least = _MIN_UNVERIFIED if self.forward is None else 1
+        known = np.bincount(slot, minlength=2 * (nx * ny + 1)) >= least
         self.row_ = np.where(known, np.cumsum(known) - 1, -1).astype(np.int32).reshape(2, -1)
         use = known[slot]
-        self.models_ = _models(
-            self.row_.ravel()[slot[use]], known.sum(), u[use], v[use], theta[use]
-        )
+        row = self.row_.ravel()[slot[use]]
+        self.models_ = _models(row, known.sum(), u[use], v[use], theta[use])
         return self
 
     def predict(self, xy):
@@ -180,64 +195,73 @@ class GridIK(BaseEstimator):
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()
-        tags.target_tags.required, tags.target_tags.single_output, tags.target_tags.multi_output = (
-            True,
-            False,
-            True,
-        )
+        tags.target_tags.required = True
+        tags.target_tags.single_output = False
+        tags.target_tags.multi_output = True
         return tags
 
     def _answer(self, xy):
-        """Return the angles (2, 2, m), theta1 and theta2 of both branches, for positions xy (2, m)."""
+        """Return the angles (2, 2, m) of both branches for positions xy (2, m).
+
+        The first axis is theta1 and theta2, the second the branch.
+        """
         cell, u, v = self._cell(xy)
         c = np.moveaxis(self.models_.take(self.row_.take(cell, 1), 0), -1, 0)
         with np.errstate(all="ignore"):
             square = _quadratic(c[:6], u, v)
-            root = np.sqrt(np.maximum(square, _LEAST_SQUARE, dtype=float))
+            root = np.sqrt(np.maximum(square, _MIN_SQUARE, dtype=float))
             theta = np.stack([_quadratic(c[6:], u, v) + c[12] * root, _SIGNS * root])
             if self.forward is None:
                 reached = square >= 0
             else:
-                reached = self._newton(theta.reshape(2, -1), np.concatenate([xy, xy], 1)).reshape(
-                    2, -1
-                )
+                # Both branches are improved at once: theta.reshape is a view, which changes theta.
+                targets = np.concatenate([xy, xy], 1)
+                reached = self._newton(theta.reshape(2, -1), targets).reshape(2, -1)
             (low1, low2), (high1, high2) = self.range_
-            reached &= (
-                (theta[0] >= low1) & (theta[0] <= high1) & (theta[1] >= low2) & (theta[1] <= high2)
-            )
+            reached &= (theta[0] >= low1) & (theta[0] <= high1)
+            reached &= (theta[1] >= low2) & (theta[1] <= high2)
         return np.where(reached, theta, np.nan)
 
     def _newton(self, theta, xy):
-        """Improve the array theta (2, m) until forward leads to xy (2, m); return whether it does (m,)."""
-        reached, left = np.zeros(theta.shape[1], bool), np.flatnonzero(~np.isnan(theta[0]))
-        at, xy = theta.take(left, 1), xy.take(left, 1)
-        position, J = self._at(at)
+        """Improve the array theta (2, m) in place until forward leads to xy (2, m).
+
+        Return whether it does so (m,).
+        """
+        reached = np.zeros(theta.shape[1], bool)
+        # The queries that are not yet reached, and their angles and positions.
+        left = np.flatnonzero(~np.isnan(theta[0]))
+        angles = theta.take(left, 1)
+        xy = xy.take(left, 1)
+        position, J = self._forward(angles)
         for _ in range(self.steps):
-            at = _step(at, xy - position, J)
-            position, J = self._at(at)
+            angles = _step(angles, xy - position, J)
+            position, J = self._forward(angles)
             near = (np.abs(xy - position) <= self.tol).all(0)
-            there, off = left[near], np.flatnonzero(~near)
-            reached[there] = True
-            for angles, found in zip(theta, at, strict=True):
-                angles[there] = found[near]
-            if not len(off):
+            arrived = left[near]
+            reached[arrived] = True
+            # One joint after the other is faster than both at once.
+            for result, angle in zip(theta, angles, strict=True):
+                result[arrived] = angle[near]
+            far = np.flatnonzero(~near)
+            if not len(far):
                 break
-            left, at, xy, position = (
-                left.take(off),
-                at.take(off, 1),
-                xy.take(off, 1),
-                np.take(position, off, 1),
-            )
-            J = np.take(J, off, 2)
+            left = left.take(far)
+            angles = angles.take(far, 1)
+            xy = xy.take(far, 1)
+            position = np.take(position, far, 1)
+            J = np.take(J, far, 2)
         return reached
 
-    def _at(self, theta):
+    def _forward(self, theta):
         """Return positions (2, m) and Jacobians (2, 2, m) for theta (2, m)."""
         position, J = self.forward(theta.T)
         return np.transpose(position), np.moveaxis(J, 0, -1)
 
     def _cell(self, xy):
-        """Return the cells (m,) of positions (2, m), nx ny if outside, and u and v from -1 to 1 across the cell."""
+        """Return the cells (m,) of positions (2, m), and coordinates u and v in the cells.
+
+        A cell is nx ny for a position outside the box. u and v run from -1 to 1 across the cell.
+        """
         (x0, y0), (x1, y1), (nx, ny) = *self.box_, self.cells_
         x, y = xy
         inside = (x >= x0) & (x <= x1) & (y >= y0) & (y <= y1)
@@ -247,9 +271,8 @@ class GridIK(BaseEstimator):
 
     def _check_parameters(self):
         """Return the numbers of cells along x and y."""
-        if not isinstance(self.cells, tuple | list | np.ndarray) or np.array(
-            self.cells, object
-        ).shape != (2,):
+        is_sequence = isinstance(self.cells, tuple | list | np.ndarray)
+        if not is_sequence or np.array(self.cells, object).shape != (2,):
             raise ValueError(
                 f"cells must be two whole numbers, along x and along y; it is {self.cells!r:.80}"
             )
@@ -259,7 +282,10 @@ class GridIK(BaseEstimator):
         return cells
 
     def _check_forward(self, xy, theta, width):
-        """Run forward on a few samples, and refuse one that does not belong to them: every answer would be missing."""
+        """Run forward on a few samples, and refuse one that does not belong to them.
+
+        With it every answer would be missing.
+        """
         if self.forward is None:
             return
         try:
@@ -297,27 +323,36 @@ def _step(theta, error, J):
     det = a * d - b * c
     step1, step2 = (d * ex - b * ey) / det, (a * ey - c * ex) / det
     theta1, theta2 = theta
-    moved = np.copysign(np.sqrt(np.maximum(theta2 * (theta2 + 2 * step2), _LEAST_SQUARE)), theta2)
+    # A step of step2 in theta2 is one of 2 theta2 step2 in its square.
+    square = np.maximum(theta2 * (theta2 + 2 * step2), _MIN_SQUARE)
+    moved = np.copysign(np.sqrt(square), theta2)
+    # theta2 has moved by another amount than step2. Theta1 makes up for the difference as far as it
+    # can, by least squares of the two columns of the Jacobian.
     slide = (a * b + c * d) / (a * a + c * c)
     return np.stack([theta1 + step1 + slide * (step2 - (moved - theta2)), moved])
 
 
 def _models(row, rows, u, v, theta):
-    """Return (rows + 1, 13), the models of samples at u and v in the cell, each of the samples in its row; NaN last."""
+    """Return the models (rows + 1, 13) of samples, the last of which is NaN.
+
+    Each sample belongs to the model of its row, and lies at u and v in its cell.
+    """
     u, v, root = u.astype(float), v.astype(float), np.abs(theta[:, 1])
     terms = [np.ones_like(u), u, v, u * u, u * v, v * v, root]
+    # The normal equations A x = b of all models, whose sums bincount makes row by row.
     A, b = np.empty((rows, _TERMS, _TERMS)), np.empty((2, rows, _TERMS, 1))
     for i, term in enumerate(terms):
         for j in range(i + 1):
             A[:, i, j] = A[:, j, i] = np.bincount(row, term * terms[j], rows)
         for k, target in enumerate((root**2, theta[:, 0])):
             b[k, :, i, 0] = np.bincount(row, term * target, rows)
-    held = range(1, _TERMS)
-    A[:, held, held] += _RIDGE * (1 + A[:, held, held])
-    models = np.concatenate(
-        [np.linalg.solve(A[:, :-1, :-1], b[0, :, :-1]), np.linalg.solve(A, b[1])], 1
-    )[..., 0]
-    return np.concatenate([models, np.full((1, models.shape[1]), np.nan)]).astype(np.float32)
+    with_ridge = range(1, _TERMS)
+    A[:, with_ridge, with_ridge] += _RIDGE * (1 + A[:, with_ridge, with_ridge])
+    of_square = np.linalg.solve(A[:, :-1, :-1], b[0, :, :-1])
+    of_theta1 = np.linalg.solve(A, b[1])
+    models = np.concatenate([of_square, of_theta1], 1)[..., 0]
+    no_model = np.full((1, models.shape[1]), np.nan)
+    return np.concatenate([models, no_model]).astype(np.float32)
 
 
 def _check_samples(xy, theta, cells):
@@ -327,9 +362,9 @@ def _check_samples(xy, theta, cells):
             f"cells"
         )
     refuse_first(
-        np.abs(theta) > _WIDEST,
+        np.abs(theta) > _MAX_ANGLE,
         "theta",
-        f"must be at most {_WIDEST:g}, of either sign; it is {{:g}}",
+        f"must be at most {_MAX_ANGLE:g}, of either sign; it is {{:g}}",
         theta,
     )
     width = np.ptp(xy, axis=0)

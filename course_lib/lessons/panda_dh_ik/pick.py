@@ -1,4 +1,6 @@
-"""What a motion of the Panda with its gripper may do: stay clear of table, mug and itself, within bounds of its motors.
+"""What a motion of the Panda with its gripper may do.
+
+It must stay clear of table, mug and the arm itself, and within the bounds of the motors.
 
 The moving links and the gripper are approximated by balls, which leave out no more than 2 cm of a
 bulge; the mug by a cylinder and a ball for the handle. All poses are seen from the world, where the
@@ -14,15 +16,26 @@ from course_lib.arms import panda
 from course_lib.rigid import checked_pose, transform
 from course_lib.rotations import rot_x, rot_z
 
-FASTEST = np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])  # rad/s
-HARDEST = np.array([15, 7.5, 10, 12.5, 15, 20, 20.0])  # rad/s^2
-BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))  # of the arm, in the world
-# the gripper's frame, between its fingertips
+# The largest speeds and accelerations of the seven joints, in rad/s and rad/s^2.
+MAX_SPEEDS = np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])
+MAX_ACCELERATIONS = np.array([15, 7.5, 10, 12.5, 15, 20, 20.0])
+# The pose of the arm's base in the world.
+BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))
+# The pose of the gripper's frame, between its fingertips.
 IN_FLANGE = read_only(transform(rot_z(-np.pi / 4), [0, 0, 0.1034]))
-IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))  # the gripper when it grasps, from above
-_TABLE, _MUG_RADIUS, _MUG_HEIGHT, _HANDLE = 0.6, 0.035, 0.09, (0.05, 0, 0.05, 0.02)
-_STEP, _MOST_STEPS = 0.02, 50  # radians
-_ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre, radius, how many
+# The pose of the gripper when it grasps from above.
+IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))
+# Metres: the table's height, the mug's cylinder, and the handle's ball (centre x, y, z and radius).
+_TABLE = 0.6
+_MUG_RADIUS = 0.035
+_MUG_HEIGHT = 0.09
+_HANDLE = (0.05, 0, 0.05, 0.02)
+# Between two rows a trajectory is looked at in steps of so many radians, and of at most so many.
+_STEP = 0.02
+_MAX_STEPS = 50
+# Rows of balls along the links: the number of a frame of arms.panda().frames, the first and last
+# centre in it and the radius in metres, and the number of balls.
+_ROWS = [
     (0, (0, 0, -0.28), (0, 0, 0), 0.075, 4),
     (1, (0, 0, -0.06), (0, 0, 0.06), 0.075, 3),
     (2, (0, 0, -0.3), (0, 0, 0), 0.075, 6),
@@ -31,34 +44,39 @@ _ROWS = [  # a row of balls: frame of arms.panda().frames, first and last centre
     (5, (0, 0, -0.04), (0, 0, 0.04), 0.07, 3),
     (6, (0, 0, 0), (0, 0, 0.08), 0.055, 3),
 ]
-# y and z in the gripper's frame, open by 8 cm
+# Rows of balls on the gripper, open by 8 cm: y and z of the first and last centre in the gripper's
+# frame, the radius, and the number of balls.
 _GRIPPER = [((-0.065, -0.07), (0.065, -0.07), 0.035, 3)]
 _GRIPPER += [((0.048 * side, -0.035), (0.048 * side, -0.005), 0.008, 3) for side in (-1, 1)]
+
+
+_FLANGE = 7  # the number of its frame
 
 
 def _balls():
     """Return the frame (m,), the centre in it (m, 3) and the radius (m,) of each ball."""
     rows = [(frame, np.linspace(a, b, n), r) for frame, a, b, r, n in _ROWS]
     for (y, z), (y1, z1), r, n in _GRIPPER:
-        rows.append(
-            (7, np.linspace([0, y, z], [0, y1, z1], n) @ IN_FLANGE[:3, :3].T + IN_FLANGE[:3, 3], r)
-        )
+        in_gripper = np.linspace([0, y, z], [0, y1, z1], n)
+        in_flange = in_gripper @ IN_FLANGE[:3, :3].T + IN_FLANGE[:3, 3]
+        rows.append((_FLANGE, in_flange, r))
     frames, centres, radii = zip(*rows, strict=True)
-    counts = [len(each) for each in centres]
+    counts = [len(row) for row in centres]
     return np.repeat(frames, counts), np.concatenate(centres), np.repeat(radii, counts)
 
 
 _FRAME, _CENTRE, _RADIUS = _balls()
-_APART = [
-    (i, j)
-    for i, f in enumerate(_FRAME)
-    for j, g in enumerate(_FRAME)
-    if (f == 7 and g <= 4) or (f >= 5 and g <= 2)
-]
+# Which balls must stay apart: those of the gripper and of links 0 to 4, and those of links 5 and 6
+# and of links 0 to 2. Links that are neighbours touch always.
+_GRIPPER_AND_ARM = (_FRAME[:, None] == _FLANGE) & (_FRAME <= 4)
+_WRIST_AND_SHOULDER = (_FRAME[:, None] >= 5) & (_FRAME <= 2)
+_SEPARATE = np.argwhere(_GRIPPER_AND_ARM | _WRIST_AND_SHOULDER)
 
 
 def between(trajectory):
-    """Return the times and joint angles of a trajectory, and of steps of 0.02 rad between its rows, at most 50 of them.
+    """Return the times and joint angles of a trajectory, and of steps between its rows.
+
+    The steps are of 0.02 rad, and at most 50 between two rows.
 
     Parameters
     ----------
@@ -76,10 +94,10 @@ def between(trajectory):
     array([0. , 0.5, 1. ])
     """
     trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
-    n = np.clip(
-        np.ceil(np.abs(np.diff(trajectory[:, 1:], axis=0)).max(1) / _STEP), 1, _MOST_STEPS
-    ).astype(int)
+    largest_change = np.abs(np.diff(trajectory[:, 1:], axis=0)).max(1)
+    n = np.clip(np.ceil(largest_change / _STEP), 1, _MAX_STEPS).astype(int)
     start = np.repeat(np.arange(len(n)), n)
+    # For n = [2, 3] this is [0, 1, 0, 1, 2], each divided by its n.
     part = (np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)) / n[start]
     steps = trajectory[start] + part[:, None] * (trajectory[start + 1] - trajectory[start])
     steps = np.concatenate([steps, trajectory[-1:]])
@@ -87,7 +105,9 @@ def between(trajectory):
 
 
 def clearances(joints, T_mug):
-    """Return how far the arm and its open gripper are from table, mug and itself; negative where they touch.
+    """Return how far the arm and its open gripper are from table, mug and itself.
+
+    A distance is negative where they touch.
 
     Parameters
     ----------
@@ -104,31 +124,35 @@ def clearances(joints, T_mug):
     Examples
     --------
     >>> mug = transform(np.eye(3), [0.3, 0, 0.6])
-    >>> found = clearances([0, -0.8, 0, -2.4, 0, 1.6, 0.8], mug)
-    >>> {what: float(distance.round(2)) for what, distance in found.items()}
+    >>> distances = clearances([0, -0.8, 0, -2.4, 0, 1.6, 0.8], mug)
+    >>> {name: float(distance.round(2)) for name, distance in distances.items()}
     {'table': 0.26, 'mug': 0.41, 'itself': 0.06}
     """
     joints, T_mug = real_array(joints, "joints", (7,)), checked_pose(T_mug, "T_mug", (4, 4))
     frames = (BASE @ panda().frames(joints))[..., _FRAME, :, :]
-    at = (frames[..., :3, :3] @ _CENTRE[..., None])[..., 0] + frames[..., :3, 3]
-    x, y, z = np.moveaxis((at - T_mug[:3, 3]) @ T_mug[:3, :3], -1, 0)
-    beside, above = np.hypot(x, y) - _MUG_RADIUS, np.abs(z - _MUG_HEIGHT / 2) - _MUG_HEIGHT / 2
-    cup = np.hypot(np.maximum(beside, 0), np.maximum(above, 0))
+    centres = (frames[..., :3, :3] @ _CENTRE[..., None])[..., 0] + frames[..., :3, 3]
+    # In the mug's frame. How far a centre is beyond the cylinder's side and beyond its ends gives
+    # its distance; inside the cylinder the distance is 0.
+    x, y, z = np.moveaxis((centres - T_mug[:3, 3]) @ T_mug[:3, :3], -1, 0)
+    beyond_side = np.hypot(x, y) - _MUG_RADIUS
+    beyond_end = np.abs(z - _MUG_HEIGHT / 2) - _MUG_HEIGHT / 2
+    cup = np.hypot(np.maximum(beyond_side, 0), np.maximum(beyond_end, 0))
     handle = np.sqrt((x - _HANDLE[0]) ** 2 + y**2 + (z - _HANDLE[2]) ** 2) - _HANDLE[3]
-    one, other = np.transpose(_APART)
-    apart = (
-        np.linalg.norm(at[..., one, :] - at[..., other, :], axis=-1) - _RADIUS[one] - _RADIUS[other]
-    )
-    moving = _FRAME > 0
+    one, other = _SEPARATE.T
+    between_centres = np.linalg.norm(centres[..., one, :] - centres[..., other, :], axis=-1)
+    gaps = between_centres - _RADIUS[one] - _RADIUS[other]
+    moving = _FRAME > 0  # the base stands on the table
     return {
-        "table": (at[..., moving, 2] - _TABLE - _RADIUS[moving]).min(-1),
+        "table": (centres[..., moving, 2] - _TABLE - _RADIUS[moving]).min(-1),
         "mug": (np.minimum(cup, handle) - _RADIUS).min(-1),
-        "itself": apart.min(-1),
+        "itself": gaps.min(-1),
     }
 
 
 def shares(trajectory):
-    """Return what share of its bounds a trajectory uses at each row: 1 is the most that the motors allow.
+    """Return what share of the motors' bounds a trajectory uses at each row.
+
+    1 is the most that the motors allow.
 
     Parameters
     ----------
@@ -143,7 +167,8 @@ def shares(trajectory):
 
     Examples
     --------
-    >>> [share.round(2).tolist() for share in shares([[t, q] + [0] * 6 for t, q in [(0, 0), (1, 1), (2, 1)]])]
+    >>> trajectory = [[t, q] + [0] * 6 for t, q in [(0, 0), (1, 1), (2, 1)]]
+    >>> [share.round(2).tolist() for share in shares(trajectory)]
     [[0.46, 0.0, 0.0], [0.07, 0.07, 0.0]]
     """
     trajectory = real_array(trajectory, "trajectory", ("n", 8), batched=False)
@@ -154,4 +179,6 @@ def shares(trajectory):
     speeds = np.concatenate([rest, dq / dt[:, None], rest])
     around = np.concatenate([dt[:1], (dt[1:] + dt[:-1]) / 2, dt[-1:]])
     accelerations = np.diff(speeds, axis=0) / around[:, None]
-    return (np.abs(speeds[1:]) / FASTEST).max(-1), (np.abs(accelerations) / HARDEST).max(-1)
+    speed = (np.abs(speeds[1:]) / MAX_SPEEDS).max(-1)
+    acceleration = (np.abs(accelerations) / MAX_ACCELERATIONS).max(-1)
+    return speed, acceleration

@@ -48,8 +48,8 @@ def right_all_in_the_time_of_the_hardest_joint(q0, T_grasp):
     x = planned(q0, T_grasp)
     dq = np.diff(np.vstack([x[:1], x, x[-1:]])[:, 1:], axis=0)
     dt = max(
-        (np.abs(dq) / pick.FASTEST).max(),
-        np.sqrt((np.abs(np.diff(dq, axis=0)) / pick.HARDEST).max()),
+        (np.abs(dq) / pick.MAX_SPEEDS).max(),
+        np.sqrt((np.abs(np.diff(dq, axis=0)) / pick.MAX_ACCELERATIONS).max()),
     )
     x[:, 0] = dt * np.arange(len(x))
     return x
