@@ -84,7 +84,7 @@ animations: environment ## write the moving pictures as GIF (and MP4, with ffmpe
 data: environment ## compute a trajectory of the iiwa with exact velocities, build/data/iiwa_trajectory.csv
 	@$(PY) -m course_lib.pack.data
 
-lock: ## write environment.txt from pyproject.toml; UPGRADE=yes for newer versions
+lock: ## write environment.txt from pyproject.toml; UPGRADE=numpy for a newer numpy, UPGRADE=yes for all packages
 	@sh course_lib/pack/environment.sh lock
 
 # One thread for all, so that what is compared is the work and not how it is spread.

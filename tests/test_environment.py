@@ -93,6 +93,19 @@ def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at
     assert "-m venv .venv" in make("environment")[1]
 
 
+@pytest.mark.parametrize(("upgrade", "options"), [
+    ("", []),
+    ("yes", ["--upgrade"]),
+    ("numpy", ["--upgrade-package numpy"]),
+    ("numpy scipy", ["--upgrade-package numpy", "--upgrade-package scipy"]),
+])  # fmt: skip
+def test_a_lock_upgrades_what_is_named(make, upgrade, options):
+    shutil.copy(make.bin / "python3", make.bin / "uv")
+    done, called = make("lock", UPGRADE=upgrade)
+    assert done.returncode == 0
+    assert re.findall(r"--upgrade(?:-package \S+)?", called) == options
+
+
 def test_a_lock_that_fails_leaves_the_old_one(make):
     shutil.copy(make.bin / "python3", make.bin / "uv")
     assert "stays as it is" in make("lock")[0].stdout

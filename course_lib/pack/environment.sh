@@ -93,11 +93,20 @@ bench() {
     done
 }
 
+# Writes the options of uv for UPGRADE=yes, which is all packages, or for the names of packages.
+upgrade_options() {
+    case ${UPGRADE:-} in
+    '' | no) ;;
+    yes | all) printf '%s' --upgrade ;;
+    *) printf -- '--upgrade-package %s ' $UPGRADE ;; # not quoted: one option for each name
+    esac
+}
+
 lock() { # uv keeps the versions of the file that it writes, a copy here, so that an error changes nothing
     cp environment.txt build/lock.txt
     # The --no-... leave out what differs between machines, such as the address of a package index.
     run "${uv:-.venv/bin/uv}" pip compile --universal --fork-strategy fewest --python-version 3.11 pyproject.toml \
-        --group test --group site --group grade --group cluster --group build ${UPGRADE:+--upgrade} --no-header --no-annotate \
+        --group test --group site --group grade --group cluster --group build $(upgrade_options) --no-header --no-annotate \
         --resolution "${RESOLUTION:-highest}" --no-emit-index-url --no-emit-find-links -o build/lock.txt || explain
     { grep '^#' environment.txt; grep -v '^#' build/lock.txt; } >build/lock.new
     if diff environment.txt build/lock.new; then echo "environment.txt stays as it is."; else
