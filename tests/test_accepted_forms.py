@@ -5,6 +5,7 @@ The cells run in this process, without pictures. What they print has to be what 
 
 import contextlib
 import functools
+import importlib
 import io
 import re
 from pathlib import Path
@@ -88,3 +89,20 @@ def test_later_cells_print_the_same_whatever_form_an_answer_has(path, form, monk
         if not name and printed(cell):
             assert out.getvalue() == printed(cell), f"cell {cell.id} prints something else"
     assert len(in_other_form) >= 3
+
+
+def test_truth_values_stay_truth_values():
+    reached = importlib.import_module("course_lib.lessons.panda_dh_ik.exercises.reached_targets")
+    case = next(iter(reached.EXERCISE.cases(np.random.default_rng(0))))
+    answer = reached.EXERCISE.library(*case)
+    column = np.reshape(answer, (-1, 1))
+    read = reached.EXERCISE.as_read(column, case)
+    assert read.dtype == bool
+    assert read.shape == np.shape(answer)
+
+
+def test_whole_numbers_stay_indices():
+    split = importlib.import_module("course_lib.lessons.decomposition_ik.exercises.split_branches")
+    q = np.array([[0.0, 1.0], [1.0, -1.0], [0.1, 1.1]])
+    labels = split.EXERCISE.as_read(np.array([[0], [1], [0]]), (q,))
+    assert np.arange(2)[labels].tolist() == [0, 1, 0]

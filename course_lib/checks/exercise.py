@@ -188,11 +188,16 @@ class Exercise:
             return value
         try:
             read = self.returns(value, *arguments)
-            return read[()] if isinstance(read, np.ndarray) and read.ndim == 0 else read
-        except (
-            Exception
-        ):  # a call that the check does not make, such as one for many inputs at once
+        except Exception:  # a call that the check does not make, such as one for many inputs
             return _as_array(value)
+        if not isinstance(read, np.ndarray):
+            return read
+        # The check compares numbers as floats. Later cells index by whole numbers and negate truth
+        # values, so those stay what they are.
+        kind = np.asarray(value).dtype
+        if kind.kind in "biu":
+            read = read.astype(kind)
+        return read[()] if read.ndim == 0 else read
 
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
