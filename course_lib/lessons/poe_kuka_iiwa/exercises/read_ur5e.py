@@ -20,7 +20,7 @@ _read_pose = numbers(lambda: (4, 4))
 
 
 def _read(value):
-    """Return omega (6, 3), v (6, 3) and M (4, 4)."""
+    """Return the screw axes (6, 6) and M (4, 4), as the notebook goes on with them."""
     if not isinstance(value, tuple | list) or len(value) != 2:
         pair = Mistake(
             "something other than a pair is returned", "The last line is `return screws, M`."
@@ -28,24 +28,23 @@ def _read(value):
         raise Unreadable(
             "the answer is a pair, screws of shape (6, 6) and M of shape (4, 4).", pair
         )
-    screws = _read_screws(value[0])
-    return screws[:, :3], screws[:, 3:], _read_pose(value[1])
+    return _read_screws(value[0]), _read_pose(value[1])
 
 
 def _direction_off(read):
-    i = int(np.argmax(np.abs(read[0] - _OMEGA).max(1) > 1e-6))
-    opposite = " It is the opposite one." if np.allclose(read[0][i], -_OMEGA[i]) else ""
-    return f"Joint {i + 1} has another: yours is {format_tuple(read[0][i])}.{opposite}"
+    i = int(np.argmax(np.abs(read[0][:, :3] - _OMEGA).max(1) > 1e-6))
+    opposite = " It is the opposite one." if np.allclose(read[0][:, :3][i], -_OMEGA[i]) else ""
+    return f"Joint {i + 1} has another: yours is {format_tuple(read[0][:, :3][i])}.{opposite}"
 
 
 def _velocity_off(read):
-    off = np.abs(read[1] - _V).max(1)
+    off = np.abs(read[0][:, 3:] - _V).max(1)
     i = int(np.argmax(off > _TOLERANCE))
-    if np.allclose(read[1][i], -_V[i], atol=_TOLERANCE):
-        return f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is the opposite one."
-    beside = _axes(np.cross(read[0][i], read[1][i] - _V[i]))
+    if np.allclose(read[0][:, 3:][i], -_V[i], atol=_TOLERANCE):
+        return f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is the opposite one."
+    beside = _axes(np.cross(read[0][:, :3][i], read[0][:, 3:][i] - _V[i]))
     shown = (
-        f"The v of joint {i + 1}, {format_tuple(read[1][i])}, is {1000 * off[i]:.3g} mm/s off at 1 "
+        f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is {1000 * off[i]:.3g} mm/s off at 1 "
         f"rad/s"
     )
     return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
@@ -67,7 +66,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the axes have the directions of the arrows in the drawing, of length one",
-            lambda read: np.allclose(read[0], _OMEGA, atol=1e-6),
+            lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=1e-6),
             says=_direction_off,
             mistake=Mistake(
                 "an axis has another direction than its arrow", "Are the rows joints, omega first?"
@@ -76,7 +75,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "v is the velocity of the point at the base's origin when the joint rotates at 1 rad/s",
-            lambda read: (np.abs(read[1] - _V) <= _TOLERANCE).all(),
+            lambda read: (np.abs(read[0][:, 3:] - _V) <= _TOLERANCE).all(),
             says=_velocity_off,
             mistake=Mistake(
                 "an axis is read elsewhere than it is drawn",
@@ -88,12 +87,12 @@ EXERCISE = Exercise(
         Property(
             "M is a pose (R, p): R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
             lambda read: (
-                np.allclose(read[2][3], [0, 0, 0, 1], atol=EXACT)
-                and orthogonality_error(read[2][BLOCK]) < 1e-6
-                and np.linalg.det(read[2][BLOCK]) > 0
+                np.allclose(read[1][3], [0, 0, 0, 1], atol=EXACT)
+                and orthogonality_error(read[1][BLOCK]) < 1e-6
+                and np.linalg.det(read[1][BLOCK]) > 0
             ),
             says=lambda read: (
-                f"det R is {np.linalg.det(read[2][BLOCK]):.3g}, the last row {read[2][3]}."
+                f"det R is {np.linalg.det(read[1][BLOCK]):.3g}, the last row {read[1][3]}."
             ),
             mistake=Mistake(
                 "M's rotation is not right-handed",
@@ -102,17 +101,17 @@ EXERCISE = Exercise(
         ),
         Property(
             "the columns of the rotation in M are the flange's axes, seen from the base",
-            lambda read: np.allclose(read[2][BLOCK], _R, atol=1e-6),
+            lambda read: np.allclose(read[1][BLOCK], _R, atol=1e-6),
             says=lambda read: (
-                f"The flange's {'xyz'[np.argmax(abs(read[2][BLOCK] - _R).max(0) > 1e-6)]} axis "
+                f"The flange's {'xyz'[np.argmax(abs(read[1][BLOCK] - _R).max(0) > 1e-6)]} axis "
                 f"points elsewhere."
             ),
         ),
         Property(
             "the position in M is that of the flange in the base frame, in metres",
-            lambda read: np.abs(read[2][COLUMN] - _P).max() <= _TOLERANCE,
+            lambda read: np.abs(read[1][COLUMN] - _P).max() <= _TOLERANCE,
             says=lambda read: (
-                f"Yours is {format_tuple(read[2][COLUMN])}: look at {_axes(read[2][COLUMN] - _P)} "
+                f"Yours is {format_tuple(read[1][COLUMN])}: look at {_axes(read[1][COLUMN] - _P)} "
                 f"again."
             ),
             mistake=Mistake(
@@ -150,12 +149,12 @@ def _answered(omega=_OMEGA, points=_POINTS, R=_R, p=_P):
 
 
 def _screws(read, predicted):
-    return np.allclose(np.hstack(read[:2]), predicted[0], atol=_TOLERANCE)
+    return np.allclose(read[0], predicted[0], atol=_TOLERANCE)
 
 
 def _orientation(read, predicted):
     return _screws(read, predicted) and np.allclose(
-        read[2][BLOCK], predicted[1][BLOCK], atol=_TOLERANCE
+        read[1][BLOCK], predicted[1][BLOCK], atol=_TOLERANCE
     )
 
 
