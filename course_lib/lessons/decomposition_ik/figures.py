@@ -8,27 +8,37 @@ import numpy as np
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, RED, plane_figure
+from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, PALE_GREY, RED, plane_figure
 
 LEAST_ERROR = 1e-3  # cm: a tenth of the thickness of paper; smaller errors have its colour
-PALE_GREY = "#c4c8cd"  # of what is behind
+EXACT = 0.01  # cm: a tip that is nearer than that to the desired position is at it
 
 
 def two_elbows(solutions, xy):
     """Return the 2R arm at two pairs of joint angles, and the desired position.
 
-    solutions: (2, 2), joint angles in radians, a row for each elbow, q2 >= 0 first. xy: (2,), the
-    desired position.
+    Parameters
+    ----------
+    solutions : array_like, shape (2, 2)
+        Joint angles, in radians, a row for each elbow, q2 >= 0 first.
+    xy : array_like, shape (2,)
+        The desired position, in metres.
+
+    Returns
+    -------
+    Picture
     """
     fig, (ax,) = plane_figure(5.2, 4.2)
     looks = ((BLUE, "-", r"$q_2 \geq 0$"), (RED, "--", r"$q_2 \leq 0$"))
-    elbows, off = [], []
+    elbows = []
+    distances = []
     for q, (colour, style, name) in zip(solutions, looks, strict=True):
         angles = np.cumsum(q)
-        joints = np.cumsum([np.zeros(2), *np.stack([np.cos(angles), np.sin(angles)], -1)], 0)
+        links = np.stack([np.cos(angles), np.sin(angles)], -1)
+        joints = np.cumsum([np.zeros(2), *links], 0)
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
         elbows.append(f"({joints[1, 0]:.2f}, {joints[1, 1]:.2f})")
-        off.append(100 * np.linalg.norm(joints[2] - xy))
+        distances.append(100 * np.linalg.norm(joints[2] - xy))
     ax.plot(*xy, "D", color=BLACK, markersize=8, label="desired position")
     ax.plot(0, 0, "s", color=BLACK, markersize=10)
     in_metres(ax)
@@ -36,19 +46,16 @@ def two_elbows(solutions, xy):
     ax.legend(frameon=False)
     alt = (
         f"An arm with two links twice, its elbows at {' and '.join(elbows)} m, and the desired "
-        f"position "
+        f"position ({xy[0]:g}, {xy[1]:g}) m."
     )
-    alt += f"({xy[0]:g}, {xy[1]:g}) m. "
-    if max(off) < 0.01:
-        return Picture(
-            fig,
-            alt + "Both tips are there; the two form a rhombus.",
-            "Both elbows lead to the same position.",
-        )
+    if max(distances) < EXACT:
+        alt += " Both tips are there; the two form a rhombus."
+        return Picture(fig, alt, "Both elbows lead to the same position.")
     caption = (
-        f"Neither tip is at the desired position: they miss it by {off[0]:.1f} and {off[1]:.1f} cm."
+        f"Neither tip is at the desired position: they miss it by {distances[0]:.1f} and "
+        f"{distances[1]:.1f} cm."
     )
-    return Picture(fig, alt + "Neither tip is there.", caption)
+    return Picture(fig, f"{alt} Neither tip is there.", caption)
 
 
 def samples(xy, cell, low, high, n):
@@ -56,18 +63,31 @@ def samples(xy, cell, low, high, n):
 
     Zoom shows each cell.
 
-    xy: (m, 2). cell: (m, 2), column and row of each. low, high: (2,), corners of the grid, of n
-    cells along each side.
+    Parameters
+    ----------
+    xy : ndarray, shape (m, 2)
+        Positions, in metres.
+    cell : ndarray of int, shape (m, 2)
+        Column and row of each.
+    low, high : array_like, shape (2,)
+        The corners of the grid, in metres.
+    n : int
+        The number of cells along each side.
+
+    Returns
+    -------
+    Picture
     """
     number = cell[:, 0] + n * cell[:, 1]
     count = np.bincount(number)
     fig = charts.panels(xlabel="x (m)", ylabel="y (m)", equal=True, height=560)
+    colours = [COLOURS[k] for k in (cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
     # Millimetres are fine enough for any zoom, and make the notebook shorter.
     charts.add_points(
         fig,
         *np.round(xy, 3).T,
         "sample",
-        colour=[COLOURS[k] for k in (cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)],
+        colour=colours,
         size=3,
         details={"cell": number, "samples in it": count[number]},
     )
@@ -76,15 +96,18 @@ def samples(xy, cell, low, high, n):
         fig.update_layout({f"{lines_of}axis": {"range": [first, last], "showgrid": False}})
         fig.update_layout({f"{lines_of}axis.minor": {"tickvals": edges, "showgrid": True}})
     radius = np.hypot(*xy.T)
-    return Picture(
-        fig,
+    counts = count[count > 0]
+    alt = (
         f"{len(xy):,} positions: a band between the radii {radius.min():.2f} and "
         f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, "
         f"{high[1]:.1f}) m, each in the colour of its cell. The cells that hold samples hold "
-        f"{count[count > 0].min()} to {count.max()} of them.",
-        "The samples are denser near the outer edge, which cuts many cells. Zoom in to see single "
-        "cells.",
+        f"{counts.min()} to {counts.max()} of them."
     )
+    caption = (
+        "The samples are denser near the outer edge, which cuts many cells. Zoom in to see single "
+        "cells."
+    )
+    return Picture(fig, alt, caption)
 
 
 def clusters(contents):
@@ -128,7 +151,9 @@ def clusters(contents):
 
 
 def two_cells(q, xy, in_joints, in_plane):
-    """Return samples in joint space and where they lead, with one cell of each space marked in both.
+    """Return samples in joint space and where they lead.
+
+    One cell of each space is marked in both.
 
     Parameters
     ----------
@@ -141,7 +166,8 @@ def two_cells(q, xy, in_joints, in_plane):
     -------
     Picture
     """
-    degrees, xy = np.rad2deg(q).round(1), np.round(xy, 3)
+    degrees = np.rad2deg(q).round(1)
+    xy = np.round(xy, 3)
     fig = charts.panels(
         ["joint angles", "positions"],
         xlabel=["q<sub>1</sub> (degrees)", "x (m)"],
@@ -165,9 +191,9 @@ def two_cells(q, xy, in_joints, in_plane):
     q2 = degrees[in_plane, 1]
     ranges = [f"{part.min():.0f} to {part.max():.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
     alt = (
-        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to one "
-        "patch of positions; a red rectangle of positions is reached from two patches of joint "
-        f"angles, with q2 from {' and '.join(ranges)} degrees."
+        "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to "
+        "one patch of positions; a red rectangle of positions is reached from two patches of "
+        f"joint angles, with q2 from {' and '.join(ranges)} degrees."
     )
     caption = (
         "In how many patches does the blue cell appear on the other side, and in how many the red "
@@ -208,9 +234,10 @@ def errors(contents, caption, details=None):
     in_words = []
     for panel, (title, (xy, error)) in enumerate(contents.items()):
         answered = ~np.isnan(error)
-        position, size = xy[answered], np.maximum(error[answered], LEAST_ERROR)
-        more = {name: values[answered] for name, values in (details or {}).get(title, {}).items()}
+        position = xy[answered]
+        size = np.maximum(error[answered], LEAST_ERROR)
         order = np.argsort(size)  # the large errors are drawn last, above the others
+        own_details = (details or {}).get(title, {})
         charts.add_points(
             fig,
             *position[order].T,
@@ -220,7 +247,7 @@ def errors(contents, caption, details=None):
             values=size[order],
             scale=scale,
             opacity=0.85,
-            details={name: values[order] for name, values in more.items()},
+            details={name: values[answered][order] for name, values in own_details.items()},
         )
         worst = int(np.argmax(size))
         x, y = position[worst]
@@ -292,7 +319,9 @@ def convergence(sizes, curves, slopes):
 
 
 def by_bend(edges, mean):
-    """Return the mean error over the bend |q2| of the elbow, with the bend at which the edge is a cell away.
+    """Return the mean error over the bend |q2| of the elbow.
+
+    A dashed line marks the bend at which the workspace's edge is the diagonal of a cell away.
 
     Parameters
     ----------
@@ -310,13 +339,13 @@ def by_bend(edges, mean):
     charts.add_rule(fig, x=36.0, text="36°")
     top = int(np.argmax(mean))
     alt = (
-        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} cm, "
-        f"between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near "
+        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} "
+        f"cm, between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near "
         f"{edges[-1]} degrees."
     )
     caption = (
-        "Left of the dashed line, up to 36 degrees, the tip is within a cell's diagonal, 10 cm, of "
-        "the workspace's edge."
+        "Left of the dashed line, up to 36 degrees, the tip is within a cell's diagonal, 10 cm, "
+        "of the workspace's edge."
     )
     return Picture(fig, alt, caption)
 
@@ -442,8 +471,7 @@ def errors_as_reported(xy, error):
     alt = (
         f"{len(xy):,} queries as dots whose diameter in pixels is the error in cm plus 5, in the "
         f"colours of Viridis from 0 to {error.max():.1f} cm; {small:.0%} of them are below 1 cm "
-        f"and "
-        "look alike."
+        "and look alike."
     )
     caption = (
         "The report's third chart, with the colour bar that the report leaves out. A diameter of "

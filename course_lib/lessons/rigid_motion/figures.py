@@ -10,13 +10,18 @@ from matplotlib.patches import Circle
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import (
-    draw_arms,
-    in_columns,
-    in_metres,
-    legend_above,
+from course_lib.figures.plots import draw_arms, in_columns, in_metres, legend_above
+from course_lib.figures.style import (
+    BLACK,
+    BLUE,
+    COLOURS,
+    CRIMSON,
+    GREY,
+    PALE_BLUE,
+    PALE_CRIMSON,
+    TABLE_BEIGE,
+    plane_figure,
 )
-from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREY, plane_figure
 from course_lib.figures.toys.film import flat_film
 from course_lib.figures.words import interval
 from course_lib.planar import pose_matrix
@@ -57,35 +62,43 @@ def _rotation(theta):
     angle = np.sum(np.diff(theta))
     if abs(angle) < 0.005:
         return "without rotation"
-    return f"rotating {'counter-clockwise' if angle > 0 else 'clockwise'} by {abs(angle):.2f} rad"
+    sense = "counter-clockwise" if angle > 0 else "clockwise"
+    return f"rotating {sense} by {abs(angle):.2f} rad"
 
 
 # ---- robots on wheels ----
 
 
 def parking(poses, dock, table, keep_away):
-    """Return the path of a robot that is to stop in its dock, and the round table on its way.
+    """Return the path of a robot that should stop in its dock, and the round table on its way.
 
-    poses: (n, 3), of the robot. dock: (3,), the pose in which it is to stop. table: (x, y, r), its
-    middle and its radius. keep_away: how far from there the robot's centre has to stay.
+    Parameters
+    ----------
+    poses : ndarray, shape (n, 3)
+        Of the robot.
+    dock : array_like, shape (3,)
+        The pose in which the robot should stop.
+    table : tuple of float
+        (x, y, r), the middle of the table and its radius, in metres.
+    keep_away : float
+        How far from the middle of the table the robot's centre has to stay, in metres.
+
+    Returns
+    -------
+    Picture
     """
     middle = np.asarray(table[:2], float)
     fig, (ax,) = plane_figure(4.6, 4.8)
     ax.add_patch(Circle(middle, keep_away, facecolor="none", edgecolor=GREY, linestyle="--"))
-    ax.add_patch(Circle(middle, table[2], facecolor="#e4e0d8", edgecolor=GREY))
+    ax.add_patch(Circle(middle, table[2], facecolor=TABLE_BEIGE, edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
     ax.plot(*poses[:, :2].T, color=BLUE, linewidth=2, label="path")
-    # a line to its front
-    for x, y, theta in poses[np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))]:
-        look = {"facecolor": "#cfe0ec", "edgecolor": BLUE, "linewidth": 2, "zorder": 3}
-        ax.add_patch(Circle((x, y), RADIUS, **look))
-        ax.plot(
-            [x, x + RADIUS * np.cos(theta)],
-            [y, y + RADIUS * np.sin(theta)],
-            color=BLUE,
-            linewidth=2,
-            zorder=4,
-        )
+    drawn = np.unique(np.linspace(0, len(poses) - 1, 5).round().astype(int))
+    for x, y, theta in poses[drawn]:
+        robot = Circle((x, y), RADIUS, facecolor=PALE_BLUE, edgecolor=BLUE, linewidth=2, zorder=3)
+        ax.add_patch(robot)
+        front = (x + RADIUS * np.cos(theta), y + RADIUS * np.sin(theta))
+        ax.plot([x, front[0]], [y, front[1]], color=BLUE, linewidth=2, zorder=4)
     T = pose_matrix(dock)
     corners = RADIUS * np.array([[1.1, -1.7], [1.7, -1.7], [1.7, 1.7], [1.1, 1.7]])
     ax.fill(*(T[:2, :2] @ corners.T + T[:2, 2:]), color=BLACK, label="dock")
@@ -95,9 +108,9 @@ def parking(poses, dock, table, keep_away):
     nearest = np.linalg.norm(poses[:, :2] - middle, axis=1).min()
     alt = (
         f"A robot drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at "
-        f"{_point(dock)}. On its way "
+        f"{_point(dock)}. On its way its centre comes as near as {nearest:.2f} m to the middle of "
+        f"a round table; {keep_away:g} m are allowed."
     )
-    alt += f"its centre comes as near as {nearest:.2f} m to the middle of a round table; {keep_away:g} m are allowed."
     caption = (
         "The centre of the robot has to stay outside the dashed circle, and to end before the "
         "dock, facing it."
@@ -106,28 +119,41 @@ def parking(poses, dock, table, keep_away):
 
 
 def wheels(left, right, track):
-    """Return the circles of two wheels that roll at these speeds (m/s), `track` apart; the robot faces x at (0, 0)."""
+    """Return the circles on which the two wheels of a robot roll.
+
+    The robot faces x at (0, 0).
+
+    Parameters
+    ----------
+    left, right : float
+        Speeds of the wheels, in m/s; the right one is the faster.
+    track : float
+        Distance between the wheels, in metres.
+
+    Returns
+    -------
+    Picture
+    """
     fig, (ax,) = plane_figure(5.4, 4.4)
-    v, omega = (left + right) / 2, (right - left) / track
-    pole, t = v / omega, np.linspace(-0.3, 1.2, 61)
-    for name, speed, colour in (
-        ("left", left, BLUE),
-        ("robot", v, GREY),
-        ("right", right, CRIMSON),
-    ):
-        y, radius = pole - speed / omega, speed / omega
+    v = (left + right) / 2
+    omega = (right - left) / track
+    pole = v / omega
+    t = np.linspace(-0.3, 1.2, 61)
+    speeds = (("left", left, BLUE), ("robot", v, GREY), ("right", right, CRIMSON))
+    for name, speed, colour in speeds:
+        radius = speed / omega
+        y = pole - radius
         ax.plot(radius * np.sin(t), pole - radius * np.cos(t), ":", color=colour)
-        look = {"arrowstyle": "-|>", "color": colour, "lw": 3, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", (speed / 2, y), (0, y), arrowprops=look)
+        arrow_look = {"arrowstyle": "-|>", "color": colour, "lw": 3, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", (speed / 2, y), (0, y), arrowprops=arrow_look)
         ax.annotate(f"{name}: {speed:g} m/s", (0.01, y - 0.03), color=colour)
     ax.plot([0, 0], [pole, pole - right / omega], "o-", markevery=2, color=BLACK, linewidth=1)
     ax.annotate(f"pole, {pole:g} m to the left", (0.02, pole))
     in_metres(ax, xlim=(-0.15, 0.45), ylim=(-0.15, pole + 0.05))
     alt = (
         f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about "
-        f"one "
+        f"one point, the pole, {pole:g} m to the left of the robot."
     )
-    alt += f"point, the pole, {pole:g} m to the left of the robot."
     return Picture(fig, alt, "Twice as far from the pole is twice as fast.")
 
 
@@ -137,34 +163,64 @@ def wheels(left, right, track):
 def body_movie(name, poses, times):
     """Return a film of the body, outlined in red, moving along its dashed blue path.
 
-    name: that of its file if it is written as an animation. poses: (n, 3), at the times (n,).
+    Parameters
+    ----------
+    name : str
+        That of its file if it is written as an animation.
+    poses : ndarray, shape (n, 3)
+    times : array_like, shape (n,)
+        Of the poses, in seconds.
+
+    Returns
+    -------
+    Toy
     """
     track = poses[:, :2]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. A body outlined in red moves along a "
-        f"dashed blue path from "
-        f"{_point(poses[0])} to {_point(poses[-1])}, {_rotation(poses[:, 2])}."
+        f"dashed blue path from {_point(poses[0])} to {_point(poses[-1])}, "
+        f"{_rotation(poses[:, 2])}."
     )
     still = [(track, BLUE, (7, 5)), (track[:1], BLUE, ()), (track[-1:], BLUE, ())]
-    corners = [[outline(pose) for pose in poses]]
+    outlines = [outline(pose) for pose in poses]
+    caption = _CAPTIONS.get(name, "")
     return flat_film(
-        corners, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, half=HALF, closed=True
+        [outlines], times, alt, caption, name=name, still=still, half=HALF, closed=True
     )
 
 
 def longer_arc(wrapped, unwrapped):
-    """Return a motion along the shorter arc beside one along the longer arc: poses (n, 3), whose angles do not jump."""
+    """Return a motion along the shorter arc beside one along the longer arc.
+
+    Parameters
+    ----------
+    wrapped, unwrapped : ndarray, shape (n, 3)
+        Poses, whose angles do not jump.
+
+    Returns
+    -------
+    Picture
+    """
     motions = {"wrapped": wrapped, "not wrapped": unwrapped}
     titled = {
         f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad": poses for name, poses in motions.items()
     }
-    return _body_paths(
-        titled, 12, "Both motions end in the same pose; the two rotations differ by $2\\pi$."
-    )
+    caption = "Both motions end in the same pose; the two rotations differ by $2\\pi$."
+    return _body_paths(titled, 12, caption)
 
 
 def past_a_gate(paths):
-    """Return paths {title: poses (n, 3)} of a body with given velocities at both ends."""
+    """Return paths of a body with given velocities at both ends.
+
+    Parameters
+    ----------
+    paths : dict
+        Title to poses, shape (n, 3).
+
+    Returns
+    -------
+    Picture
+    """
     caption = (
         "Both leave to the right and arrive upwards; the quintic is straighter at the ends and "
         "bends more inside."
@@ -173,22 +229,40 @@ def past_a_gate(paths):
 
 
 def straight_and_screw(motions, pole):
-    """Return two motions {title: poses (n, 3)}, straight and screw, between two poses, and the screw's pole (2,)."""
-    far = {title: np.linalg.norm(poses[:, :2] - pole, axis=1) for title, poses in motions.items()}
-    said = "; ".join(f"{title}: {interval(d)} m" for title, d in far.items())
-    return _body_paths(motions, 10, f"Distance from the pole: {said}.", pole)
+    """Return two motions between two poses, the straight and the screw motion.
+
+    Parameters
+    ----------
+    motions : dict
+        Title to poses, shape (n, 3).
+    pole : array_like, shape (2,)
+        Of the screw motion, in metres.
+
+    Returns
+    -------
+    Picture
+    """
+    in_words = []
+    for title, poses in motions.items():
+        distances = np.linalg.norm(poses[:, :2] - pole, axis=1)
+        in_words.append(f"{title}: {interval(distances)} m")
+    return _body_paths(motions, 10, f"Distance from the pole: {'; '.join(in_words)}.", pole)
 
 
 def _body_paths(contents, every, caption, pole=None):
-    """Paths {title: poses} side by side, with the body at every so many poses and the last, the later the darker."""
+    """Paths {title: poses} side by side, with the body at several poses, the later the darker.
+
+    The body is drawn at every so many poses and at the last one.
+    """
     fig, axes = in_columns(contents, 4.2, 4.5, xlabel="x (m)", ylabel="y (m)")
-    said = []
+    in_words = []
     for ax, (title, poses) in zip(axes, contents.items(), strict=True):
         ax.plot(*poses[:, :2].T, color=BLUE, linestyle="--", linewidth=1.5)
         last = len(poses) - 1
         for i in [*range(0, last, every), last]:
-            ax.plot(*outline(poses[i]).T, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * i / last)
-            ax.fill(*outline(poses[i]).T, color="#f0b7bd", alpha=0.15 + 0.75 * i / last)
+            corners = outline(poses[i]).T
+            ax.plot(*corners, color=CRIMSON, linewidth=1.5, alpha=0.3 + 0.7 * i / last)
+            ax.fill(*corners, color=PALE_CRIMSON, alpha=0.15 + 0.75 * i / last)
         if pole is not None:
             ax.plot(*pole, "o", color=BLACK)
             ax.annotate("pole", pole, xytext=(8, 6), textcoords="offset points")
@@ -196,10 +270,11 @@ def _body_paths(contents, every, caption, pole=None):
         ax.set(xticks=range(-HALF, HALF + 1, 5), yticks=range(-HALF, HALF + 1, 5))
         length = np.linalg.norm(np.diff(poses[:, :2], axis=0), axis=1).sum()
         ends = f"from {_point(poses[0])} to {_point(poses[-1])} over {length:.1f} m"
-        said.append(f"{title.capitalize()}: {ends}, {_rotation(poses[:, 2])}.")
-    count = f"{len(contents)} path{'s' * (len(contents) > 1)}"
-    marked = f" A dot marks the pole, at {_point(pole)}." if pole is not None else ""
-    return Picture(fig, f"The same body on {count}. {' '.join(said)}{marked}", caption)
+        in_words.append(f"{title.capitalize()}: {ends}, {_rotation(poses[:, 2])}.")
+    if pole is not None:
+        in_words.append(f"A dot marks the pole, at {_point(pole)}.")
+    count = "1 path" if len(contents) == 1 else f"{len(contents)} paths"
+    return Picture(fig, f"The same body on {count}. {' '.join(in_words)}", caption)
 
 
 def euler_paths(paths):
@@ -256,7 +331,8 @@ def euler_errors(steps, errors):
     )
     alt = (
         "The error at the end over the step, on logarithmic axes, beside a line of slope one: "
-        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} s."
+        f"{errors[-1]:.2g} m for steps of {steps[-1]:.2g} s, {errors[0]:.2g} m for {steps[0]:.2g} "
+        "s."
     )
     caption = "For short steps the slope is 1, because the error is proportional to the step."
     return Picture(fig, alt, caption)
@@ -341,45 +417,70 @@ def _add_impulses(fig, first_velocity, last_velocity, largest, colour):
 def arm_movie(name, points, times, beside=None):
     """Return a film of a planar arm in red, with its tip's dashed blue path.
 
-    name: that of its file if it is written as an animation. points: (n, links + 1, 2), of base,
-    joints and tip, at the times (n,); links of one metre. beside: the points of a second arm at
-    these times, which is drawn to its right.
+    Parameters
+    ----------
+    name : str
+        That of its file if it is written as an animation.
+    points : ndarray, shape (n, links + 1, 2)
+        Of base, joints and tip, in metres; the links are one metre long.
+    times : array_like, shape (n,)
+        Of the points, in seconds.
+    beside : ndarray, shape (n, links + 1, 2), optional
+        The points of a second arm at these times, which is drawn to the right of the first.
+
+    Returns
+    -------
+    Toy
     """
-    links, arms, still = points.shape[1] - 1, [points], []
-    room = {"half": links + 0.4}
+    links = points.shape[1] - 1
+    arms = [points]
+    window = {"half": links + 0.4}
     if beside is not None:
-        apart = 2 * links + 0.4
-        arms.append(beside + np.array([apart, 0]))
-        room = {"half": apart + 0.2, "centre": (apart / 2, 0), "proportion": 0.5}
-    for each in arms:
-        still += [(each[:, -1], BLUE, (7, 5)), (each[0, :1], BLACK, ())]
+        distance = 2 * links + 0.4
+        arms.append(beside + np.array([distance, 0]))
+        window = {"half": distance + 0.2, "centre": (distance / 2, 0), "proportion": 0.5}
+    still = []
+    for arm in arms:
+        path_of_tip = (arm[:, -1], BLUE, (7, 5))
+        base = (arm[0, :1], BLACK, ())
+        still += [path_of_tip, base]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip "
-        f"draws a "
-        f"dashed blue curve from {_point(points[0, -1])} to {_point(points[-1, -1] + 0.0)}."
+        f"draws a dashed blue curve from {_point(points[0, -1])} to "
+        f"{_point(points[-1, -1] + 0.0)}."
     )
     if beside is not None:
         off = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
         alt += f" A second arm moves to its right; their tips are up to {off:.2f} m apart."
-    return flat_film(arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, **room)
+    return flat_film(arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, **window)
 
 
 def arm_paths(contents):
-    """Return arms side by side, each on its path between the same configurations, drawn at every tenth instant.
+    """Return arms side by side, each on its path between the same configurations.
 
-    contents: {title: points (n, links + 1, 2) in metres}.
+    Every tenth instant is drawn.
+
+    Parameters
+    ----------
+    contents : dict
+        Title to points, shape (n, links + 1, 2), in metres.
+
+    Returns
+    -------
+    Picture
     """
-    said, titled = [], {}
+    in_words = []
+    titled = {}
     for title, points in contents.items():
         length = np.linalg.norm(np.diff(points[:, -1], axis=0), axis=1).sum()
         titled[f"{title}: {length:.2f} m"] = points
         ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
-        said.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
+        in_words.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
     caption = (
         "Left, the joints move in proportion and the path is a curve; right, the path is a "
         "straight line."
     )
-    return Picture(draw_arms(titled, 10), " ".join(said), caption)
+    return Picture(draw_arms(titled, 10), " ".join(in_words), caption)
 
 
 def joint_tracks(paths):

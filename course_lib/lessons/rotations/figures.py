@@ -12,7 +12,7 @@ from course_lib.figures.plots import in_columns, lines, plain
 from course_lib.figures.solids import Part, scene
 from course_lib.figures.solids.meshes import arrow, box, capsule, revolve
 from course_lib.figures.solids.model import DARK, LIGHT_BLUE, ORANGE, SILVER, STEEL, VIOLET, X_RED
-from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED
+from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED, SPHERE_GREY
 from course_lib.figures.toys.arms import jog
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
@@ -20,67 +20,91 @@ from course_lib.rotations import log_so3, rot_y
 
 # The camera of the spheres, below the equator: there the two samplers differ most.
 FROM_BELOW = {"eye": {"x": 0.75, "y": 0.75, "z": -0.85}}
+LEAST_ERROR = 1e-17  # radians: an error of zero is drawn here on a logarithmic axis
 HIDDEN_AXIS = {"visible": False, "range": [-1.3, 1.3]}
 
 
 def arm_toy():
-    """Return a toy, not a Picture: the six-axis arm of notebooks 1 to 4, with a slider for each joint."""
+    """Return a toy, not a Picture: the six-axis arm of notebooks 1 to 4, with joint sliders.
+
+    Returns
+    -------
+    Toy
+    """
     x, y, z = np.eye(3)
     origins = [[0, 0, 0], [0, 0, 0.29], [0, 0, 0.56], *3 * [[0.302, 0, 0.63]]]
     home = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
-    return jog(
-        SerialArm.from_screws([z, y, y, x, y, x], origins, home), q=[0.3, 0.4, -0.5, 0.6, 0.7, -0.8]
-    )
+    arm = SerialArm.from_screws([z, y, y, x, y, x], origins, home)
+    return jog(arm, q=[0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 
 
 def body_frame(R):
-    """Return a drone with its frame b, coloured, at the orientation R (3, 3) in the fixed frame a, grey, axes named."""
-    words = [
-        (name, tip, colour)
-        for name, tip, colour in zip("xyz", 1.32 * R.T, FRAME_COLOURS, strict=True)
-    ]
-    words += [(name, 1.45 * e, GREY) for name, e in zip("xyz", np.eye(3), strict=True)]
+    """Return a drone with its own frame b, coloured, in the fixed frame a, grey.
+
+    The axes of both frames are named.
+
+    Parameters
+    ----------
+    R : ndarray, shape (3, 3)
+        The orientation of b in a.
+
+    Returns
+    -------
+    Toy
+    """
+    words = list(zip("xyz", 1.32 * R.T, FRAME_COLOURS, strict=True))
+    words += [(name, 1.45 * axis, GREY) for name, axis in zip("xyz", np.eye(3), strict=True)]
     axes = "; ".join(f"{name} along ({_numbers(R[:, k])})" for k, name in enumerate("xyz"))
-    return still(
-        _turned_drone(R, 1.15, 1.35),
-        f"A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates "
-        f"of a: {axes}.",
-        "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to "
-        "the room.",
-        words=words,
-        view=(1.0, 1.3, 0.9),
+    alt = (
+        "A drone with its own frame b, tilted in a fixed frame a. The axes of b, in coordinates "
+        f"of a: {axes}."
     )
+    caption = (
+        "Frame b is fixed to the drone (x orange, ahead; y green; z blue, up), frame a (grey) to "
+        "the room."
+    )
+    return still(_turned_drone(R, 1.15, 1.35), alt, caption, words=words, view=(1.0, 1.3, 0.9))
 
 
 def frames(
     orientations, caption="The two products end in different orientations: the order matters."
 ):
-    """Return a drone with its frame at several orientations, side by side: x orange, y green, z blue; fixed axes grey.
+    """Return a drone with its frame at several orientations, side by side.
 
-    orientations: {title: R (3, 3)}; a matrix that is not a rotation deforms the drone. caption: if
-    all are.
+    The axes are x orange, y green, and z blue; the fixed axes are grey.
+
+    Parameters
+    ----------
+    orientations : dict
+        Title to an orientation, shape (3, 3). A matrix that is not a rotation deforms the drone.
+    caption : str, optional
+        What to notice if all matrices are rotations.
+
+    Returns
+    -------
+    Toy
     """
-    groups, said = {}, []
+    groups = {}
+    in_words = []
     longest = max(np.linalg.norm(R, axis=0).max() for R in orientations.values())
     scale = min(1, 2.4 / longest)  # one for all orientations
     for title, R in orientations.items():
-        tips = zip("xyz", FRAME_COLOURS, 1.2 * scale * R.T, strict=True)
-        words = [(name, tip, colour) for name, colour, tip in tips]
-        words += [(name, 1.4 * e, GREY) for name, e in zip("xyz", np.eye(3), strict=True)]
-        groups[title] = _turned_drone(scale * R, 1.0, 1.25), (), (), words
+        words = list(zip("xyz", 1.2 * scale * R.T, FRAME_COLOURS, strict=True))
+        words += [(name, 1.4 * axis, GREY) for name, axis in zip("xyz", np.eye(3), strict=True)]
+        groups[title] = (_turned_drone(scale * R, 1.0, 1.25), (), (), words)
         lengths = np.linalg.norm(R, axis=0)
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
-        stretched = (
-            f", of lengths {_numbers(lengths)}" if np.ptp(np.append(lengths, 1)) > 0.01 else ""
-        )
-        said.append(f"{title}: {axes}{stretched}")
+        stretched = ""
+        if np.ptp(np.append(lengths, 1)) > 0.01:
+            stretched = f", of lengths {_numbers(lengths)}"
+        in_words.append(f"{title}: {axes}{stretched}")
     alt = (
-        f"A drone with its three axes, {len(said)} times. The axes point near the fixed axes so: "
-        f"{'; '.join(said)}."
+        f"A drone with its three axes, {len(in_words)} times. The axes point near the fixed axes "
+        f"so: {'; '.join(in_words)}."
     )
     if longest > 1.01:
         caption = (
-            f"A rotation keeps all three axes at length one; here the longest grows to "
+            "A rotation keeps all three axes at length one; here the longest grows to "
             f"{longest:.2f}."
         )
     size = max(1, scale * longest)
@@ -88,37 +112,49 @@ def frames(
 
 
 def _drone():
-    """The parts of a drone with four rotors, the two in front blue: x ahead, y to its left, z up."""
+    """The parts of a drone with four rotors, the front two blue: x ahead, y to its left, z up."""
     parts = [
         Part(0, DARK, box([-0.36, -0.2, -0.09], [0.36, 0.2, 0.1], 0.5, n=10)),
         Part(0, ORANGE, box([0.22, -0.1, -0.02], [0.46, 0.1, 0.07], 0.4, n=6)),  # the nose
     ]
     for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
         hub = np.array([0.5 * x, 0.5 * y, 0.06])
-        parts += [
-            Part(0, SILVER, capsule([0.18 * x, 0.12 * y, 0.02], hub - [0, 0, 0.02], 0.035, 6)),
-            Part(0, DARK, revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 6)),
-            Part(
-                0,
-                LIGHT_BLUE if x > 0 else STEEL,
-                revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 12),
-            ),
-        ]
+        arm = capsule([0.18 * x, 0.12 * y, 0.02], hub - [0, 0, 0.02], 0.035, 6)
+        motor = revolve(hub, [0, 0, 1], [(0.06, -0.07), (0.06, 0.07)], 6)
+        rotor = revolve(hub, [0, 0, 1], [(0.33, 0.08), (0.33, 0.1)], 12)
+        rotor_colour = LIGHT_BLUE if x > 0 else STEEL
+        parts += [Part(0, SILVER, arm), Part(0, DARK, motor), Part(0, rotor_colour, rotor)]
     return parts
 
 
 def _turned_drone(R, own, fixed):
-    """The drone with its axes, of length `own`, as R turns (or stretches) it, and the fixed axes, of length `fixed`."""
+    """The drone with its axes as R rotates (or stretches) it, and the fixed axes.
+
+    own, fixed: the lengths of these axes.
+    """
     pose = np.eye(4)
     pose[:3, :3] = R
-    turned = [part.moved(pose) for part in [*_drone(), *scene.triad(0, np.eye(4), own, 0.042)]]
-    return turned + [Part(0, STEEL, arrow(np.zeros(3), e, fixed, 0.013)) for e in np.eye(3)]
+    parts = [*_drone(), *scene.triad(0, np.eye(4), own, 0.042)]
+    turned = [part.moved(pose) for part in parts]
+    fixed_axes = [Part(0, STEEL, arrow(np.zeros(3), axis, fixed, 0.013)) for axis in np.eye(3)]
+    return turned + fixed_axes
 
 
 def rotated_point(w, p, exp):
-    """Return the path of the point p (3,) under exp(t w), t from 0 to 1, about the axis w (3,), radians.
+    """Return the path of a point under exp(t w), where t goes from 0 to 1.
 
-    exp: the exponential that computes the path, from w to R.
+    Parameters
+    ----------
+    w : ndarray, shape (3,)
+        The rotation vector: the axis times the angle, in radians.
+    p : ndarray, shape (3,)
+        The point.
+    exp : callable
+        The exponential that computes the path, from a rotation vector to a matrix, shape (3, 3).
+
+    Returns
+    -------
+    Toy
     """
     path = np.array([exp(t * w) @ p for t in np.linspace(0, 1, 60)])
     angle = np.linalg.norm(w)
@@ -128,25 +164,20 @@ def rotated_point(w, p, exp):
         Part(0, colour, arrow(np.zeros(3), tip, np.linalg.norm(tip), 0.022, 10))
         for colour, tip in arrows
     ]
-    parts += [Part(0, STEEL, arrow(np.zeros(3), e, 1.0, 0.01)) for e in np.eye(3)]
-    words = {
-        "w": 1.32 * n,
-        "p": 1.1 * path[0],
-        "R p": 1.1 * path[-1],
-        **dict(zip("xyz", 1.1 * np.eye(3), strict=True)),
-    }
-    # not on the axis w
-    words = {name: at for name, at in words.items() if name not in "xyz" or abs(at @ n) < 1}
+    parts += [Part(0, STEEL, arrow(np.zeros(3), axis, 1.0, 0.01)) for axis in np.eye(3)]
+    words = [("w", 1.32 * n, BLACK), ("p", 1.1 * path[0], BLACK), ("R p", 1.1 * path[-1], BLACK)]
+    for name, at in zip("xyz", 1.1 * np.eye(3), strict=True):
+        lies_on_w = abs(at @ n) >= 1
+        if not lies_on_w:
+            words.append((name, at, BLACK))
     where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
-    return still(
-        parts,
+    alt = (
         f"A point p moves about the axis w by {angle:.2f} rad to R p, along an arc {where} "
-        f"perpendicular to it.",
-        "The point keeps its height along the axis $w$ and its distance from it.",
-        paths=[(path, BLUE, ())],
-        words=[(word, at, BLACK) for word, at in words.items()],
-        view=(1.3, 1.0, 0.7),
+        "perpendicular to it."
     )
+    caption = "The point keeps its height along the axis $w$ and its distance from it."
+    paths = [(path, BLUE, ())]
+    return still(parts, alt, caption, paths=paths, words=words, view=(1.3, 1.0, 0.7))
 
 
 def log_errors(short_of_pi, errors):
@@ -163,7 +194,7 @@ def log_errors(short_of_pi, errors):
     -------
     Picture
     """
-    drawn = {label: np.maximum(error, 1e-17) for label, error in errors.items()}
+    drawn = {label: np.maximum(error, LEAST_ERROR) for label, error in errors.items()}
     # Not a chart: rounding decides these errors, and a notebook may store no number that differs
     # from one machine to the next.
     fig = lines(short_of_pi, drawn, log="xy", xlabel=r"$\pi - a$ (rad)", ylabel="error (rad)")
@@ -214,52 +245,45 @@ def euler_rates(beta, smallest):
 
 
 def projections(M, rotations):
-    """Return what each rotation makes of s1 z11 + s2 z22 = tr(R^T M), for a matrix M (2, 2); {title: R (2, 2)}.
+    """Return what each rotation makes of s1 z11 + s2 z22 = tr(R^T M).
 
     A rotation takes v1 and v2 to two arrows of length one; z11 and z22 are their projections on the
     axes u1 and u2 of the ellipse that M makes of the unit circle.
+
+    Parameters
+    ----------
+    M : ndarray, shape (2, 2)
+    rotations : dict
+        Title of a panel to a rotation, shape (2, 2).
+
+    Returns
+    -------
+    Picture
     """
     fig, axes = in_columns(rotations, 4.2, 4.3, xlabel="x", ylabel="y")
     U, s, Vt = np.linalg.svd(M)
-    # so that v1 and v2 point along the axes, not against them
+    # With these signs v1 and v2 point along the axes, not against them.
     signs = np.sign(Vt[[0, 1], np.abs(Vt).argmax(1)])
-    U, Vt = U * signs, signs[:, None] * Vt
+    U = U * signs
+    Vt = signs[:, None] * Vt
     t = np.linspace(0, 2 * np.pi, 181)
-    circle, said, reach = np.array([np.cos(t), np.sin(t)]), [], max(1, s[0]) + 0.3
+    circle = np.array([np.cos(t), np.sin(t)])
+    reach = max(1, s[0]) + 0.3
+    in_words = []
     for ax, (title, R) in zip(axes, rotations.items(), strict=True):
         ax.plot(*circle, color=GREY, linewidth=1)
         ax.plot(*(M @ circle), color=BLACK, linewidth=1, linestyle="--")
         sizes = np.diag(U.T @ R @ Vt.T)
         for i, colour in enumerate((BLUE, RED)):
-            u, tip, size = U[:, i], R @ Vt[i], sizes[i]
-            ax.plot(*np.outer(u, [-s[i], s[i]]), color=BLACK, linewidth=1)
-            ax.plot(
-                *np.outer(u, [0, size]),
-                color=colour,
-                linewidth=7,
-                alpha=0.35,
-                solid_capstyle="butt",
-            )
-            ax.plot(*np.transpose([tip, size * u]), color=colour, linewidth=1, linestyle=":")
-            look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
-            ax.annotate("", tip, (0, 0), arrowprops=look)
-            aside = 0.15 * np.array([-u[1], u[0]])
-            words = {
-                "ha": "center",
-                "va": "center",
-                "bbox": {"color": "white", "pad": 0.3, "alpha": 0.8},
-            }
-            ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **words)
-            ax.annotate(f"$s_{i + 1} u_{i + 1}$", s[i] * u - 1.6 * aside, **words)
-        each = " + ".join(rf"{size:.3g} ({z:.2g})" for size, z in zip(s, sizes, strict=True))
+            _draw_projection(ax, i, U[:, i], s[i], R @ Vt[i], sizes[i], colour)
+        terms = " + ".join(rf"{size:.3g} ({z:.2g})" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-        ax.set_title(f"{title}\n$s_1 z_{{11}} + s_2 z_{{22}} = {each} = {s @ sizes:.3g}$")
-        said.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {s @ sizes:.2f}")
+        ax.set_title(f"{title}\n$s_1 z_{{11}} + s_2 z_{{22}} = {terms} = {s @ sizes:.3g}$")
+        in_words.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {s @ sizes:.2f}")
     alt = (
         "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 "
-        "under a rotation, "
+        f"under a rotation, with their projections on these axes. {'; '.join(in_words)}."
     )
-    alt += f"with their projections on these axes. {'; '.join(said)}."
     caption = (
         "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is "
         "longer than one."
@@ -269,8 +293,22 @@ def projections(M, rotations):
     return Picture(fig, alt, caption)
 
 
+def _draw_projection(ax, i, u, s, tip, size, colour):
+    """Draw an axis u of the ellipse, of half length s, and the projection of an arrow on it."""
+    ax.plot(*np.outer(u, [-s, s]), color=BLACK, linewidth=1)
+    ax.plot(*np.outer(u, [0, size]), color=colour, linewidth=7, alpha=0.35, solid_capstyle="butt")
+    ax.plot(*np.transpose([tip, size * u]), color=colour, linewidth=1, linestyle=":")
+    arrow_look = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", tip, (0, 0), arrowprops=arrow_look)
+    aside = 0.15 * np.array([-u[1], u[0]])
+    box_look = {"color": "white", "pad": 0.3, "alpha": 0.8}
+    look = {"ha": "center", "va": "center", "bbox": box_look}
+    ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **look)
+    ax.annotate(f"$s_{i + 1} u_{i + 1}$", s * u - 1.6 * aside, **look)
+
+
 def on_sphere(samples):
-    """Return rotations on spheres that can be turned: a dot where each takes e_x, and a tick towards R e_y.
+    """Return rotations on spheres that can be turned: a dot at R e_x, and a tick towards R e_y.
 
     A rotation is its axis R e_x, a point of the sphere, and a rotation about this axis, which the
     short tick shows. The spheres turn together.
@@ -311,8 +349,8 @@ def on_sphere(samples):
             marker={"color": BLUE, "size": 2.5},
             customdata=angle.round(1)[:, None],
             hovertemplate=(
-                "R e<sub>x</sub> = (%{x:.2f}, %{y:.2f}, %{z:.2f})<br>"
-                "rotation angle: %{customdata[0]:.0f}°<extra></extra>"
+                "R e<sub>x</sub> = (%{x:.2f}, %{y:.2f}, %{z:.2f})<br>rotation angle: "
+                "%{customdata[0]:.0f}°<extra></extra>"
             ),
             scene=scene,
         )
@@ -337,11 +375,12 @@ def on_sphere(samples):
             yref="paper",
             yanchor="top",
         )
-        up, down = np.mean(R[:, 2, 0] > 0.9), np.mean(R[:, 2, 0] < -0.9)
+        up = np.mean(R[:, 2, 0] > 0.9)
+        down = np.mean(R[:, 2, 0] < -0.9)
         in_words.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     alt = (
-        "Spheres, which can be turned, with a dot where each rotation takes the x axis and a short "
-        f"tick towards where it takes the y axis. {'; '.join(in_words)}."
+        "Spheres, which can be turned, with a dot where each rotation takes the x axis and a "
+        f"short tick towards where it takes the y axis. {'; '.join(in_words)}."
     )
     caption = (
         "Turn the spheres. Left, the dots crowd at the lower pole and none is in the upper half; "
@@ -351,7 +390,7 @@ def on_sphere(samples):
 
 
 def _add_sphere(fig, scene):
-    """Add a grey sphere, a little smaller than one, which hides what is behind it, and its poles."""
+    """Add a grey sphere, a little smaller than one, which hides what is behind it; its poles."""
     fig.add_scatter3d(
         x=[0, 0],
         y=[0, 0],
@@ -369,7 +408,7 @@ def _add_sphere(fig, scene):
     )
     fig.add_surface(
         **dict(zip("xyz", points.round(3), strict=True)),
-        colorscale=[[0, "#e8e8e8"], [1, "#e8e8e8"]],
+        colorscale=[[0, SPHERE_GREY], [1, SPHERE_GREY]],
         showscale=False,
         hoverinfo="skip",
         lighting={"ambient": 0.9, "diffuse": 0.15, "specular": 0},
@@ -411,18 +450,17 @@ def angles(samples):
 
 def _size_of_errors(errors):
     """How large errors are, in words that rounding does not change."""
-    if max(errors) < 1e-12:
-        return "stays below 1e-12"
-    return (
-        f"rises to more than "
-        f"{next(bound for bound in ('1e-4', '1e-8', '1e-12') if max(errors) > float(bound))}"
-    )
+    for bound in ("1e-4", "1e-8", "1e-12"):
+        if max(errors) > float(bound):
+            return f"rises to more than {bound}"
+    return "stays below 1e-12"
 
 
 def _direction(v):
     """The fixed axis that is nearest to the direction of v, in words."""
     k = np.argmax(np.abs(v))
-    return f"along {'' if v[k] > 0 else 'minus '}{'xyz'[k]}"
+    sign = "" if v[k] > 0 else "minus "
+    return f"along {sign}{'xyz'[k]}"
 
 
 def _numbers(values):

@@ -1,4 +1,4 @@
-"""The figures of notebook 3: circles of the subproblems in space; steps of a planar arm, what step size and damping do.
+"""The figures of notebook 3: circles of the subproblems in space, and steps of a planar arm.
 
 Each function returns a Picture, for `show`. Axes are unit vectors, angles are in radians, lengths
 in metres, and dampings in square metres. `points_of` takes joint angles to an arm's points, base
@@ -35,167 +35,237 @@ VIEW = (1.3, 1.0, 0.7)
 # Metres: what is below is drawn here, since rounding decides it, differently on other machines.
 LEAST_DISTANCE = 1e-8
 GREEK = {"alpha": "α", "eps": "ε"}  # as charts write them
-LARGEST_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
+MAX_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
+CONVERGED = 0.01  # metres: a run that ends nearer to its target has converged
+SAME_POINT = 1e-6  # metres: points that are nearer to each other are one
+TRIED_ANGLES = 721  # half a degree apart, on a circle
 
 
 # ---- circles in space ----
 
 
 def rotated_onto(k, p, g, theta):
-    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g."""
-    end, foot = _rotated(k, theta, p), (k @ p) * k
+    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g.
+
+    Parameters
+    ----------
+    k : ndarray, shape (3,)
+        The axis, a unit vector.
+    p, g : ndarray, shape (3,)
+        The point and its goal, in metres.
+    theta : float
+        In radians.
+
+    Returns
+    -------
+    Toy
+    """
+    end = _rotated(k, theta, p)
+    foot = (k @ p) * k
     paths = [
         _circle(k, p, BLUE),
         (np.array([foot, p]), GREY, ()),
         (np.array([foot, end]), CRIMSON, ()),
     ]
-    gap, start = np.linalg.norm(end - g), np.linalg.norm(p - g)
-    nearest = min(np.linalg.norm(_rotated(k, t, p) - g) for t in np.linspace(-np.pi, np.pi, 721))
-    return _scene(
-        {"k": k},
-        [(p, "p", INK), (g, "g", INK), (end, "R p", RED)],
-        paths,
+    gap = np.linalg.norm(end - g)
+    gap_at_start = np.linalg.norm(p - g)
+    tried = np.linspace(-np.pi, np.pi, TRIED_ANGLES)
+    nearest = min(np.linalg.norm(_rotated(k, angle, p) - g) for angle in tried)
+    alt = (
         f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p "
-        f"itself {start:.3f}.",
-        f"$R\\,p$ is {gap:.3f} m from $g$; of 721 points of the circle the nearest is "
-        f"{nearest:.3f} m from it. The "
-        "radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; only what is perpendicular to "
-        "$k$ decides it.",
+        f"itself {gap_at_start:.3f}."
     )
+    caption = (
+        f"$R\\,p$ is {gap:.3f} m from $g$; of {TRIED_ANGLES} points of the circle the nearest is "
+        f"{nearest:.3f} m from it. The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; "
+        "only what is perpendicular to $k$ decides it."
+    )
+    dots = [(p, "p", INK), (g, "g", INK), (end, "R p", RED)]
+    return _scene({"k": k}, dots, paths, alt, caption)
 
 
 def circles_meet(k1, k2, p1, p2, theta):
     """Return subproblem 2: the circles of p1 about k1 and of p2 about k2, and where they meet.
 
-    theta: (m, 2), the pairs of angles; points that they do not bring together are joined by a line.
+    Parameters
+    ----------
+    k1, k2 : ndarray, shape (3,)
+        The axes, unit vectors.
+    p1, p2 : ndarray, shape (3,)
+        The points, in metres.
+    theta : array_like, shape (m, 2)
+        The pairs of angles, in radians. Points that a pair does not bring together are joined by a
+        line.
+
+    Returns
+    -------
+    Toy
     """
-    paths, dots, met = (
-        [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN)],
-        [(p1, "p1", Z_BLUE), (p2, "p2", Y_GREEN)],
-        0,
-    )
-    for i, (t1, t2) in enumerate(theta, 1):
-        first, second = _rotated(k1, t1, p1), _rotated(k2, t2, p2)
-        meet = np.linalg.norm(first - second) < 1e-6
-        met += meet
-        dots += [(first, str(i), RED)] if meet else [(first, "", RED), (second, "", RED)]
+    paths = [_circle(k1, p1, BLUE), _circle(k2, p2, GREEN)]
+    dots = [(p1, "p1", Z_BLUE), (p2, "p2", Y_GREEN)]
+    meetings = 0
+    for number, (t1, t2) in enumerate(theta, 1):
+        first = _rotated(k1, t1, p1)
+        second = _rotated(k2, t2, p2)
+        if np.linalg.norm(first - second) < SAME_POINT:
+            meetings += 1
+            dots.append((first, str(number), RED))
+        else:
+            dots += [(first, "", RED), (second, "", RED)]
         paths.append((np.array([first, second]), CRIMSON, ()))
-    many = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")[min(met, 2)]
-    return _scene(
-        {"k1": k1, "k2": k2},
-        dots,
-        paths,
-        f"Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they "
-        f"{many}.",
-        "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$.",
+    verbs = ("do not meet", "touch in one point", "meet in two points, marked 1 and 2")
+    alt = (
+        "Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they "
+        f"{verbs[min(meetings, 2)]}."
     )
+    caption = (
+        "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$."
+    )
+    return _scene({"k1": k1, "k2": k2}, dots, paths, alt, caption)
 
 
 def circle_and_sphere(k, p, g, d, theta):
     """Return subproblem 3: the circle of p about k, and the sphere of radius d about g.
 
-    theta: (m,), the angles at which the circle pierces the sphere.
+    Parameters
+    ----------
+    k : ndarray, shape (3,)
+        The axis, a unit vector.
+    p, g : ndarray, shape (3,)
+        The point and the centre of the sphere, in metres.
+    d : float
+        In metres.
+    theta : array_like, shape (m,)
+        The angles at which the circle pierces the sphere, in radians.
+
+    Returns
+    -------
+    Toy
     """
     answers = _answers(k, p, theta)
-    away = np.linalg.norm([_rotated(k, t, p) - g for t in np.linspace(0, 2 * np.pi, 721)], axis=1)
-    found = [np.linalg.norm(end - g) for end, *_ in answers]
-    return _scene(
-        {"k": k},
-        [(p, "p", INK), (g, "g", INK), *answers],
-        [_circle(k, p, BLUE)],
+    tried = np.linspace(0, 2 * np.pi, TRIED_ANGLES)
+    all_distances = np.linalg.norm([_rotated(k, angle, p) - g for angle in tried], axis=1)
+    distances = [np.linalg.norm(end - g) for end, *_ in answers]
+    alt = (
         f"The circle of p about the axis k pierces a sphere of radius {d:g} about g at "
-        f"{_count(theta)}.",
-        f"Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: "
-        f"{_listed(found)}. All "
-        f"points of the circle are {interval(away, 3)} m from $g$.",
-        [Part(0, AMBER, ball(g, d, 32))],
+        f"{_count(theta)}."
     )
+    caption = (
+        "Where the circle pierces the sphere, $R\\,p$ is at the wanted distance from $g$: "
+        f"{_listed(distances)}. All points of the circle are {interval(all_distances, 3)} m from "
+        "$g$."
+    )
+    dots = [(p, "p", INK), (g, "g", INK), *answers]
+    sphere = Part(0, AMBER, ball(g, d, 32))
+    return _scene({"k": k}, dots, [_circle(k, p, BLUE)], alt, caption, [sphere])
 
 
 def circle_and_plane(k, h, p, d, theta):
-    """Return subproblem 4: the circle of p about k, and the plane of the points at height d along h, of any length.
+    """Return subproblem 4: the circle of p about k, and the plane in which h . x = d.
 
-    theta: (m,), the angles at which the circle pierces the plane, where h . R p = d.
+    Parameters
+    ----------
+    k : ndarray, shape (3,)
+        The axis, a unit vector.
+    h : ndarray, shape (3,)
+        The direction, of any length.
+    p : ndarray, shape (3,)
+        The point, in metres.
+    d : float
+        The value of h . R p in the plane.
+    theta : array_like, shape (m,)
+        The angles at which the circle pierces the plane, where h . R p = d, in radians.
+
+    Returns
+    -------
+    Toy
     """
     a, b, n = basis(h)
-    r, answers = 1.1 * np.linalg.norm(p), _answers(k, p, theta)
-    corners = d / np.linalg.norm(h) * n + r * np.array([-a - b, a - b, a + b, b - a])
-    sides = np.array([[0, 1, 2], [0, 2, 3]])
-    return _scene(
-        {"k": k, "h": n},
-        [(p, "p", INK), *answers],
-        [_circle(k, p, BLUE)],
-        f"The circle of p about the axis k pierces a plane perpendicular to the direction h at "
-        f"{_count(theta)}.",
-        "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each "
-        "value between its "
-        f"extremes twice. Here it is {_listed([h @ end for end, *_ in answers])}.",
-        [Part(0, AMBER, Mesh(corners, np.concatenate([sides, sides[:, ::-1]])))],
+    half = 1.1 * np.linalg.norm(p)
+    answers = _answers(k, p, theta)
+    corners = d / np.linalg.norm(h) * n + half * np.array([-a - b, a - b, a + b, b - a])
+    front = np.array([[0, 1, 2], [0, 2, 3]])
+    back = front[:, ::-1]
+    plane = Part(0, AMBER, Mesh(corners, np.concatenate([front, back])))
+    alt = (
+        "The circle of p about the axis k pierces a plane perpendicular to the direction h at "
+        f"{_count(theta)}."
     )
+    caption = (
+        "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each "
+        "value between its extremes twice. Here it is "
+        f"{_listed([h @ end for end, *_ in answers])}."
+    )
+    dots = [(p, "p", INK), *answers]
+    return _scene({"k": k, "h": n}, dots, [_circle(k, p, BLUE)], alt, caption, [plane])
 
 
 def orientation_paths(tracks, duration):
     """Return where rotating frames take e_x, on a sphere.
 
-    tracks: {label: rotations (n, 3, 3)}, evenly spaced over the duration in seconds, with the same
-    first and last one.
+    Parameters
+    ----------
+    tracks : dict
+        Label to rotations, shape (n, 3, 3), evenly spaced in time, with the same first and last
+        one.
+    duration : float
+        In seconds.
+
+    Returns
+    -------
+    Toy
     """
-    said, speeds, paths, words = [], [], [], []
-    for colour, dash, (label, R) in zip(
-        (BLUE, CRIMSON, GREEN), ((), (9, 6), (3, 5)), tracks.items(), strict=False
-    ):
-        paths.append((1.005 * R[:, :, 0], colour, dash))
-        words.append((label.replace("omega", "ω"), 1.1 * R[len(R) // 2, :, 0], colour))
-        step = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / (duration / (len(R) - 1))
-        length = np.linalg.norm(np.diff(R[:, :, 0], axis=0), axis=1).sum()
-        range_of = f"{interval(step)} rad/s"
-        said.append(f"{label} on a path of length {length:.2f}, at {range_of}")
-        speeds.append(label.replace("omega", "$\\omega$") + f", {range_of}")
-    ends, e = next(iter(tracks.values()))[[0, -1], :, 0], np.eye(3)
-    words += [(word, 1.12 * at, BLACK) for word, at in zip(("start", "end"), ends, strict=True)]
-    parts = [
-        Part(0, PALE, ball(np.zeros(3), 0.98, 32)),
-        *(Part(0, INK, ball(at, 0.025)) for at in ends),
-    ]
-    parts += [Part(0, STEEL, arrow(np.zeros(3), axis, 1.25, 0.01)) for axis in e]
-    words += [(name, 1.3 * axis, GREY) for name, axis in zip("xyz", e, strict=True)]
+    lengths, speeds, paths, words = [], [], [], []
+    looks = zip((BLUE, CRIMSON, GREEN), ((), (9, 6), (3, 5)), tracks.items(), strict=False)
+    for colour, dash, (label, R) in looks:
+        path = R[:, :, 0]
+        paths.append((1.005 * path, colour, dash))
+        words.append((label.replace("omega", "ω"), 1.1 * path[len(R) // 2], colour))
+        time_step = duration / (len(R) - 1)
+        speed = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / time_step
+        length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
+        speed_in_words = f"{interval(speed)} rad/s"
+        lengths.append(f"{label} on a path of length {length:.2f}, at {speed_in_words}")
+        speeds.append(label.replace("omega", "$\\omega$") + f", {speed_in_words}")
+    start, end = next(iter(tracks.values()))[[0, -1], :, 0]
+    words += [("start", 1.12 * start, BLACK), ("end", 1.12 * end, BLACK)]
+    parts = [Part(0, PALE, ball(np.zeros(3), 0.98, 32))]
+    parts += [Part(0, INK, ball(start, 0.025)), Part(0, INK, ball(end, 0.025))]
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        parts.append(Part(0, STEEL, arrow(np.zeros(3), axis, 1.25, 0.01)))
+        words.append((name, 1.3 * axis, GREY))
     middle = np.concatenate(list(tracks.values()))[:, :, 0].mean(0)
-    return still(
-        parts,
-        f"Where e_x goes on the unit sphere, in motions between the same two orientations: "
-        f"{'; '.join(said)}.",
-        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant "
-        "rates it does not. "
-        f"The bodies rotate at: {'; '.join(speeds)}.",
-        paths=paths,
-        words=words,
-        view=np.add(middle, [0, 0, 0.3]),  # the eye is in front of the paths
+    in_front_of_the_paths = np.add(middle, [0, 0, 0.3])
+    alt = (
+        "Where e_x goes on the unit sphere, in motions between the same two orientations: "
+        f"{'; '.join(lengths)}."
     )
+    caption = (
+        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant "
+        f"rates it does not. The bodies rotate at: {'; '.join(speeds)}."
+    )
+    return still(parts, alt, caption, paths=paths, words=words, view=in_front_of_the_paths)
 
 
 def _scene(axes, dots, paths, alt, caption, pale=()):
-    """A picture with axes {name: direction} through the origin, dots (point, word, colour), paths and what is pale."""
-    reach = 1.15 * max(
-        np.abs(points).max() for points in [*(at for at, *_ in dots), *(part[0] for part in paths)]
-    )
-    size, parts, words = 0.025 * reach, [], []
+    """A picture with axes through the origin, dots, paths and what is pale.
+
+    axes: {name: direction}. dots: (point, word, colour), whose word may be empty.
+    """
+    shown = [*(at for at, *_ in dots), *(points for points, *_ in paths)]
+    reach = 1.15 * max(np.abs(points).max() for points in shown)
+    size = 0.025 * reach
+    parts = []
+    words = []
     for name, k in axes.items():
         parts.append(Part(0, VIOLET, arrow(-reach * k, k, 2 * reach, 0.5 * size)))
         words.append((name, 1.08 * reach * np.asarray(k), AXIS))
     for at, word, colour in dots:
         parts.append(Part(0, colour, ball(at, size)))
-        words.append(
-            (word, np.add(at, [0, 0, 3 * size]), BLACK if colour == INK else PALETTE[colour])
-        )
-    return still(
-        parts,
-        alt,
-        caption,
-        pale=pale,
-        paths=paths,
-        words=[each for each in words if each[0]],
-        view=VIEW,
-    )
+        if word:
+            word_colour = BLACK if colour == INK else PALETTE[colour]
+            words.append((word, np.add(at, [0, 0, 3 * size]), word_colour))
+    return still(parts, alt, caption, pale=pale, paths=paths, words=words, view=VIEW)
 
 
 def _rotated(k, theta, p):
@@ -203,7 +273,9 @@ def _rotated(k, theta, p):
 
 
 def _circle(k, p, colour):
-    return np.array([_rotated(k, t, p) for t in np.linspace(0, 2 * np.pi, 73)]), colour, ()
+    """The circle of p about k, a path of `still`."""
+    points = [_rotated(k, angle, p) for angle in np.linspace(0, 2 * np.pi, 73)]
+    return np.array(points), colour, ()
 
 
 def _answers(k, p, theta):
@@ -226,27 +298,35 @@ def _count(theta):
 
 
 def arm_by_hand():
-    """Return how an arm with links of 3 m and 4 m brings its wrist center from (4, 0, 3) to (3, 4, 0)."""
+    """Return how an arm with links of 3 m and 4 m brings its wrist center to (3, 4, 0).
+
+    The wrist center starts at (4, 0, 3), in metres.
+
+    Returns
+    -------
+    Picture
+    """
     fig, (side, top) = plane_figure(8.4, 4.2, 2)
-    drawn = [(side, [[0, 0], [0, 3], [4, 3]], GREY, "$p = (4, 0, 3)$", (-40, 8))]
-    drawn += [(side, [[0, 0], [1.8, 2.4], [5, 0]], CRIMSON, "$q_2$: height 0", (-92, -14))]
-    drawn += [(top, [[0, 0], [5, 0]], CRIMSON, "$(5, 0, 0)$", (-50, 10))]
-    drawn += [(top, [[0, 0], [3, 4]], BLUE, "$q_1$: $(3, 4, 0)$", (-82, -4))]
-    for ax, corners, colour, words, aside in drawn:
+    drawn = [
+        (side, [[0, 0], [0, 3], [4, 3]], GREY, "$p = (4, 0, 3)$", (-40, 8)),
+        (side, [[0, 0], [1.8, 2.4], [5, 0]], CRIMSON, "$q_2$: height 0", (-92, -14)),
+        (top, [[0, 0], [5, 0]], CRIMSON, "$(5, 0, 0)$", (-50, 10)),
+        (top, [[0, 0], [3, 4]], BLUE, "$q_1$: $(3, 4, 0)$", (-82, -4)),
+    ]
+    for ax, corners, colour, words, offset in drawn:
         ax.plot(*np.transpose(corners), "-o", color=colour, linewidth=4, markersize=7)
         ax.plot(*np.transpose([corners[0], corners[-1]]), ":", color=colour)
-        ax.annotate(words, corners[-1], xytext=aside, textcoords="offset points", color=colour)
+        ax.annotate(words, corners[-1], xytext=offset, textcoords="offset points", color=colour)
     window = {"xlim": (-0.6, 5.6), "ylim": (-0.8, 4.6)}
-    in_metres(side, title="seen from the side", **window | {"ylabel": "z (m)"})
+    in_metres(side, title="seen from the side", ylabel="z (m)", **window)
     in_metres(top, title="seen from above", **window)
     alt = (
         "Seen from the side, an arm with links of 3 and 4 m at a right angle; rotated down, its "
-        "wrist center goes "
+        "wrist center goes from (4, 3) to (5, 0). Seen from above, the wrist center goes from (5, "
+        "0) to (3, 4)."
     )
-    alt += "from (4, 3) to (5, 0). Seen from above, the wrist center goes from (5, 0) to (3, 4)."
-    return Picture(
-        fig, alt, "The dotted lines are 5 m long, like the distance from the shoulder to the goal."
-    )
+    caption = "The dotted lines are 5 m long, like the distance from the shoulder to the goal."
+    return Picture(fig, alt, caption)
 
 
 def joint_motion(motions):
@@ -263,9 +343,9 @@ def joint_motion(motions):
     Picture
     """
     bends = np.geomspace(0.003, 1, 60)
-    by_label = {
-        label: np.array([motion(bend) for bend in bends]) for label, motion in motions.items()
-    }
+    by_label = {}
+    for label, motion in motions.items():
+        by_label[label] = np.array([motion(bend) for bend in bends])
     fig = charts.lines(
         bends,
         by_label,
@@ -290,7 +370,9 @@ def joint_motion(motions):
 
 
 def largest_rates(inverse_rate_matrix):
-    """Return the largest rates of a wrist's angles for an angular velocity of one, over its middle angle.
+    """Return the largest rates of a wrist's angles over its middle angle.
+
+    The rates are those for an angular velocity of one.
 
     Parameters
     ----------
@@ -324,18 +406,18 @@ def largest_rates(inverse_rate_matrix):
     )
     middle = np.abs(b2 - np.pi / 4).argmin()
     caption = (
-        r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis coincide. "
-        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and {together[middle]:.2f} rad/s "
-        "(together)."
+        r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis "
+        rf"coincide. At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and "
+        f"{together[middle]:.2f} rad/s (together)."
     )
     return Picture(fig, alt, caption)
 
 
 def descents(runs, target, caption):
-    """Return the tips' paths of several runs towards one target, and their distances from it over the steps.
+    """Return the tips' paths of several runs towards one target, and their distances from it.
 
-    Each dot is a step and says its number. The arm is drawn where each run ends, unless the tip
-    jumps about.
+    The distances are drawn over the steps. Each dot is a step and says its number. The arm is drawn
+    where each run ends, unless the tip jumps about.
 
     Parameters
     ----------
@@ -367,7 +449,7 @@ def descents(runs, target, caption):
         tips = arms[:, -1]
         steps = np.arange(len(tips))
         distances = np.linalg.norm(tips - target, axis=-1).clip(LEAST_DISTANCE)
-        jumps_about = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > LARGEST_DRAWN_STEP
+        jumps_about = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > MAX_DRAWN_STEP
         if jumps_about:  # lines between the dots would hide everything
             charts.add_points(
                 fig, *tips.T, name, colour=colour, opacity=0.6, details=_of_steps(steps, distances)
@@ -407,20 +489,22 @@ def _of_steps(steps, distances):
 
 
 def _draw_arm(fig, points, name, colour):
-    """Draw an arm (links + 1, 2) in the first panel; the legend's entry `name` switches it off, too."""
+    """Draw an arm (links + 1, 2) in the first panel; the legend's entry `name` switches it off."""
     joints = {"joint": np.arange(1, len(points) + 1)}
     charts.add_line(fig, *points.T, name, colour=colour, dash="solid", width=5, details=joints)
     fig.data[-1].update(opacity=0.45)
 
 
 def _window(corners, margin):
-    """The lowest and the highest x and y of arrays of points (..., 2), with a margin around them."""
+    """The lowest and the highest x and y of arrays of points (..., 2), with a margin around."""
     corners = np.concatenate([np.reshape(part, (-1, 2)) for part in corners])
     return corners.min(0) - margin, corners.max(0) + margin
 
 
 def race(racers, points_of, target):
-    """Return the runs of several methods towards one target; the legend says how fast and how large their steps are.
+    """Return the runs of several methods towards one target.
+
+    The legend says how fast they are and how large their steps are.
 
     Parameters
     ----------
@@ -435,15 +519,15 @@ def race(racers, points_of, target):
     -------
     Picture
     """
-    near = 0.01
     runs = {}
     for label, path in racers.items():
         arms = points_of(path)
         distances = np.linalg.norm(arms[:, -1] - target, axis=-1)
         largest_step = np.linalg.norm(np.diff(path, axis=0), axis=1).max()
         steps = "never there"
-        if (distances < near).any():
-            steps = f"{np.argmax(distances < near)} steps to {100 * near:g} cm"
+        is_near = distances < CONVERGED
+        if is_near.any():
+            steps = f"{np.argmax(is_near)} steps to {100 * CONVERGED:g} cm"
         runs[f"{label}: {steps}, at most {largest_step:.3g} rad"] = arms
     caption = (
         "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end "
@@ -453,7 +537,9 @@ def race(racers, points_of, target):
 
 
 def gains(epsilons, values):
-    """Return the factor s/(s^2 + eps) of each damping over the singular value s, with its largest value marked.
+    """Return the factor s/(s^2 + eps) of each damping over the singular value s.
+
+    The largest value of each factor is marked.
 
     Parameters
     ----------
@@ -496,10 +582,26 @@ def gains(epsilons, values):
 
 
 def step_map(alphas, epsilons, errors, largest, runs):
-    """Return the error after a run, for step sizes and dampings, with the limit 2 (1 + eps/s1^2).
+    """Return the error after a run, for step sizes and dampings, with the limit of the step size.
 
-    alphas, epsilons: (n,) and (m,), step sizes and dampings. errors: (n, m). largest: the largest
-    singular value at the target. runs: the pairs (alpha, eps) to mark.
+    The limit is 2 (1 + eps/s1^2), with the largest singular value s1.
+
+    Parameters
+    ----------
+    alphas : array_like, shape (n,)
+        Step sizes.
+    epsilons : array_like, shape (m,)
+        Dampings, in square metres.
+    errors : ndarray, shape (n, m)
+        In metres.
+    largest : float
+        The largest singular value at the target, in metres.
+    runs : sequence of (alpha, eps)
+        The runs to mark.
+
+    Returns
+    -------
+    Picture
     """
     fig = charts.panels(xlabel="step size α", ylabel="damping ε (m²)", log="xy", height=470)
     distance = charts.ColourScale(
@@ -521,39 +623,57 @@ def step_map(alphas, epsilons, errors, largest, runs):
         size=9,
     )
     fig.update_traces(marker_line={"color": BLACK, "width": 1.5}, selector={"mode": "markers"})
-    ends = np.log10([alphas[0], alphas[-1]]), np.log10([epsilons[0], epsilons[-1]])
-    fig.update_layout(xaxis_range=ends[0], yaxis_range=ends[1])
-    left = np.asarray(alphas)[:, None] < limit
-    blue_left, blue_right = (100 * (errors[side] < 0.01).mean() for side in (left, ~left))
-    return Picture(
-        fig,
-        "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
-        "a curve, the "
-        f"limit of the step size, {blue_left:.0f} % of it is blue, below a centimetre; right of it "
-        f"{blue_right:.0f} %. Circles mark {len(runs)} run{'s' * (len(runs) != 1)}.",
-        "Blue runs converge. Right of the curve the steps are too large; at the left and at the "
-        "top they are too "
-        "small.",
+    fig.update_layout(
+        xaxis_range=np.log10([alphas[0], alphas[-1]]),
+        yaxis_range=np.log10([epsilons[0], epsilons[-1]]),
     )
+    left = np.asarray(alphas)[:, None] < limit
+    blue_left = 100 * (errors[left] < CONVERGED).mean()
+    blue_right = 100 * (errors[~left] < CONVERGED).mean()
+    marked = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
+    alt = (
+        "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
+        f"a curve, the limit of the step size, {blue_left:.0f} % of it is blue, below a "
+        f"centimetre; right of it {blue_right:.0f} %. Circles mark {marked}."
+    )
+    caption = (
+        "Blue runs converge. Right of the curve the steps are too large; at the left and at the "
+        "top they are too small."
+    )
+    return Picture(fig, alt, caption)
 
 
 def two_arms(paths, points_of):
-    """Return arms side by side, {damping: joint angles (n, joints)}, at evenly spaced instants of their joint paths."""
+    """Return arms side by side, at instants that are evenly spaced along their joint paths.
+
+    Parameters
+    ----------
+    paths : dict
+        Damping, in square metres, to joint angles, shape (n, joints), in radians.
+    points_of : callable
+        points_of(angles) returns the arm's points, shape (..., joints + 1, 2), base first, in
+        metres.
+
+    Returns
+    -------
+    Picture
+    """
     arms = {}
     for eps, path in paths.items():
-        length = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
+        steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
+        length = np.r_[0, np.cumsum(steps)]
         spaced = np.linspace(0, length[-1], 61)
-        even = np.array([np.interp(spaced, length, angle) for angle in np.transpose(path)]).T
-        arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(even)
+        angles = [np.interp(spaced, length, angle) for angle in np.transpose(path)]
+        arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(np.transpose(angles))
     folds = ", ".join(
         f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items()
     )
-    return Picture(
-        draw_arms(arms, 12, _window(arms.values(), 0.3)),
-        f"Arms between the same start and target, later ones darker. The last elbow bends at most "
-        f"by {folds}.",
-        "With much damping the tip swings out in a bow, and the joints move less.",
+    alt = (
+        "Arms between the same start and target, later ones darker. The last elbow bends at most "
+        f"by {folds}."
     )
+    caption = "With much damping the tip swings out in a bow, and the joints move less."
+    return Picture(draw_arms(arms, 12, _window(arms.values(), 0.3)), alt, caption)
 
 
 def manipulability_along(dampings, values):
