@@ -4,6 +4,7 @@ The toys, which are interactive figures, show themselves as the last line of a c
 imported when first used.
 """
 
+import itertools
 from importlib import import_module
 
 from course_lib.figures.display import show
@@ -17,7 +18,7 @@ _TOYS = {  # by the module of course_lib.figures.toys in which they are
 }
 
 __all__ = ["lines", "show"]
-__all__ += sorted(name for names in _TOYS.values() for name in names)
+__all__ += sorted(itertools.chain.from_iterable(_TOYS.values()))
 
 
 def __getattr__(name):

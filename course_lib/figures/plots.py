@@ -195,7 +195,7 @@ def velocities_of_the_tip(contents, frame=""):
 
 
 def _label_offset(velocity, velocities):
-    """Return where an arrow's label stands from its end, in points: not where another arrow ends."""
+    """Return the offset of a label from its arrow's end, in points, away from other arrows."""
     ahead = velocity * 12 / np.linalg.norm(velocity)
     beside = ahead[::-1] * [1, -1]
     another_is_beside = (velocities @ beside > 1e-9).any()
@@ -226,18 +226,42 @@ def in_columns(titles, width, height, *, xlabel, ylabel):
 
 
 def in_metres(ax, **options):
-    """Give the axes of a panel equal scales and their names in metres, and set further options."""
+    """Give the axes of a panel equal scales and their names in metres.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+    **options
+        Passed to `ax.set`; they may replace a name.
+    """
     ax.set(**{"aspect": "equal", "xlabel": "x (m)", "ylabel": "y (m)"} | options)
 
 
 def legend_above(fig, columns, ax=None):
-    """Put one legend of so many columns above all panels: that of `ax`, or of all of them."""
+    """Put one legend above all panels.
+
+    Parameters
+    ----------
+    fig : matplotlib.figure.Figure
+    columns : int
+        Of the legend.
+    ax : matplotlib.axes.Axes, optional
+        The panel whose lines the legend names; those of all panels if None.
+    """
     handles = ax.get_legend_handles_labels() if ax else ()
     fig.legend(*handles, loc="outside upper left", ncols=columns, frameon=False)
 
 
 def pi_ticks(axis, parts):
-    """Set the ticks of an axis of angles, in radians, at multiples of pi / `parts`, written so."""
+    """Set the ticks of an axis of angles at multiples of pi / `parts`, written as such.
+
+    Parameters
+    ----------
+    axis : matplotlib.axis.Axis
+        Of angles in radians.
+    parts : int
+        How many ticks there are from 0 to pi.
+    """
     axis.set_major_locator(MultipleLocator(np.pi / parts))
     axis.set_major_formatter(FuncFormatter(lambda x, _: _in_parts_of_pi(x, parts)))
 
@@ -253,5 +277,11 @@ def _in_parts_of_pi(x, parts):
 
 
 def plain(words):
-    """Return words without the marks of formulas, for alternative text."""
+    """Return words without the marks of formulas, for alternative text.
+
+    Examples
+    --------
+    >>> plain("joint $q_1$")
+    'joint q1'
+    """
     return words.replace("$", "").replace("q_", "q").replace("\\", "")

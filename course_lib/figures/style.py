@@ -22,7 +22,7 @@ PALE_GREY = "#c4c8cd"  # of what is behind
 SPHERE_GREY = "#e8e8e8"  # of a sphere that carries dots
 LINK_BLUE = "#c9d3dc"  # of the links of an arm in a drawing
 CRIMSON = "#b2182b"  # of moving things: no shade of orange, and about as dark as the blue
-# Fills inside outlines: the vacuum robot's is blue, the moving body's crimson, and the table's grey.
+# Fills inside outlines: of the vacuum robot, of the moving body, and of the table.
 PALE_BLUE = "#cfe0ec"
 PALE_CRIMSON = "#f0b7bd"
 TABLE_BEIGE = "#e4e0d8"

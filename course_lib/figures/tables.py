@@ -9,8 +9,8 @@ def table(columns, rows):
     columns : sequence of str
         The names of the columns.
     rows : dict
-        Name of a row to its values, numbers or text, one for each column. Numbers below 1e-6 are all
-        shown as "< 1e-06", because rounding decides them.
+        Name of a row to its values, numbers or text, one for each column. Numbers below 1e-6 are
+        all shown as "< 1e-06", because rounding decides them.
 
     Examples
     --------

@@ -154,10 +154,10 @@ def _draw(ax, view, arm, corners, data, base, tool):
         if along.any():
             arrow(at - 0.07 * along, at + 0.13 * along, colour, arrowstyle="-|>", linewidth=1.6)
         else:
-            look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
+            mark_look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
             towards_viewer = S[k] * _TOWARDS[view] > 0
-            ax.plot(*at, "o", markersize=11, markerfacecolor="white", **look)
-            ax.plot(*at, "." if towards_viewer else "x", markersize=6, **look)
+            ax.plot(*at, "o", markersize=11, markerfacecolor="white", **mark_look)
+            ax.plot(*at, "." if towards_viewer else "x", markersize=6, **mark_look)
         # Joints whose arrows lie on each other share a label.
         tip = (at + 0.13 * along).round(3)
         numbers.setdefault((*tip, *along, colour), []).append(str(number))
@@ -175,7 +175,7 @@ def _draw(ax, view, arm, corners, data, base, tool):
 
 
 def _in_words(arm, data, base, end):
-    """The drawing in words: the arm's path from the base to the flange, its dimensions and arrows."""
+    """The drawing in words: the arm's path from base to flange, its dimensions and arrows."""
     steps = np.diff(np.array(data["corners"]), axis=0)
     path = ", then ".join(
         f"{1000 * np.abs(step).max():g} along {direction(step)}" for step in steps
@@ -190,6 +190,21 @@ def _in_words(arm, data, base, end):
 
 
 def direction(vector):
-    """Return the coordinate axis along which a vector (3,) points, in words, such as "-y"."""
+    """Return the coordinate axis along which a vector points, in words.
+
+    Parameters
+    ----------
+    vector : ndarray, shape (3,)
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> direction(np.array([0, -1, 0]))
+    '-y'
+    """
     axis = int(np.abs(vector).argmax())
-    return f"{'-' if vector[axis] < 0 else '+'}{'xyz'[axis]}"
+    sign = "-" if vector[axis] < 0 else "+"
+    return f"{sign}{'xyz'[axis]}"

@@ -1,7 +1,10 @@
-"""Triangle meshes of simple bodies: surfaces of revolution, drums, bent tubes, rounded boxes, arrows, a mug.
+"""Triangle meshes of simple bodies.
 
-Every function returns a Mesh in metres. A ring that occurs twice gives a hard edge: vertices that
-share a position do not share a normal.
+They are surfaces of revolution, drums, bent tubes, rounded boxes, arrows, and a mug.
+
+Every function returns a Mesh. Points, directions and axes have shape (3,); all lengths are in
+metres, and `n` is the number of corners around. A ring that occurs twice gives a hard edge, because
+vertices that share a position do not share a normal.
 """
 
 from dataclasses import dataclass
@@ -11,7 +14,15 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Mesh:
-    """A mesh of triangles: vertices (m, 3) in metres, faces (k, 3) of their indices."""
+    """A mesh of triangles.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (m, 3)
+        In metres.
+    faces : ndarray of int, shape (k, 3)
+        The indices of three vertices each.
+    """
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -22,14 +33,29 @@ class Mesh:
 
 
 def joined(meshes):
-    """Return one mesh of several."""
-    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    """Return one mesh of a list of meshes."""
+    counts = [len(mesh.vertices) for mesh in meshes]
+    starts = np.cumsum([0, *counts])
     faces = [mesh.faces + start for mesh, start in zip(meshes, starts, strict=False)]
     return Mesh(np.concatenate([mesh.vertices for mesh in meshes]), np.concatenate(faces))
 
 
 def revolve(centre, axis, profile, n=14):
-    """Return the surface of revolution of a profile of (radius, height) about an axis through `centre`."""
+    """Return the surface of revolution of a profile about an axis through `centre`.
+
+    Parameters
+    ----------
+    centre, axis : array_like, shape (3,)
+        The axis may have any length.
+    profile : sequence of (radius, height)
+        From one end to the other; heights are along the axis from `centre`.
+    n : int, optional
+        Corners around the axis.
+
+    Returns
+    -------
+    Mesh
+    """
     x, y, z = basis(axis)
     around = _circle(n)
     rings = [np.asarray(centre) + h * z + r * (around @ [x, y]) for r, h in profile]
@@ -37,18 +63,42 @@ def revolve(centre, axis, profile, n=14):
 
 
 def drum(centre, axis, radius, half, n=12, bevel=0.16):
-    """Return a cylinder with bevelled edges; `half` is half its height along the axis."""
+    """Return a cylinder with bevelled edges about an axis through `centre`.
+
+    Parameters
+    ----------
+    centre, axis : array_like, shape (3,)
+    radius, half : float
+        `half` is half the height along the axis.
+    n : int, optional
+        Corners around the axis.
+    bevel : float, optional
+        The width of an edge over the radius, or over `half` if that is smaller.
+
+    Returns
+    -------
+    Mesh
+    """
     b = bevel * min(radius, half)
-    return revolve(
-        centre,
-        axis,
-        [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)],
-        n,
-    )
+    profile = [(radius - b, -half), (radius, b - half), (radius, half - b), (radius - b, half)]
+    return revolve(centre, axis, profile, n)
 
 
 def ring(centre, axis, radius, half, n=12):
-    """Return a band of a slightly bulging cylinder, as it marks the seam between two links."""
+    """Return a band of a slightly bulging cylinder, as it marks the seam between two links.
+
+    Parameters
+    ----------
+    centre, axis : array_like, shape (3,)
+    radius, half : float
+        `half` is half the height along the axis.
+    n : int, optional
+        Corners around the axis.
+
+    Returns
+    -------
+    Mesh
+    """
     profile = [
         (0.9 * radius, -half),
         (radius, -0.5 * half),
@@ -59,10 +109,26 @@ def ring(centre, axis, radius, half, n=12):
 
 
 def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
-    """Return a tube along a smooth curve through points (m, 3), with rounded ends where `caps` says so.
+    """Return a tube along a smooth curve through some points.
 
-    radii: one or (m,). steps: rings along the curve. wide: by how much the section is stretched
-    along `side`, (3,), a direction across the curve at its beginning.
+    Parameters
+    ----------
+    points : array_like, shape (m, 3)
+    radii : float or array_like, shape (m,)
+    steps : int, optional
+        Rings along the curve.
+    n : int, optional
+        Corners of a ring.
+    caps : tuple of bool, optional
+        Whether the first and the last end are rounded.
+    wide : float, optional
+        By how much the section is stretched along `side`.
+    side : array_like, shape (3,), optional
+        A direction across the curve at its beginning.
+
+    Returns
+    -------
+    Mesh
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -70,7 +136,8 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
     radii = np.broadcast_to(radii, len(points)).astype(float)
     s = np.r_[0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
     u = np.linspace(0, s[-1], steps)
-    centres, r = PchipInterpolator(s, points)(u), PchipInterpolator(s, radii)(u)
+    centres = PchipInterpolator(s, points)(u)
+    r = PchipInterpolator(s, radii)(u)
     tangents = np.gradient(centres, u, axis=0)
     tangents /= np.linalg.norm(tangents, axis=1)[:, None]
     sections = list(zip(centres, r, tangents, strict=True))
@@ -81,7 +148,9 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
     if caps[1]:
         c, q, z = sections[-1]
         sections += [(c + q * np.sin(a) * z, q * np.cos(a), z) for a in angles]
-    around, x, rings = _circle(n), side, []
+    around = _circle(n)
+    x = side
+    rings = []
     for c, q, z in sections:
         x, y, z = basis(z, x)  # the least rotation from one ring to the next
         rings.append(c + q * (around * [wide, 1] @ [x, y]))
@@ -94,11 +163,31 @@ def capsule(start, end, radius, n=12):
 
 
 def box(one, other, bevel=0.15, power=4, n=12):
-    """Return a box between opposite corners whose vertical edges are rounded: a superellipse of that power, upright."""
-    low, high = np.minimum(one, other), np.maximum(one, other)
-    centre, half = (low + high) / 2, (high - low) / 2
+    """Return an upright box between opposite corners whose vertical edges are rounded.
+
+    Parameters
+    ----------
+    one, other : array_like, shape (3,)
+        The corners.
+    bevel : float, optional
+        The width of the edges above and below over half a side.
+    power : float, optional
+        That of the section, a superellipse: 2 is an ellipse, and larger powers are nearer to a
+        rectangle.
+    n : int, optional
+        Corners of the section.
+
+    Returns
+    -------
+    Mesh
+    """
+    low = np.minimum(one, other)
+    high = np.maximum(one, other)
+    centre = (low + high) / 2
+    half = (high - low) / 2
     t = 2 * np.pi * (np.arange(n) + 0.5) / n
-    section = np.sign([np.cos(t), np.sin(t)]) * np.abs([np.cos(t), np.sin(t)]) ** (2 / power)
+    circle = np.array([np.cos(t), np.sin(t)])
+    section = np.sign(circle) * np.abs(circle) ** (2 / power)
     b = min(bevel * min(half[:2]), 0.9 * half[2])
     rings = []
     for z, inset in ((-half[2], b), (b - half[2], 0), (half[2] - b, 0), (half[2], b)):
@@ -108,8 +197,23 @@ def box(one, other, bevel=0.15, power=4, n=12):
 
 
 def arrow(start, direction, length, radius, n=6):
-    """Return an arrow; its head is a quarter of it at most."""
-    neck, head = length - min(0.26 * length, 7 * radius), 2.3 * radius
+    """Return an arrow whose head is about a quarter of its length at most.
+
+    Parameters
+    ----------
+    start, direction : array_like, shape (3,)
+        The direction may have any length.
+    length, radius : float
+        Of the whole arrow, and of its shaft.
+    n : int, optional
+        Corners around the shaft.
+
+    Returns
+    -------
+    Mesh
+    """
+    neck = length - min(0.26 * length, 7 * radius)
+    head = 2.3 * radius
     profile = [(radius, 0), (radius, neck), (head, neck), (head, neck), (0.02 * radius, length)]
     return revolve(start, direction, profile, n)
 
@@ -117,12 +221,17 @@ def arrow(start, direction, length, radius, n=6):
 def ball(centre, radius, n=12):
     """Return a sphere with n corners along its equator."""
     polar = np.linspace(0, np.pi, n // 2 + 1)[1:-1]
-    return revolve(centre, [0, 0, 1], [(radius * np.sin(a), -radius * np.cos(a)) for a in polar], n)
+    profile = [(radius * np.sin(angle), -radius * np.cos(angle)) for angle in polar]
+    return revolve(centre, [0, 0, 1], profile, n)
 
 
 def mug():
-    """Return a mug that stands on the origin of its frame with its handle along x: an open cup, a bent handle."""
-    radius, height = 0.035, 0.09
+    """Return a mug that stands on the origin of its frame with its handle along x.
+
+    It is an open cup with a bent handle.
+    """
+    radius = 0.035
+    height = 0.09
     wall = 0.9 * radius
     profile = [
         (0.93 * radius, 0),
@@ -130,8 +239,10 @@ def mug():
         (radius, height),
         (wall, height),
         (wall, height),
+        (wall, 0.1 * height),
+        (wall, 0.1 * height),
+        (0.01 * wall, 0.1 * height),
     ]
-    profile += [(wall, 0.1 * height), (wall, 0.1 * height), (0.01 * wall, 0.1 * height)]
     cup = revolve(np.zeros(3), [0, 0, 1], profile, 18)
     half = np.linspace(-np.pi / 2, np.pi / 2, 5)
     bow = np.stack(
@@ -141,9 +252,23 @@ def mug():
 
 
 def basis(z, x=None):
-    """Return orthonormal x, y, z with the given z, and x as near to the given one as it can be."""
+    """Return orthonormal x, y, z with the given z, and x as near to the given one as it can be.
+
+    Parameters
+    ----------
+    z : array_like, shape (3,)
+        Of any length but zero.
+    x : array_like, shape (3,), optional
+        Not along z; some coordinate axis if None.
+
+    Returns
+    -------
+    tuple of ndarray, shape (3,)
+    """
     z = np.asarray(z, float) / np.linalg.norm(z)
-    x = np.eye(3)[np.abs(z).argmin()] if x is None else np.asarray(x, float)
+    if x is None:
+        x = np.eye(3)[np.abs(z).argmin()]  # the coordinate axis that is farthest from z
+    x = np.asarray(x, float)
     x = x - z * (x @ z)
     x = x / np.linalg.norm(x)
     return x, np.cross(z, x), z
@@ -163,7 +288,8 @@ def _closed(rings):
     for k in range(m - 1):
         if np.array_equal(rings[k], rings[k + 1]):
             continue  # a hard edge: nothing between the ring and itself
-        low, high = k * n, (k + 1) * n
+        low = k * n
+        high = low + n
         faces += [
             np.stack([low + a, low + b, high + b], -1),
             np.stack([low + a, high + b, high + a], -1),

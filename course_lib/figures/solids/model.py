@@ -80,8 +80,8 @@ class Model:
     Parameters
     ----------
     vertices : ndarray, shape (m, 3)
-        In metres, each in the frame of its body. The vertices of a body stand together, in the order
-        of the bodies.
+        In metres, each in the frame of its body. The vertices of a body stand together, in the
+        order of the bodies.
     faces : ndarray of int, shape (k, 3)
         The indices of three vertices each.
     colours, bodies : ndarray of int, shape (m,)

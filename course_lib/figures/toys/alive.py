@@ -79,7 +79,9 @@ def alive(figure, f=None):
 
 
 def reach(arm, target, *, q, says=None):
-    """Return a figure for `alive`: an arm and a target to drag, f(target) answers with joint angles.
+    """Return a figure for `alive`: an arm, and a target to drag.
+
+    f(target) answers with joint angles.
 
     Parameters
     ----------

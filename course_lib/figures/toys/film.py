@@ -206,8 +206,8 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
     Parameters
     ----------
     groups : dict
-        Title to (Parts, pale Parts, paths, words), each around the origin; paths and words are those
-        of `film`.
+        Title to (Parts, pale Parts, paths, words), each around the origin; paths and words are
+        those of `film`.
     apart : float
         Metres between neighbours, as seen from `view`.
     alt, caption : str

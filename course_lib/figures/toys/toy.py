@@ -62,7 +62,8 @@ _RENDER = """
 export default { render({ model, el }) {
   const meta = JSON.parse(JSON.stringify(model.get("meta")));
   const answers = new Set(), { kinds, palette } = globalThis.course;
-  // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no message: say what helps.
+  // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no
+  // message: say what helps.
   const note = document.createElement("p");
   let late = null;
   const expect = (seconds, words) => {
@@ -252,8 +253,9 @@ def _rounded(node):
 def is_live():
     """Return whether a person looks at this kernel.
 
-    Jupyter names the session of each person's kernel in an environment variable. What runs notebooks
-    for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
+    Jupyter names the session of each person's kernel in an environment variable. What runs
+    notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain
+    models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))
 
@@ -283,9 +285,16 @@ def module(scripts):
 
 
 def solid(model):
-    """Return a solids.Model for scene.js, as JSON: whole numbers in base64.
+    """Return a model of solid bodies for the scripts of the scene, as JSON.
 
-    Lengths are in tenths of a millimetre.
+    Parameters
+    ----------
+    model : course_lib.figures.solids.Model
+
+    Returns
+    -------
+    dict
+        Whole numbers in base64; lengths are in tenths of a millimetre.
     """
 
     def packed(array, kind):

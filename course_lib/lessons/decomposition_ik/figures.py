@@ -182,12 +182,12 @@ def two_cells(q, xy, in_joints, in_plane):
         ("a cell of the workspace", in_plane, CRIMSON, 4),
     )
     for name, inside, colour, size in groups:
-        look = {"colour": colour, "size": size}
+        dots = {"colour": colour, "size": size}
         angles = {"q1 (degrees)": degrees[inside, 0], "q2 (degrees)": degrees[inside, 1]}
         positions = {"x (m)": xy[inside, 0], "y (m)": xy[inside, 1]}
         # Beside its own coordinates each dot says where it is in the other panel.
-        charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **look)
-        charts.add_points(fig, *xy[inside].T, name, panel=1, details=angles, **look)
+        charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **dots)
+        charts.add_points(fig, *xy[inside].T, name, panel=1, details=angles, **dots)
     q2 = degrees[in_plane, 1]
     ranges = [f"{part.min():.0f} to {part.max():.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
     alt = (

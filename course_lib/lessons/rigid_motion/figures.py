@@ -48,7 +48,17 @@ _CAPTIONS = {  # of films
 
 
 def outline(pose):
-    """Return the corners, shape (6, 2), of the body at a pose (3,)."""
+    """Return the corners of the body at a pose.
+
+    Parameters
+    ----------
+    pose : array_like, shape (3,)
+
+    Returns
+    -------
+    ndarray, shape (6, 2)
+        In metres; the last corner is the first again.
+    """
     T = pose_matrix(pose)
     return np.round(_BODY @ T[:2, :2].T + T[:2, 2], 3)
 

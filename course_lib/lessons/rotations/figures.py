@@ -231,7 +231,8 @@ def euler_rates(beta, smallest):
         parts_of_pi=4,
     )
     top = _numbers([beta[np.argmax(smallest)]])
-    first, last = _numbers(smallest[:1]), _numbers(smallest[-1:])
+    first = _numbers(smallest[:1])
+    last = _numbers(smallest[-1:])
     alt = (
         f"The smallest singular value of the Euler rate matrix is {max(smallest):.2f} at pitch "
         f"{top} and falls to {first} at pitch {beta[0]:.2f} and to {last} at pitch "
@@ -302,9 +303,9 @@ def _draw_projection(ax, i, u, s, tip, size, colour):
     ax.annotate("", tip, (0, 0), arrowprops=arrow_look)
     aside = 0.15 * np.array([-u[1], u[0]])
     box_look = {"color": "white", "pad": 0.3, "alpha": 0.8}
-    look = {"ha": "center", "va": "center", "bbox": box_look}
-    ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **look)
-    ax.annotate(f"$s_{i + 1} u_{i + 1}$", s * u - 1.6 * aside, **look)
+    text_look = {"ha": "center", "va": "center", "bbox": box_look}
+    ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **text_look)
+    ax.annotate(f"$s_{i + 1} u_{i + 1}$", s * u - 1.6 * aside, **text_look)
 
 
 def on_sphere(samples):

@@ -442,7 +442,8 @@ def descents(runs, target, caption):
     fig.layout.yaxis.update(scaleanchor="x", constrain="domain")
     fig.layout.xaxis.constrain = "domain"
     in_words = []
-    least_distance, largest_distance = np.inf, 0.0
+    least_distance = np.inf
+    largest_distance = 0.0
     for number, (label, arms) in enumerate(runs.items()):
         name = re.sub(r"\b(alpha|eps)\b", lambda word: GREEK[word[0]], label)
         colour = COLOURS[number % len(COLOURS)]
