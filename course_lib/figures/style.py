@@ -47,9 +47,9 @@ def plane_figure(width, height, columns=1, rows=1, **options):
 
     Examples
     --------
-    >>> fig, (left, right) = plane_figure(8, 4, columns=2)
-    >>> left.get_position().x1 < right.get_position().x0
-    True
+    >>> fig, axes = plane_figure(8, 4, columns=2)
+    >>> axes.shape
+    (2,)
     """
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
     axes = fig.subplots(rows, columns, squeeze=False, **options).ravel()

@@ -4,8 +4,10 @@ They are for reading the arms' screw axes.
 """
 
 import itertools
+from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from course_lib.figures.display import Picture
@@ -91,11 +93,17 @@ def three_views(name, arm, frames=("s", "b")):
     inches = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
     fig = Figure(figsize=inches, layout="constrained", facecolor="white")
     panels = fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights)
-    for view, ax in panels.items():
-        i, j, _, title = _VIEWS[view]
+    for name_of_view, ax in panels.items():
+        i, j, _, title = _VIEWS[name_of_view]
         ax.set(aspect="equal", title=title, xticks=[], yticks=[], xlim=limits[i], ylim=limits[j])
         ax.spines[:].set_visible(False)
-        _draw(ax, view, arm, corners, data, *frames)
+        view = _View(ax, name_of_view, _LEFT | data["aside"][name_of_view], *frames)
+        flat = corners[:, view.plane]
+        ax.plot(*flat.T, solid_capstyle="round", color=LINK_BLUE, linewidth=11)
+        ax.plot(*flat.T, solid_capstyle="round", color=GREY, linewidth=1)
+        _draw_lengths(view, corners, data["beside"])
+        _draw_joint_axes(view, arm, corners)
+        _draw_frames(view, arm, corners)
     fig.draw_without_rendering()  # the layout of panels with equal scales settles in two rounds
     caption = (
         "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that "
@@ -104,74 +112,112 @@ def three_views(name, arm, frames=("s", "b")):
     return Picture(fig, _in_words(arm, data, *frames), caption)
 
 
-def _draw(ax, view, arm, corners, data, base, tool):
-    """Draw one view of an arm: its links, lengths, joint axes and frames."""
-    i, j, k, _ = _VIEWS[view]
-    flat = corners[:, [i, j]]
+@dataclass(frozen=True)
+class _View:
+    """One panel: what is along its axes and towards the viewer, and where its words stand aside."""
 
-    def word(text, tip, along, **look):
+    ax: Axes
+    name: str
+    aside: dict
+    base: str
+    tool: str
+
+    @property
+    def plane(self):
+        """The indices of the two coordinates that the panel shows."""
+        return list(_VIEWS[self.name][:2])
+
+    def points_at_viewer(self, vector):
+        """Return whether a vector along the hidden axis points at the viewer."""
+        hidden = _VIEWS[self.name][2]
+        return vector[hidden] * _TOWARDS[self.name] > 0
+
+    def word(self, text, tip, along, **look):
         """Write a word beyond the tip of its arrow, or aside."""
-        named = text.translate({ord(base): "s", ord(tool): "b"})
-        x, y = np.sign((_LEFT | data["aside"][view]).get(named, along)).astype(int)
-        look = {"size": 9, "color": BLACK, "ha": ("center", "left", "right")[x], **look}
-        look["va"] = ("center", "bottom", "top")[y]
-        written = ax.annotate(text, tip, (8 * x, 8 * y), textcoords="offset points", **look)
+        named = text.translate({ord(self.base): "s", ord(self.tool): "b"})
+        x, y = np.sign(self.aside.get(named, along)).astype(int)
+        look = {
+            "size": 9,
+            "color": BLACK,
+            "ha": ("center", "left", "right")[x],
+            "va": ("center", "bottom", "top")[y],
+            **look,
+        }
+        offset = (8 * x, 8 * y)
+        written = self.ax.annotate(text, tip, offset, textcoords="offset points", **look)
         written.set_in_layout(False)
 
-    def arrow(start, end, colour, **look):
+    def arrow(self, start, end, colour, **look):
+        """Draw an arrow between two points of the panel."""
         properties = {"color": colour, "shrinkA": 0, "shrinkB": 0, **look}
-        ax.annotate("", end, start, arrowprops=properties, zorder=4)
+        self.ax.annotate("", end, start, arrowprops=properties, zorder=4)
 
-    def frame(origin, R, name, size):
+    def frame(self, origin, R, name, size):
+        """Draw the axes of a frame at a point of the panel, with their names."""
         for axis, colour in enumerate(FRAME_COLOURS):
-            along = R[[i, j], axis]
+            along = R[self.plane, axis]
             if along.any():
-                arrow(origin, origin + size * along, colour, arrowstyle="->", linewidth=1.2)
-                word(f"${'xyz'[axis]}_{name}$", origin + size * along, along, color=colour)
-        word(name, origin, (-1, -1), style="italic", size=11)
+                tip = origin + size * along
+                self.arrow(origin, tip, colour, arrowstyle="->", linewidth=1.2)
+                self.word(f"${'xyz'[axis]}_{name}$", tip, along, color=colour)
+        self.word(name, origin, (-1, -1), style="italic", size=11)
 
-    ax.plot(*flat.T, solid_capstyle="round", color=LINK_BLUE, linewidth=11)
-    ax.plot(*flat.T, solid_capstyle="round", color=GREY, linewidth=1)
-    for ends, beside in zip(itertools.pairwise(corners), data["beside"], strict=True):
+
+def _draw_lengths(view, corners, beside):
+    """Draw the dimension lines of the lengths between corners (n, 3), each so far `beside`."""
+    for ends, distance in zip(itertools.pairwise(corners), beside, strict=True):
         is_along_y = np.ptp(ends, axis=0)[1] > 0
-        if view != (_TOP if is_along_y else _SIDE):
+        if view.name != (_TOP if is_along_y else _SIDE):
             continue
-        start, end = np.sort(ends, axis=0)[:, [i, j]]
-        offset = beside * (np.array([1, 0]) if start[0] == end[0] else np.array([0, 1]))
+        start, end = np.sort(ends, axis=0)[:, view.plane]
+        is_vertical = start[0] == end[0]
+        offset = distance * (np.array([1, 0]) if is_vertical else np.array([0, 1]))
         for point in (start, end):
             extension_line = [point + 0.3 * offset, point + 1.1 * offset]
-            ax.plot(*np.transpose(extension_line), color=BLACK, linewidth=0.5)
-        arrow(start + offset, end + offset, BLACK, arrowstyle="<->", linewidth=0.8)
-        word(f"{1000 * np.abs(end - start).max():g}", (start + end) / 2 + offset, offset)
+            view.ax.plot(*np.transpose(extension_line), color=BLACK, linewidth=0.5)
+        view.arrow(start + offset, end + offset, BLACK, arrowstyle="<->", linewidth=0.8)
+        length = 1000 * np.abs(end - start).max()
+        view.word(f"{length:g}", (start + end) / 2 + offset, offset)
+
+
+def _draw_joint_axes(view, arm, corners):
+    """Draw an arrow along each joint axis of an arm, or a dot or cross, with the joint's number."""
     numbers = {}
     for number, S in enumerate(arm.screw_axes, 1):
         # Its joint is drawn at the last corner of the arm that lies on the axis.
         distances = np.linalg.norm(np.cross(S[:3], corners[:-1]) + S[3:], axis=1)
         last_on_axis = np.flatnonzero(distances < _ON_AXIS)[-1]
-        at = corners[last_on_axis, [i, j]]
-        along = S[[i, j]].round(9) + 0.0
+        at = corners[last_on_axis, view.plane]
+        along = S[view.plane].round(9) + 0.0
+        tip = at + 0.13 * along
         colour = FRAME_COLOURS[int(np.abs(S[:3]).argmax())]
         if along.any():
-            arrow(at - 0.07 * along, at + 0.13 * along, colour, arrowstyle="-|>", linewidth=1.6)
+            view.arrow(at - 0.07 * along, tip, colour, arrowstyle="-|>", linewidth=1.6)
         else:
-            mark_look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
-            towards_viewer = S[k] * _TOWARDS[view] > 0
-            ax.plot(*at, "o", markersize=11, markerfacecolor="white", **mark_look)
-            ax.plot(*at, "." if towards_viewer else "x", markersize=6, **mark_look)
+            look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
+            mark = "." if view.points_at_viewer(S[:3]) else "x"
+            view.ax.plot(*at, "o", markersize=11, markerfacecolor="white", **look)
+            view.ax.plot(*at, mark, markersize=6, **look)
         # Joints whose arrows lie on each other share a label.
-        tip = (at + 0.13 * along).round(3)
-        numbers.setdefault((*tip, *along, colour), []).append(str(number))
+        numbers.setdefault((*tip.round(3), *along, colour), []).append(str(number))
     for (x, y, dx, dy, colour), group in numbers.items():
         beyond = (dx, dy) if dx or dy else (-1, 0)
-        word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=10)
+        view.word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=10)
+
+
+def _draw_frames(view, arm, corners):
+    """Draw the frames of base and flange, or say that the flange's is parallel to the base's."""
+    flat = corners[:, view.plane]
+    is_seen_along_the_arm = np.ptp(flat) == 0
     # Seen along the arm, its base frame is drawn beside it.
-    straight = np.ptp(flat) == 0
-    frame(np.array([-0.15, -0.13]) if straight else np.zeros(2), np.eye(3), base, 0.085)
+    origin = np.array([-0.15, -0.13]) if is_seen_along_the_arm else np.zeros(2)
+    view.frame(origin, np.eye(3), view.base, 0.085)
     flange = arm.home[-1, :3, :3].round(9)
     if (flange != np.eye(3)).any():
-        frame(flat[-1], flange, tool, 0.2)
-    elif not straight:
-        word(f"{tool}, parallel to {base}", flat[-1] + [0, 0.13], (0, 1), style="italic")
+        view.frame(flat[-1], flange, view.tool, 0.2)
+    elif not is_seen_along_the_arm:
+        text = f"{view.tool}, parallel to {view.base}"
+        view.word(text, flat[-1] + [0, 0.13], (0, 1), style="italic")
 
 
 def _in_words(arm, data, base, end):
