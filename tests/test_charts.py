@@ -19,6 +19,7 @@ from site_visits import Visit
 
 from course_lib.figures import charts, show
 from course_lib.figures.charts import ColourScale
+from course_lib.figures.stills import stored_stills
 from course_lib.figures.stored_chart import PLOTLY, stored
 from course_lib.figures.style import COLOURS
 from course_lib.lessons.decomposition_ik import figures as nb6
@@ -461,3 +462,20 @@ def test_without_plotlys_script_the_picture_stays(page, browser):
         box.scroll_into_view_if_needed()
         expect(box.locator(".chart-still")).to_be_visible()
         assert "drawn" not in box.get_attribute("class")
+
+
+@pytest.mark.parametrize(("session", "has_still"), [("", True), ("/home/student/01.ipynb", False)])
+def test_the_stored_picture_stays_with_the_same_chart_except_in_jupyterlab(
+    session, has_still, tmp_path, monkeypatch
+):
+    fig = charts.lines(T, {"a": T}, **METRES)
+    data = {PLOTLY: stored(fig), "image/png": "iVBORw0KGgo="}
+    cell = nbformat.v4.new_code_cell("fig")
+    cell.outputs = [nbformat.v4.new_output("display_data", data=data)]
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "01.ipynb")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("JPY_SESSION_NAME", session)
+    stored_stills.cache_clear()
+    assert (shown(fig).data.get("image/png") == "iVBORw0KGgo=") == has_still
+    assert "image/png" not in shown(charts.lines(T, {"a": 2 * T}, **METRES)).data
+    stored_stills.cache_clear()

@@ -73,13 +73,17 @@ def show(fig, *, alt="", caption=""):
 
 
 def _show_chart(fig, alt):
-    """Display a plotly figure: its data, and the stored PNG if it still shows these."""
+    """Display a plotly figure: its data and, except in JupyterLab, the stored PNG if it still shows these.
+
+    JupyterLab would show the PNG until a pointer enters it.
+    """
     from IPython.display import display
 
     chart = stored_chart.stored(fig)
     width, height = stored_chart.size(chart)
     data = {stored_chart.PLOTLY: chart, "text/plain": alt}
-    if still := stills.stored_stills().get(stills.as_key(chart)):
+    still = None if stills.is_live() else stills.stored_stills().get(stills.as_key(chart))
+    if still:
         data["image/png"] = still
     metadata = {"alt": alt, "width": width, "height": height}
     display(data, raw=True, metadata={"image/png": metadata})

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 from functools import cache
 from pathlib import Path
 
@@ -53,3 +54,12 @@ def stored_stills() -> dict[str, str]:
         with contextlib.suppress(ValueError, LookupError, AttributeError, TypeError):
             pngs |= stills_in(json.loads(text))
     return pngs
+
+
+def is_live() -> bool:
+    """Return whether a person looks at this kernel.
+
+    Jupyter names the session of each person's kernel in an environment variable. What runs notebooks
+    for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
+    """
+    return bool(os.environ.get("JPY_SESSION_NAME"))

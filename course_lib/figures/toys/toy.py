@@ -10,7 +10,6 @@ where widgets do not run.
 import base64
 import html
 import math
-import os
 from functools import cache
 from pathlib import Path
 
@@ -18,7 +17,7 @@ import numpy as np
 
 from course_lib.figures.display import show_caption
 from course_lib.figures.solids.model import PALETTE
-from course_lib.figures.stills import TOY, as_key, stored_stills
+from course_lib.figures.stills import TOY, as_key, is_live, stored_stills
 
 # Added before rounding, in metres or radians: lengths of models are round numbers, and one machine
 # would round a tie up, another down. It is smaller than what any of them is rounded to.
@@ -248,16 +247,6 @@ def _rounded(node):
     if not isinstance(node, float):
         return node
     return round(node, 12) + 0.0 if math.isfinite(node) else None
-
-
-def is_live():
-    """Return whether a person looks at this kernel.
-
-    Jupyter names the session of each person's kernel in an environment variable. What runs
-    notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain
-    models.
-    """
-    return bool(os.environ.get("JPY_SESSION_NAME"))
 
 
 def script_names():
