@@ -286,7 +286,7 @@ def test_all_samples_are_in_the_chart_with_their_cells():
     assert dots.type == "scattergl"
     np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), xy, rtol=0, atol=5.1e-4)
     in_first = (cell == cell[0]).all(axis=1).sum()
-    assert dots.customdata[0] == [*cell[0], in_first]
+    assert dots.customdata[0] == [cell[0] @ [1, 5], in_first]
 
 
 def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():
