@@ -158,7 +158,20 @@ def tube(points, radii, steps=4, n=12, caps=(True, True), wide=1.0, side=None):
 
 
 def capsule(start, end, radius, n=12):
-    """Return a straight tube with rounded ends from start to end."""
+    """Return a straight tube with rounded ends.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (3,)
+        The centres of the rounded ends.
+    radius : float
+    n : int, optional
+        Corners around the tube.
+
+    Returns
+    -------
+    Mesh
+    """
     return tube([start, end], radius, 2, n)
 
 
@@ -219,7 +232,19 @@ def arrow(start, direction, length, radius, n=6):
 
 
 def ball(centre, radius, n=12):
-    """Return a sphere with n corners along its equator."""
+    """Return a sphere.
+
+    Parameters
+    ----------
+    centre : array_like, shape (3,)
+    radius : float
+    n : int, optional
+        Corners along the equator.
+
+    Returns
+    -------
+    Mesh
+    """
     polar = np.linspace(0, np.pi, n // 2 + 1)[1:-1]
     profile = [(radius * np.sin(angle), -radius * np.cos(angle)) for angle in polar]
     return revolve(centre, [0, 0, 1], profile, n)
