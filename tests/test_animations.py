@@ -47,12 +47,12 @@ def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(
 ):
     write(tmp_path, "01.ipynb", cell(output(movie()), output({TOY: TURNING})))
     monkeypatch.setattr(animations, "FOLDER", tmp_path / "made")
-    assert animations.main([tmp_path / "01.ipynb"]) == 0
+    assert animations.main([str(tmp_path / "01.ipynb")]) == 0
     made = [str(tmp_path / "made/moving.gif")]
     made += (
         [str(tmp_path / "made/moving.mp4")]
         if shutil.which("ffmpeg")
-        else ["No MP4: ffmpeg was not found."]
+        else ["There is no MP4, because ffmpeg was not found: install it to have both."]
     )
     assert capsys.readouterr() == ("\n".join(made) + "\n", "")
     with Image.open(made[0]) as gif:
@@ -76,5 +76,5 @@ def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
     write(tmp_path, "01.ipynb", cell(output({TOY: TURNING})))
     if content:
         (tmp_path / "01.ipynb").write_text(content)
-    assert animations.main([tmp_path / "01.ipynb"]) == 1
+    assert animations.main([str(tmp_path / "01.ipynb")]) == 1
     assert message in capsys.readouterr().err

@@ -219,7 +219,7 @@ def test_a_file_that_is_no_notebook_or_not_there_is_named(write, capsys):
         in capsys.readouterr().err
     )
     assert notebooks.main([]) == 0
-    assert "No notebooks" in capsys.readouterr().out
+    assert "No notebook was named" in capsys.readouterr().out
 
 
 def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves_the_old_one(

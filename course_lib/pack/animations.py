@@ -27,8 +27,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Write the animations of some notebooks; return an exit code."""
     parser = argparse.ArgumentParser(
         prog="python -m course_lib.pack.animations",
-        description="Write the films that notebooks hold as GIF, and as MP4 if ffmpeg is installed, "
-        f"to {FOLDER}/. A browser photographs them: Chrome or Chromium.",
+        description="Write the films that notebooks hold as GIF, and as MP4 if ffmpeg is "
+        f"installed, to {FOLDER}/. A browser photographs them: Chrome or Chromium.",
         epilog="example: make animations NOTEBOOKS=notebooks/02_rigid_motion.ipynb",
     )
     parser.add_argument(
@@ -62,17 +62,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def stored_movies(notebook):
+def stored_movies(notebook: nbformat.NotebookNode) -> list[dict]:
     """Return the animations among a notebook's stored toys, as JSON."""
-    datas = [output.data for output in figure_outputs(notebook)]
-    toys = [data[TOY]["layout"]["meta"]["course"] for data in datas if TOY in data]
+    outputs = [output.data for output in figure_outputs(notebook)]
+    toys = [data[TOY]["layout"]["meta"]["course"] for data in outputs if TOY in data]
     return [toy for toy in toys if "movie" in toy]
 
 
-def write(movie, path):
-    """Write one animation, a stored toy, as GIF and (with ffmpeg) as MP4; return the paths of these files."""
+def write(movie: dict, path: Path) -> list[Path]:
+    """Write one animation as GIF and, with ffmpeg, as MP4; return the files' paths.
+
+    `movie` is the data of a stored toy, and `path` the files' path without a suffix.
+    """
     times = np.arange(0, movie["times"][-1] + 1e-9, 1 / RATE)
-    every = tqdm(
+    with_progress = tqdm(
         film_pictures(movie, times),
         total=len(times),
         desc=path.name,
@@ -80,20 +83,19 @@ def write(movie, path):
         leave=False,
         disable=None,
     )
-    pictures = list(every)
-    gif, mp4 = path.with_suffix(".gif"), path.with_suffix(".mp4")
-    palette = pictures[0].quantize(
-        method=Image.Quantize.MAXCOVERAGE
-    )  # which keeps the rarer colours
+    pictures = list(with_progress)
+    gif = path.with_suffix(".gif")
+    mp4 = path.with_suffix(".mp4")
+    # This method keeps the rarer colours.
+    palette = pictures[0].quantize(method=Image.Quantize.MAXCOVERAGE)
     small = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     small[0].save(gif, save_all=True, append_images=small[1:], duration=1000 // RATE, loop=0)
     if shutil.which("ffmpeg") is None:
         return [gif]
     raw = "-f rawvideo -pixel_format rgb24 -video_size {}x{}".format(*pictures[0].size)
     command = f"ffmpeg -y -loglevel error {raw} -framerate {RATE} -i - -pix_fmt yuv420p".split()
-    subprocess.run(
-        [*command, mp4], input=b"".join(picture.tobytes() for picture in pictures), check=True
-    )
+    raw_pictures = b"".join(picture.tobytes() for picture in pictures)
+    subprocess.run([*command, mp4], input=raw_pictures, check=True)
     return [gif, mp4]
 
 

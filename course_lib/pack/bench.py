@@ -1,4 +1,7 @@
-"""Compare the library with others, and write README.md's table of speed: `python -m course_lib.pack.bench [NUMBER]`."""
+"""Compare the library with others, and write README.md's table of speed.
+
+`python -m course_lib.pack.bench [NUMBER]` runs it.
+"""
 
 import argparse
 import contextlib
@@ -6,12 +9,13 @@ import importlib
 import platform
 import re
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import metadata
 from pathlib import Path
 from timeit import Timer
+from types import ModuleType
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -22,14 +26,15 @@ from course_lib.pack.files import write_atomically
 
 README = Path("README.md")
 BEGIN, END = "<!-- written by make bench -->\n", "<!-- end -->"
+# The libraries that are compared beside numpy and scipy: {module: package}.
 PEERS = {
     "pinocchio": "pin",
     "roboticstoolbox": "roboticstoolbox-python",
-}  # beside numpy and scipy: module, package
-AGREE = 1e-9
+}
+MAX_DIFFERENCE = 1e-9  # of two libraries' answers
 REACHED = 1e-6  # metres and radians, by inverse kinematics
-LEAST = 0.02  # seconds that one measurement lasts at least: short calls are repeated
-ROUNDS = 40
+MIN_SECONDS = 0.02  # that one measurement lasts; short calls are repeated
+ROUNDS = 40  # of which the fastest counts
 POSES = 10_000
 LOOP = "pinocchio in a loop"
 ARM = panda()
@@ -37,7 +42,9 @@ ARM = panda()
 
 @dataclass(frozen=True)
 class Task:
-    """What is compared: `items`, an array whose first axis counts them, the library's function, and those of others.
+    """What is compared: items, the library's function, and those of others.
+
+    `items` is an array whose first axis counts them.
 
     convert: for those of `others` that need it, converts what they return to the library's
     conventions; None if their answers need not agree.
@@ -51,7 +58,10 @@ class Task:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Compare, print, and write the table if no library is missing; a number of items is for a trial, not written."""
+    """Compare, print, and write the table if no library is missing.
+
+    With a number of items it is a trial, which is not written.
+    """
     parser = argparse.ArgumentParser(
         prog="python -m course_lib.pack.bench",
         description="Measure the library beside numpy, scipy, pinocchio and the Robotics Toolbox, "
@@ -63,18 +73,18 @@ def main(arguments: Sequence[str] | None = None) -> None:
         metavar="POSES",
         nargs="?",
         type=_number,
-        help=f"how many poses to compute in a trial, whose table is printed only; {POSES} without it",
+        help="how many poses to compute in a trial, whose table is printed only; "
+        f"{POSES} without it",
     )
     poses = parser.parse_args(arguments).poses
     peers, missing = installed()
     lines = ["| | time for one | beside | ratio |", "|---|---|---|---|"]
     for task in tasks(peers, poses or POSES):
         print(task.title, "...", flush=True)
-        seconds, found = shares(task)
+        seconds, share_of = shares(task)
         one = np.format_float_positional(1e6 * seconds, 2, fractional=False, trim="-")
-        lines += [
-            f"| {task.title} | {one} µs | {name} | {share:.2g} |" for name, share in found.items()
-        ]
+        for name, share in share_of.items():
+            lines.append(f"| {task.title} | {one} µs | {name} | {share:.2g} |")
     versions = [
         f"{name} {metadata.version(PEERS.get(name, name))}" for name in ("numpy", "scipy", *peers)
     ]
@@ -97,52 +107,60 @@ def _number(typed: str) -> int:
     return int(typed)
 
 
-def installed():
+def installed() -> tuple[dict[str, ModuleType], dict[str, str]]:
     """Return {name: module} of the other libraries, and {name: why it is missing}."""
-    here, missing = {}, {}
+    modules, missing = {}, {}
     for name in PEERS:
         try:
-            here[name] = importlib.import_module(name)
+            modules[name] = importlib.import_module(name)
         except Exception as error:  # one that cannot start must not stop the others
             missing[name] = f"{type(error).__name__}: {error}"
-    return here, missing
+    return modules, missing
 
 
-def processor():
+def processor() -> str:
     """Return the name of the processor, as far as the system says."""
     with contextlib.suppress(OSError):
-        if found := re.search(r"model name\s*: (.+)", Path("/proc/cpuinfo").read_text()):
-            return found[1].strip()
+        model = re.search(r"model name\s*: (.+)", Path("/proc/cpuinfo").read_text())
+        if model:
+            return model[1].strip()
     return platform.processor() or platform.machine()
 
 
-def shares(task):
-    """Return the library's time for one item in seconds, and {name: that time as a share of the other's}.
+def shares(task: Task) -> tuple[float, dict[str, float]]:
+    """Return the library's seconds for one item, and its shares of the others' times.
+
+    The shares are {name: the library's time divided by the other's}.
 
     The functions are measured in turn, and the least times count. Raises ValueError if another
-    library's answers differ by more than `AGREE`.
+    library's answers differ by more than `MAX_DIFFERENCE`.
     """
-    few = task.items[:200]
+    some_items = task.items[:200]
     for name, run in task.others.items():
-        if convert := task.convert.get(name, np.asarray):
-            gap = np.abs(convert(run(few)) - task.library(few)).max()
-            if not gap <= AGREE:
+        convert = task.convert.get(name, np.asarray)
+        if convert:
+            gap = np.abs(convert(run(some_items)) - task.library(some_items)).max()
+            if not gap <= MAX_DIFFERENCE:
                 raise ValueError(f"{task.title}: the answers of {name} differ by {gap:.1g}")
     # Processor time: other programs on the machine affect it less than the clock.
     timers = [
         Timer(partial(run, task.items), timer=time.process_time)
         for run in (task.library, *task.others.values())
     ]
-    often = [1 + int(LEAST / max(timer.timeit(1), 1e-6)) for timer in timers]
-    times = [
-        [timer.timeit(n) / n for timer, n in zip(timers, often, strict=True)] for _ in range(ROUNDS)
-    ]
-    best = np.min(times, axis=0) / len(task.items)
+    repeats = [1 + int(MIN_SECONDS / max(timer.timeit(1), 1e-6)) for timer in timers]
+    times = np.empty((ROUNDS, len(timers)))
+    for one_round in times:
+        for i, (timer, n) in enumerate(zip(timers, repeats, strict=True)):
+            one_round[i] = timer.timeit(n) / n
+    best = times.min(axis=0) / len(task.items)
     return best[0], dict(zip(task.others, best[0] / best[1:], strict=True))
 
 
-def tasks(peers, n):
-    """Return all Tasks: with n poses, a tenth of that many targets, and ten times as many rotations."""
+def tasks(peers: dict[str, ModuleType], n: int) -> list[Task]:
+    """Return all Tasks.
+
+    They have n poses, a tenth of that many targets, and ten times as many rotations.
+    """
     q = np.random.default_rng(0).uniform(*ARM.limits.T, (n, 7))
     return [
         *_kinematics(peers, q, ARM.fk(q[: n // 10])),
@@ -150,17 +168,21 @@ def tasks(peers, n):
     ]
 
 
-def _over(function, items):
+def _over(function: Callable, items: np.ndarray) -> np.ndarray:
+    """Return what a function that takes one item makes of each."""
     return np.array([function(item) for item in items])
 
 
-def _kinematics(peers, q, targets):
-    poses, jacobians, inverse, ik_name = {}, {}, {}, "roboticstoolbox's `ik_LM`, C++"
-    if pin := peers.get("pinocchio"):
+def _kinematics(peers: dict[str, ModuleType], q: np.ndarray, targets: np.ndarray) -> Iterator[Task]:
+    poses, jacobians, inverse = {}, {}, {}
+    ik_name = "roboticstoolbox's `ik_LM`, C++"
+    pin = peers.get("pinocchio")
+    if pin:
         frames = _pinocchio(pin)
         poses[LOOP] = lambda qs: _over(lambda q: frames(q)[0], qs)
         jacobians[LOOP] = lambda qs: [frames(q, jacobian=True) for q in qs]
-    if rtb := peers.get("roboticstoolbox"):
+    rtb = peers.get("roboticstoolbox")
+    if rtb:
         first, *others = (rtb.ET.SE3(step) for step in _steps())
         joints = [rtb.ET.Rz(qlim=limits.tolist()) for limits in ARM.limits]
         chain = rtb.ETS(
@@ -192,7 +214,7 @@ def _kinematics(peers, q, targets):
     yield Task(name, targets, solve, inverse, {ik_name: None})
 
 
-def _rotations(pin, n):
+def _rotations(pin: ModuleType | None, n: int) -> Iterator[Task]:
     rng = np.random.default_rng(0)
     axes = rng.normal(size=(n, 3))
     w = axes / np.linalg.norm(axes, axis=-1, keepdims=True) * rng.uniform(0, np.pi, (n, 1))
@@ -209,15 +231,16 @@ def _rotations(pin, n):
     yield Task(f"{n:,} rotations, quaternion to matrix", q, rotations.quaternion_to_matrix, to_R)
 
 
-def _steps():
-    """Return the poses (8, 4, 4) of each joint's frame, and of the end-effector, in the frame before it, at q = 0.
+def _steps() -> np.ndarray:
+    """Return the poses (8, 4, 4) of the arm's frames in the frame before each, at q = 0.
 
-    Each joint rotates about the z axis of its frame.
+    The frames are those of the joints, and then the end-effector's. Each joint rotates about the z
+    axis of its frame.
     """
     return np.linalg.inv(np.concatenate([np.eye(4)[None], ARM.home[:-1]])) @ ARM.home
 
 
-def _pinocchio(pin):
+def _pinocchio(pin: ModuleType) -> Callable:
     """Return a function of one configuration: the pose, and the Jacobian or None."""
     model, joint = pin.Model(), 0
     *steps, last = (pin.SE3(T[:3, :3], T[:3, 3]) for T in _steps())

@@ -1,12 +1,16 @@
-"""PNGs of charts, by kaleido: plotly in a browser without a window."""
+"""Draw charts as PNGs by kaleido, which runs plotly in a browser without a window."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from course_lib.figures.stored_chart import size
-from course_lib.pack.photograph import PATIENCE, find_browser
+from course_lib.pack.photograph import MAX_SECONDS, find_browser
+
+if TYPE_CHECKING:
+    from kaleido import Kaleido
 
 SCALE = 1.5  # pixels of the PNG for one on the page, as the PNGs of matplotlib have
 # What is pressed or dragged does not belong into a picture.
@@ -38,13 +42,13 @@ async def _draw(browser: str, charts: Sequence[dict]) -> list[bytes]:
 
     pngs = []
     # MathJax would come from the net, and charts have no formulas.
-    async with Kaleido(n=1, timeout=PATIENCE, mathjax=False, path=browser) as kaleido:
+    async with Kaleido(n=1, timeout=MAX_SECONDS, mathjax=False, path=browser) as kaleido:
         for chart in charts:
             pngs.append(await _draw_one(kaleido, chart))
     return pngs
 
 
-async def _draw_one(kaleido, chart: dict) -> bytes:
+async def _draw_one(kaleido: Kaleido, chart: dict) -> bytes:
     from kaleido.errors import KaleidoError
 
     width, height = size(chart)

@@ -7,11 +7,22 @@ from pathlib import Path
 PART = ".part"  # suffix of an incomplete file; its name begins with a dot
 
 
-def write_atomically(path, content, mode=0o600):
+def write_atomically(path: str | os.PathLike, content: str | bytes, mode: int = 0o600) -> None:
     """Replace a file by new content in one step, and create its folder if there is none.
 
-    content: text, written as UTF-8 with its newlines as they are, or bytes. mode: the permissions
-    of a new file; a file that exists keeps its own.
+    Parameters
+    ----------
+    path : path
+        The file.
+    content : str or bytes
+        A string is written as UTF-8, with its newlines as they are.
+    mode : int, default 0o600
+        The permissions of a new file. A file that exists keeps its own.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written; it then stays as it was.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)

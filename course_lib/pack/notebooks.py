@@ -1,4 +1,6 @@
-"""Run notebooks and write their outputs into them: the authors' copies, the same bytes every time.
+"""Run notebooks and write their outputs into them.
+
+The result is the authors' copies, the same bytes every time. For example:
 
     python -m course_lib.pack.notebooks notebooks/*.ipynb
 
@@ -45,15 +47,18 @@ StillMaker = Callable[[list[Figure]], list[bytes]]
 
 
 class NotebookFailed(Exception):
-    """A file that is not a notebook, or a cell that raised, took too long or ended its kernel; the text says which."""
+    """A file that is not a notebook, or a cell that failed; the text says which.
+
+    A cell fails if it raises, takes too long or ends its kernel.
+    """
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the notebooks named on the command line; return an exit code."""
     parser = argparse.ArgumentParser(
         prog="python -m course_lib.pack.notebooks",
-        description="Run notebooks from top to bottom, each in a new kernel, and write their outputs "
-        "into them. A notebook in which a cell fails stays as it was.",
+        description="Run notebooks from top to bottom, each in a new kernel, and write their "
+        "outputs into them. A notebook in which a cell fails stays as it was.",
         epilog="example: make notebooks NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb",
     )
     parser.add_argument(
@@ -93,15 +98,15 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
     known = stills_in(notebook)
     run(notebook, path)
     try:
-        without = add_stills(notebook, known, make_stills or draw_stills)
+        remark = add_stills(notebook, known, make_stills or draw_stills)
     except ChartNotDrawn as error:
         raise NotebookFailed(str(error)) from error
     tidy(notebook)
     after = _short(nbformat.writes(notebook, indent=1, ensure_ascii=False, sort_keys=True)) + "\n"
     if after == before:
-        return ", unchanged" + without
+        return ", unchanged" + remark
     write_atomically(path, after)
-    return ", written" + without
+    return ", written" + remark
 
 
 _NUMBER = r"(?:-?[\d.eE+-]+|null)"
@@ -110,13 +115,13 @@ _SHORT_LIST = r"\[[^\[\]\n\"]*\]"
 _LISTS = re.compile(rf"\[\n\s*{_SHORT_LIST}(?:,\n\s*{_SHORT_LIST})*\n\s*\]")
 
 
-def _short(text):
+def _short(text: str) -> str:
     """Return JSON text with each list of numbers, and each list of these, on one line.
 
     One line for each number would double a notebook's size.
     """
 
-    def on_one_line(match):
+    def on_one_line(match: re.Match) -> str:
         return re.sub(r"\s+", "", match[0])
 
     return _LISTS.sub(on_one_line, _NUMBERS.sub(on_one_line, text))
@@ -144,19 +149,17 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     with tempfile.TemporaryDirectory() as profile:
         # A profile of its own: the author's start-up files and settings change outputs.
         environment = {**os.environ, "IPYTHONDIR": profile}
-        environment.pop(
-            "JPY_SESSION_NAME", None
-        )  # set if make runs inside JupyterLab: toys would become widgets
+        # It is set if make runs inside JupyterLab. Toys would then become widgets.
+        environment.pop("JPY_SESSION_NAME", None)
         with client.setup_kernel(env=environment):
             number = 0
             for index, cell in enumerate(notebook.cells):
                 if cell.cell_type != "code":
                     continue
                 number += 1
-                cell.outputs, cell.execution_count = (
-                    [],
-                    None,
-                )  # an empty cell is not run, and may hold old ones
+                # An empty cell is not run, and may hold old outputs.
+                cell.outputs = []
+                cell.execution_count = None
                 try:
                     client.execute_cell(cell, index)
                 except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
@@ -165,7 +168,10 @@ def run(notebook: nbformat.NotebookNode, path: Path) -> None:
 
 
 def leave_number_out(cell: nbformat.NotebookNode) -> None:
-    """Record that a cell was run, but not its number: a new cell would change the numbers of all that follow."""
+    """Record that a cell was run, but not its number.
+
+    A new cell would change the numbers of all cells that follow.
+    """
     if cell.execution_count is not None:
         cell.execution_count = 1
     for output in cell.outputs:
@@ -224,7 +230,10 @@ def add_stills(
 
 
 def draw_stills(figures: list[Figure]) -> list[bytes]:
-    """Return PNG files: of each toy what it shows at its start, of each chart what plotly draws of it."""
+    """Return a PNG file of each figure.
+
+    It is of a toy what the toy shows at its start, and of a chart what plotly draws.
+    """
     from course_lib.pack.photograph import photograph
 
     pngs = {}
@@ -247,13 +256,13 @@ def is_toy(figure: Figure) -> bool:
 def tidy(notebook: nbformat.NotebookNode) -> None:
     """Remove everything from a notebook that differs between authors."""
     notebook.metadata = nbformat.from_dict(PYTHON | keep(notebook.metadata, NOTEBOOK_KEYS))
-    notebook.nbformat, notebook.nbformat_minor = 4, 5
+    notebook.nbformat = 4
+    notebook.nbformat_minor = 5
     for number, cell in enumerate(notebook.cells):
         cell.metadata = nbformat.from_dict(keep(cell.metadata, CELL_KEYS))
         if TAG in cell.metadata.get("tags", []):
-            cell.metadata["jp-MarkdownHeadingCollapsed"] = (
-                True  # also where an author had opened the section
-            )
+            # This folds the section also where an author had opened it.
+            cell.metadata["jp-MarkdownHeadingCollapsed"] = True
         cell.setdefault("id", f"cell-{number}")  # a notebook written before ids were
 
 

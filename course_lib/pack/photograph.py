@@ -1,4 +1,7 @@
-"""What a headless browser makes of pages: pictures of what scripts draw, for places that run no script, and PDFs."""
+"""Pictures and PDFs that a headless browser makes of pages.
+
+The pictures show what scripts draw, for places that run no script.
+"""
 
 import io
 import json
@@ -6,22 +9,29 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from PIL import Image
 
 from course_lib.figures.toys.toy import script
 
-WIDTH, HIGHEST, PATIENCE = 720, 1600, 600  # pixels, pixels, seconds
+WIDTH = 720  # pixels
+MAX_HEIGHT = 1600  # pixels, of the window in which a toy is drawn
+MAX_SECONDS = 600  # for a picture, on a busy machine
+FILM_WIDTH = 560  # pixels
+FILMS_ACROSS = 4  # pictures of a film beside each other and below each other in one photograph
 _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
 .controls{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
 const meta = {meta};
 window.course.kinds[meta.kind](document.getElementById("toy"), meta, null);</script>"""
-_SHEET = """<style>body{{background:#fff;display:grid;grid-template-columns:repeat({across},{width}px)}}
+_SHEET = """<style>
+body{{background:#fff;display:grid;grid-template-columns:repeat({across},{width}px)}}
 .course-toy{{padding:0!important}}.controls{{display:none!important}}</style><body>{scripts}<script>
 for (const at of {times}) {{
   const meta = {{ ...{meta}, at }};
-  window.course.kinds[meta.kind](document.body.appendChild(document.createElement("div")), meta, null);
+  const host = document.body.appendChild(document.createElement("div"));
+  window.course.kinds[meta.kind](host, meta, null);
 }}</script>"""
 _OPTIONS = ["--headless", "--no-sandbox", "--hide-scrollbars", "--enable-unsafe-swiftshader"]
 _OPTIONS += ["--force-prefers-reduced-motion", "--default-background-color=00000000"]
@@ -29,32 +39,44 @@ _OPTIONS += ["--force-prefers-reduced-motion", "--default-background-color=00000
 
 def photograph(meta: dict) -> bytes:
     """Return a PNG of what a toy shows at its start, without its controls."""
-    data = json.dumps(meta).replace("</", "<\\/")
-    image = screenshot(
-        _TOY.format(scripts=inline(meta["scripts"]), meta=data), WIDTH, HIGHEST
-    ).convert("RGB")
+    body = _TOY.format(scripts=inline(meta["scripts"]), meta=_as_script_data(meta))
+    image = screenshot(body, WIDTH, MAX_HEIGHT).convert("RGB")
+    # The last row that is not white.
     bottom = image.convert("L").point(lambda dot: 255 * (dot < 255)).getbbox()[3]
-    image.crop((0, 0, WIDTH, bottom)).save(file := io.BytesIO(), "PNG")
+    file = io.BytesIO()
+    image.crop((0, 0, WIDTH, bottom)).save(file, "PNG")
     return file.getvalue()
 
 
-def film_pictures(course: dict, times):
-    """Yield the pictures of a film, a toy's data, at times in seconds: sixteen are photographed at once."""
-    width, across = 560, 4
-    height = round(width * course.get("proportion", 0.75))
+def _as_script_data(meta: dict) -> str:
+    """Return data as JSON that may stand in a script element."""
+    # "</" would end the element; in JSON "<\\/" is the same string.
+    return json.dumps(meta).replace("</", "<\\/")
+
+
+def film_pictures(meta: dict, times: Sequence[float]) -> Iterator[Image.Image]:
+    """Yield the pictures of a film at times in seconds.
+
+    `meta` is the data of a toy. Sixteen pictures are photographed at once.
+    """
+    width, across = FILM_WIDTH, FILMS_ACROSS
+    height = round(width * meta.get("proportion", 0.75))
     for first in range(0, len(times), across**2):
-        some = [round(float(t), 4) for t in times[first : first + across**2]]
-        data = json.dumps(course).replace("</", "<\\/")
+        times_of_sheet = [round(float(t), 4) for t in times[first : first + across**2]]
         body = _SHEET.format(
-            scripts=inline(course["scripts"]), meta=data, times=some, across=across, width=width
+            scripts=inline(meta["scripts"]),
+            meta=_as_script_data(meta),
+            times=times_of_sheet,
+            across=across,
+            width=width,
         )
         sheet = screenshot(body, across * width, across * height).convert("RGB")
-        for k in range(len(some)):
+        for k in range(len(times_of_sheet)):
             x, y = width * (k % across), height * (k // across)
             yield sheet.crop((x, y, x + width, y + height))
 
 
-def inline(scripts) -> str:
+def inline(scripts: Iterable[str]) -> str:
     """Return the HTML of scripts of course_lib/figures/scripts, named without ".js"."""
     return "".join(f"<script>{script(name)}</script>" for name in scripts)
 
@@ -92,7 +114,7 @@ def headless(page: Path, *options: str) -> None:
             page.resolve().as_uri(),
         ]
         try:
-            subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+            subprocess.run(command, check=True, capture_output=True, timeout=MAX_SECONDS)
         except (subprocess.SubprocessError, OSError) as error:
             raise TimeoutError(f"the browser {browser} failed: {error}") from error
 

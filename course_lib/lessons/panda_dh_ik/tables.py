@@ -20,7 +20,9 @@ def dh_tables(modified, standard):
 
 
 def mirrored(n, as_given, corrected):
-    """Return how often one of two registrations of n points is worse, in words, and the median error of the other.
+    """Return in words how often one of two registrations of n points is worse.
+
+    The median error of the other registration is returned as well.
 
     Parameters
     ----------
