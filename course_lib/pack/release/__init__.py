@@ -1,6 +1,6 @@
-"""The release to students: notebooks without solutions, and all that they need to run.
+"""The release to students, which `make student` writes.
 
-``make student``.
+It holds notebooks without solutions, and all that they need to run.
 """
 
 PROMPT = "*Type your answer here.*"  # stands where a written answer goes

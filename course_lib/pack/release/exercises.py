@@ -1,4 +1,6 @@
-"""The folder that ``make lab`` opens: the students' notebooks of this checkout, for a student's own work.
+"""The folder that ``make lab`` opens, for a student's own work.
+
+It holds the students' notebooks of this checkout.
 
 ``python -m course_lib.pack.release.exercises`` makes it once and never changes a file in it. With
 ``--update`` a new one is made beside it, with its answers; then the two change places. Whatever
@@ -31,15 +33,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Make or update the folder; return an exit code: 1 if something could not be carried over."""
     parser = argparse.ArgumentParser(
         prog="python -m course_lib.pack.release.exercises",
-        description=f"Make {FOLDER}/, the students' notebooks of this checkout for your own work. No "
-        "file that is there is changed.",
+        description=f"Make {FOLDER}/, the students' notebooks of this checkout for your own work. "
+        "No file that is there is changed.",
         epilog="example: make update",
     )
     parser.add_argument(
         "--update",
         action="store_true",
-        help="make a new folder beside one of an earlier version, carry your answers over, and keep "
-        "the earlier one aside",
+        help="make a new folder beside one of an earlier version, carry your answers over, and "
+        "keep the earlier one aside",
     )
     update = parser.parse_args(arguments).update
     root = Path.cwd()
@@ -50,8 +52,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             lines.append(line)
     except (ReleaseError, OSError) as error:
         _print(lines)
-        what = "updated; it stays as it was" if update else "made"
-        print(f"{FOLDER}/ could not be {what}. {error}", file=sys.stderr)
+        failure = "updated; it stays as it was" if update else "made"
+        print(f"{FOLDER}/ could not be {failure}. {error}", file=sys.stderr)
         return 1
     _print(lines)
     origin = Origin.of(root / FOLDER)
@@ -68,8 +70,14 @@ def _print(lines: Sequence[str]) -> None:
 class Origin:
     """What a folder of exercises was made from.
 
-    digest: a hash of the notebooks as they were released. release: its number. pending: pairs
-    (older folder, notebook) of what could not be carried over yet.
+    Attributes
+    ----------
+    digest : str
+        A hash of the notebooks as they were released.
+    release : str
+        The name of the release.
+    pending : list of (str, str)
+        Pairs (older folder, notebook) of what could not be carried over yet.
     """
 
     digest: str
@@ -223,7 +231,10 @@ def _carry_one(older: Path, folder: Path, name: str, origin: Origin) -> list[str
 
 
 def _released(root: Path) -> tuple[str, str, dict[str, bytes]]:
-    """Return a hash of the students' notebooks, the release, and {path below notebooks/: bytes} of all beside them."""
+    """Return a hash of the students' notebooks, the release, and all files beside them.
+
+    The files are {path below notebooks/: bytes}, the notebooks among them.
+    """
     release, files = named(collect(root))
     files = {
         name.split("/notebooks/")[1]: content

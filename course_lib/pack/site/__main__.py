@@ -34,8 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--solutions",
         default="yes",
         metavar="yes|no|model",
-        help="yes (the default) folds the solutions, no leaves them out, model shows only the model "
-        "answers to the written questions",
+        help="yes (the default) folds the solutions, no leaves them out, model shows only the "
+        "model answers to the written questions",
     )
     parser.add_argument(
         "--pdf", type=Path, metavar="FILE", help="also write the pages as one PDF, to this file"

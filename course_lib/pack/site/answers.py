@@ -1,4 +1,7 @@
-"""Fold the authors' answers on the pages, or leave them out; fold imports and lines that only draw."""
+"""Fold the authors' answers on the pages, or leave them out.
+
+Imports and lines that only draw are folded too.
+"""
 
 import ast
 import re
@@ -38,13 +41,16 @@ def fold(cell) -> None:
 
 
 def hide(cell, tag: str, name: str, *more_tags: str) -> None:
-    """Let MyST-NB fold a code cell, or a part of it, under a line with this name; the style sheet knows more tags."""
+    """Let MyST-NB fold a code cell, or a part of it, under a line with this name.
+
+    The style sheet of the pages knows the other tags.
+    """
     cell.metadata["tags"] = [*cell.metadata.get("tags", []), tag, *more_tags]
     cell.metadata["mystnb"] = {"code_prompt_show": name, "code_prompt_hide": name}
 
 
 def fold_what_serves(cell, is_opening: bool = False) -> None:
-    """Let the page show a code cell that only imports, or only draws a figure, as one line that opens.
+    """Let the page show a code cell that only imports or draws as one line that opens.
 
     The figure that opens a notebook stands on the first screen: its lines are folded whatever else
     they do.
@@ -73,7 +79,10 @@ def _is_figure(output) -> bool:
 
 
 def _only_draws(statement) -> bool:
-    """Return whether a statement is a call, such as show(...), or assigns a text, such as a caption."""
+    """Return whether a statement is a call, such as show(...), or assigns a string.
+
+    A caption is such a string.
+    """
     called = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call)
     return called or (
         isinstance(statement, ast.Assign)
@@ -82,21 +91,20 @@ def _only_draws(statement) -> bool:
 
 
 def leave_out(cell, place: str) -> None:
-    """Leave out what students do not find in their notebooks: the answer, and the check's verdict on it.
+    """Leave out what students do not find in their notebooks.
 
-    Other outputs stay as they are stored, except printed lines that address the author of the
-    answers. Raises SiteError if an answer cannot be separated from the rest.
+    That is the answer, and the check's verdict on it. Other outputs stay as they are stored, except
+    printed lines that address the author of the answers. Raises SiteError if an answer cannot be
+    separated from the rest.
     """
     try:
         take_answer(cell, place)
     except ReleaseError as error:
         raise SiteError(str(error)) from error
     if cell.cell_type == "code":
-        cell.outputs = (
-            []
-            if _is_answer(cell)
-            else [output for output in cell.outputs if not _is_verdict(output)]
-        )
+        if _is_answer(cell):
+            cell.outputs = []
+        cell.outputs = [output for output in cell.outputs if not _is_verdict(output)]
         for output in cell.outputs:
             if output.output_type == "stream":
                 output.text = OWN.sub("", output.text)
@@ -113,5 +121,8 @@ def _is_answer(cell) -> bool:
 
 
 def _is_verdict(output) -> bool:
-    """Return whether an output is the box in which a check says right or wrong, or lists what is done."""
+    """Return whether an output is a check's box.
+
+    It says right or wrong, or lists what is done.
+    """
     return 'role="status"' in output.get("data", {}).get("text/html", "")

@@ -1,4 +1,7 @@
-"""Build the site: prepare copies of the notebooks, let Sphinx turn them into pages, and move these into place."""
+"""Build the site from the notebooks.
+
+Copies of the notebooks are prepared, Sphinx turns them into pages, and these are moved into place.
+"""
 
 import re
 import shutil
@@ -94,22 +97,23 @@ def _gather(
 
 
 def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
-    """Return the pages of text that the notebooks name, and the course's own; delete the others, an author's notes.
+    """Return the pages of text that the notebooks name, and the course's own.
 
-    Of their links to notebooks that are not among `books` only the text is left.
+    The others, which are an author's notes, are deleted. Of their links to notebooks that are not
+    among `books` only the text is left.
     """
     named = "".join(cell.source for book in books.values() for cell in book.cells)
-    link, found = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)"), []
+    link = re.compile(r"\[([^]]*)\]\((\w+\.ipynb)[^)]*\)")
+    kept = []
     for page in sorted(pages.glob("*.md"), key=lambda page: (page.name != PAGES[0], page.name)):
         if page.name in named or page.name in PAGES:
-            text = link.sub(
-                lambda it: it[0] if it[2] in books else it[1], page.read_text(encoding="utf-8")
-            )
+            text = page.read_text(encoding="utf-8")
+            text = link.sub(lambda match: match[0] if match[2] in books else match[1], text)
             page.write_text(text, encoding="utf-8")
-            found.append(page)
+            kept.append(page)
         else:
             page.unlink()
-    return found
+    return kept
 
 
 def _copy_own_files(static: Path) -> None:

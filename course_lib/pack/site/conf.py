@@ -37,9 +37,8 @@ html_js_files = ["page.js"]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
-html_show_search_summary = (
-    False  # for which it would fetch pages; browsers refuse that to pages in a folder
-)
+# For the summary the page would fetch others, which browsers refuse to pages in a folder.
+html_show_search_summary = False
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
 html_theme_options = {
@@ -74,9 +73,10 @@ def find_dollars(app, document):
 
 
 def leave_unnumbered(app, document):
-    """Remove the numbers that MyST gives to align and similar environments, because JupyterLab gives none.
+    """Remove the numbers that MyST gives to align and similar environments.
 
-    Their names are removed too: they are random, so every build would change every page.
+    JupyterLab gives none. Their names are removed too: they are random, so every build would change
+    every page.
     """
     for node in document.findall(nodes.math_block):
         if "amsmath" in node["classes"]:
@@ -85,7 +85,10 @@ def leave_unnumbered(app, document):
 
 
 def fold_more(app, document, docname):
-    """Fold each section of More: its title and first paragraph, a promise, are the line that opens it."""
+    """Fold each section of More.
+
+    Its title and its first paragraph, a promise, are the line that opens it.
+    """
     for section in document.findall(
         lambda node: isinstance(node, nodes.section) and "more" in node["classes"]
     ):
@@ -134,7 +137,10 @@ def _in_output(found):
 
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
-    """Typeset the formulas in HTML outputs, as JupyterLab does, and define the letters of all formulas once a page."""
+    """Typeset the formulas in HTML outputs, as JupyterLab does.
+
+    Once per page the letters of all its formulas are defined.
+    """
     body = re.sub(
         r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", "")
     )

@@ -11,12 +11,15 @@ from course_lib.pack.site.prepare import OPENING
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
-RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder; without make,
-follow its README. Then open <code>notebooks/{name}</code>.</p>"""
+RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder;
+without make, follow its README. Then open <code>notebooks/{name}</code>.</p>"""
 
 
 def students_zip(root: Path, path: Path) -> Path | None:
-    """Write the students' zip of the project at `root` to `path` and return it, or None if `root` is no project."""
+    """Write the students' zip of the project at `root` to `path`, and return it.
+
+    Return None if `root` is no project.
+    """
     if not (root / "pyproject.toml").is_file():
         return None
     try:
@@ -32,7 +35,10 @@ def offered(release: Path | None) -> str:
 
 
 def offer(notebook: Path, release: Path) -> None:
-    """Put a link to the zip below the first figure of a prepared notebook, else below its first text."""
+    """Put a link to the zip below the first figure of a prepared notebook.
+
+    Without a figure it stands below the notebook's first text.
+    """
     words = RUN.format(link=offered(release), name=notebook.name)
     book = nbformat.read(notebook, as_version=4)
     shown = next((cell for cell in book.cells[:OPENING] if cell.get("outputs")), None)

@@ -1,4 +1,7 @@
-"""Typeset formulas as pictures and MathML while the site is built: MathJax runs here, not in the reader's browser."""
+"""Typeset formulas as pictures and MathML while the site is built.
+
+MathJax runs here, not in the reader's browser.
+"""
 
 import html
 import json
@@ -21,9 +24,11 @@ PARTS = (
 SET_UP = r"""
 const _ = MathJax._, adaptor = _.adaptors.liteAdaptor.liteAdaptor();
 _.handlers.html_ts.RegisterHTMLHandler(adaptor);
-const packages = _.input.tex.AllPackages.AllPackages.filter((name) => name !== "noundefined" && name !== "noerrors");
+const without = ["noundefined", "noerrors"];
+const packages = _.input.tex.AllPackages.AllPackages.filter((name) => !without.includes(name));
 const tex = new _.input.tex_ts.TeX({ packages });
-const svg = new _.output.svg_ts.SVG({ fontCache: "global", font: new _.output.svg.fonts.tex_ts.TeXFont() });
+const font = new _.output.svg.fonts.tex_ts.TeXFont();
+const svg = new _.output.svg_ts.SVG({ fontCache: "global", font });
 const page = _.mathjax.mathjax.document("", { InputJax: tex, OutputJax: svg });
 const visitor = new _.core.MmlTree.SerializedMmlVisitor.SerializedMmlVisitor();
 function set(text, display) {
@@ -43,7 +48,10 @@ class FormulaError(ValueError):
 
 @cache
 def _mathjax() -> MiniRacer:
-    """Return a JavaScript engine with MathJax; one a process, because it takes half a second to start."""
+    """Return a JavaScript engine with MathJax.
+
+    A process has one, because it takes half a second to start.
+    """
     folder = files("sphinx-mathjax-offline") / "static" / "mathjax"
     engine = MiniRacer()
     engine.eval("globalThis.MathJax = { loader: { load: [] } }; 0")
@@ -94,9 +102,10 @@ def typeset(text: str, display: bool = False) -> str:
 
 
 def letters_of(page: str) -> str:
-    """Return the outlines of the letters that a page's formulas use, each once, or "" for a page without formulas.
+    """Return the outlines of the letters that a page's formulas use, each once.
 
-    `page` is HTML with formulas that `typeset` made in this process.
+    They are "" for a page without formulas. `page` is HTML with formulas that `typeset` made in
+    this process.
     """
     used = dict.fromkeys(LETTER.findall(page))
     if not used:
@@ -105,4 +114,5 @@ def letters_of(page: str) -> str:
         re.findall(r'(?=<path id="([^"]+)")(<path .*?</path>)', _mathjax().eval("letters()"))
     )
     paths = "".join(outlines[name] for name in sorted(used))
-    return f'<svg width="0" height="0" style="position: absolute" aria-hidden="true"><defs>{paths}</defs></svg>'
+    hidden = 'width="0" height="0" style="position: absolute" aria-hidden="true"'
+    return f"<svg {hidden}><defs>{paths}</defs></svg>"

@@ -46,9 +46,10 @@ myst:
 
 # Robot kinematics
 
-For students of engineering or computer science who know matrices and a little Python, and for those who teach them.
-Read a little, predict, move a robot, write a few lines of code: every answer is checked at once. Each notebook
-reproduces the numbers of a published homework report, and proves its errors by computation.{time}
+For students of engineering or computer science who know matrices and a little Python, and for
+those who teach them. Read a little, predict, move a robot, write a few lines of code: every answer
+is checked at once. Each notebook reproduces the numbers of a published homework report, and proves
+its errors by computation.{time}
 
 {toy}
 
@@ -87,8 +88,8 @@ reproduces the numbers of a published homework report, and proves its errors by 
 make lab
 ```
 
-opens the notebooks in JupyterLab; the first time it installs everything that they need. Without make, in the same
-folder, on macOS and Linux:
+opens the notebooks in JupyterLab; the first time it installs everything that they need. Without
+make, in the same folder, on macOS and Linux:
 
 ```
 python3 -m venv .venv
@@ -104,16 +105,17 @@ py -m venv .venv
 
 ## Teach with it
 
-In the project's folder, `make student` writes the notebooks without solutions, `make grade` grades what is handed in,
-isolated from your machine, with feedback for each student, `make html SOLUTIONS=no` writes these pages for your class,
-and `make pdf` writes all of them as one file. The guide is `course_lib/pack/README.md`.
+In the project's folder, `make student` writes the notebooks without solutions, `make grade` grades
+what is handed in, isolated from your machine, with feedback for each student,
+`make html SOLUTIONS=no` writes these pages for your class, and `make pdf` writes all of them as one
+file. The guide is `course_lib/pack/README.md`.
 
 {more}
 
 ## Licence, citation
 
-No licence is granted yet: ask the owner. Cite as *Robot kinematics in six notebooks*, version {version}, with the date
-on which you read it.
+No licence is granted yet: ask the owner. Cite as *Robot kinematics in six notebooks*, version
+{version}, with the date on which you read it.
 """
 ABOUT = (
     "Six notebooks from rotations to inverse kinematics: move robots, write code, have each answer "
@@ -149,7 +151,10 @@ class Notebook:
 
 
 def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
-    """Return what the home page shows of a notebook; its picture goes where `prepare` puts pictures."""
+    """Return what the home page shows of a notebook.
+
+    Its picture goes where `prepare` puts pictures.
+    """
     text = next((cell.source for cell in book.cells if cell.cell_type == "markdown"), "")
     title = re.search(r"^# (.+)", text, re.MULTILINE)
     return Notebook(
@@ -204,7 +209,10 @@ def _check_of(answer: str) -> str:
 
 
 def with_pictures(text: str, notebooks: list[Notebook]) -> str:
-    """Return a page of text with the picture of a notebook below each heading whose section links to the notebook."""
+    """Return a page of text with pictures of the notebooks.
+
+    The picture of a notebook stands below each heading whose section links to the notebook.
+    """
     parts = re.split(r"^(?=## )", text, flags=re.MULTILINE)
     for number, part in enumerate(parts[1:], 1):
         heading, _, words = part.partition("\n")
@@ -216,7 +224,10 @@ def with_pictures(text: str, notebooks: list[Notebook]) -> str:
 
 
 def _card(notebook: Notebook) -> str:
-    """Return a notebook's card on the home page: its picture, its title, the question it answers, its hours."""
+    """Return a notebook's card on the home page.
+
+    It shows the notebook's picture, title and hours, and the question that it answers.
+    """
     hours = f"About {notebook.hours:g} hours." if notebook.hours else ""
     words = " ".join(filter(None, [notebook.question, hours]))
     # No heading in Markdown: that would begin a section, which ends outside of the card.
@@ -226,13 +237,19 @@ def _card(notebook: Notebook) -> str:
 
 
 def _question(text: str) -> str:
-    """Return the last question of a notebook's first cell: the one that the notebook answers; "" without any."""
+    """Return the last question of a notebook's first cell, or "" if it asks none.
+
+    It is the one that the notebook answers.
+    """
     asked = re.findall(r"[^.?!]*\?", re.sub(r"^#.*\n", "", text.strip()))
     return " ".join(asked[-1].replace("*", "").split()) if asked else ""
 
 
 def sittings(text: str) -> list[float]:
-    """Return the hours in "It takes two sittings of about two and a half and two hours", here [2.5, 2.0], or []."""
+    """Return the hours of a notebook's sittings that its first cell names, or [].
+
+    In "It takes two sittings of about two and a half and two hours" they are [2.5, 2.0].
+    """
     number = rf"({'|'.join(NUMBERS)})( and a half| and a quarter| and three quarters)?"
     found = re.search(
         rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text
@@ -247,7 +264,10 @@ def sittings(text: str) -> list[float]:
 
 
 def _cover(book, name: str, pages: Path) -> str:
-    """Return the picture of the cell that is tagged for it, or else the notebook's first, as an element."""
+    """Return the picture of a notebook for the home page, as an element.
+
+    It is that of the cell that is tagged for it, or else the notebook's first.
+    """
     cells = [cell for cell in book.cells if cell.cell_type == "code"]
     for cell in sorted(cells, key=lambda cell: COVER not in cell.metadata.get("tags", [])):
         for output in cell.outputs:
@@ -265,10 +285,11 @@ def _cover(book, name: str, pages: Path) -> str:
 
 def _toy(book, name: str, pages: Path) -> str:
     """Return the toy of the cell that is tagged for the home page, as an element, or ""."""
-    tagged = [cell for cell in book.cells if HOME in cell.metadata.get("tags", [])]
-    for output in (
-        output for cell in tagged for output in cell.outputs if TOY in output.get("data", {})
-    ):
-        show(output, name, pages)
-        return f'<figure class="shown">{output.data["text/html"]}</figure>'
+    for cell in book.cells:
+        if HOME not in cell.metadata.get("tags", []):
+            continue
+        for output in cell.outputs:
+            if TOY in output.get("data", {}):
+                show(output, name, pages)
+                return f'<figure class="shown">{output.data["text/html"]}</figure>'
     return ""

@@ -1,4 +1,7 @@
-"""The theme's icons are letters of a font that weighs more than a page; the few that pages use are drawn here."""
+"""The few of the theme's icons that pages use, drawn here.
+
+The theme takes them from a font that weighs more than a page.
+"""
 
 from urllib.parse import quote
 

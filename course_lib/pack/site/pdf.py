@@ -1,4 +1,7 @@
-"""The pages of a site as one PDF: a title, contents, and the articles, printed by a browser without a window."""
+"""The pages of a site as one PDF, printed by a browser without a window.
+
+It has a title, contents, and the articles.
+"""
 
 from datetime import date
 from importlib.metadata import version
@@ -83,7 +86,10 @@ def _read(page: Path):
 
 
 def _renamed(article, name: str, names: set[str]):
-    """Return an article whose anchors have the page's name before them, and whose links lead to such anchors."""
+    """Return an article whose anchors have the page's name before them.
+
+    Its links lead to such anchors.
+    """
     for part in article.select("script, .headerlink"):
         part.decompose()
     for part in article.select("[id]:not([id^=MJX])"):

@@ -1,4 +1,7 @@
-"""Turn an executed notebook into a copy that MyST-NB can show: toys, charts, and pictures with alternative text."""
+"""Turn an executed notebook into a copy that MyST-NB can show.
+
+Toys, charts, and pictures with alternative text become HTML.
+"""
 
 import base64
 import hashlib
@@ -82,7 +85,10 @@ def show(output, place: str, folder: Path) -> None:
 
 
 def _move_captions(cell) -> None:
-    """Move each caption, which follows its figure as an output of its own, into the figure's metadata."""
+    """Move each caption into the metadata of its figure.
+
+    A caption is stored as an output of its own after the figure.
+    """
     kept = []
     for output in cell.outputs:
         if kept and "text/markdown" in output.get("data", {}) and output.metadata.get("caption"):
@@ -95,23 +101,17 @@ def _move_captions(cell) -> None:
 def _captioned(shown: str, output) -> str:
     """Return a figure with its caption below it, if its output has one."""
     caption = output.metadata.get("caption")
-    stressed = (
-        re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
-        if caption
-        else ""
-    )
+    if not caption:
+        return shown
+    stressed = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
     words = mark_dollars(stressed)
-    return (
-        f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>'
-        if caption
-        else shown
-    )
+    return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>'
 
 
 def mark_dollars(page: str) -> str:
-    """Return HTML in which formulas between dollars, as JupyterLab typesets them, are marked for Sphinx.
+    """Return HTML in which formulas between dollars are marked for Sphinx.
 
-    The contents of code and of attributes are left as they are.
+    JupyterLab typesets such formulas. The contents of code and of attributes are left as they are.
     """
     parts = re.split(
         r"(<(?:code|pre|script|style)\b.*?</(?:code|pre|script|style)>|<[^>]*>)",
@@ -140,15 +140,18 @@ def alternative(output, place: str) -> str:
 
 
 def _figure(figure: dict, alt: str, still: str) -> str:
-    """Return a toy as data that figures.js draws; until then, and in print, its still picture shows.
+    """Return a toy as data that figures.js draws.
 
-    Without a still picture the alternative text takes its place, except in print.
+    Until then, and in print, its still picture shows. Without a still picture the alternative text
+    takes its place, except in print.
     """
     meta = figure["layout"]["meta"]["course"]
     fallback = still or f'<p class="toy-words">{html.escape(alt)}</p>'
-    own = f'data-kind="{html.escape(meta["kind"])}" data-scripts="{html.escape(" ".join(meta["scripts"]))}"'
+    kind = html.escape(meta["kind"])
+    scripts = html.escape(" ".join(meta["scripts"]))
     return (
-        f'<div class="toy-figure" {own} role="group" aria-label="{html.escape(alt)}">{fallback}'
+        f'<div class="toy-figure" data-kind="{kind}" data-scripts="{scripts}" '
+        f'role="group" aria-label="{html.escape(alt)}">{fallback}'
         f'<div class="toy-live"></div>{_data(figure)}</div>'
     )
 
@@ -197,7 +200,10 @@ def _data(figure: dict) -> str:
 
 
 def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
-    """Store an image beside the pages and return the element that shows it; panels are cut apart, for a phone."""
+    """Store an image beside the pages, and return the element that shows it.
+
+    Its panels are cut apart, so that a phone shows them below each other.
+    """
     text, stored = output.data[kind], output.metadata.get(kind, {})
     content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
     if kind != "image/png":
@@ -209,14 +215,16 @@ def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
     for left, right in pairwise(ends):
         part = image.crop((round(scale * left), 0, round(scale * right), image.height))
         # The same dots in well under half the bytes.
-        part.save(smaller := io.BytesIO(), "WEBP", lossless=True, method=1, quality=50)
+        smaller = io.BytesIO()
+        part.save(smaller, "WEBP", lossless=True, method=1, quality=50)
         size = f' width="{right - left:.0f}" height="{image.height / scale:.0f}"'
         one = (name, alt) if len(ends) == 2 else ("panel", "")
         parts.append(_stored(smaller.getvalue(), "webp", *one, folder, size))
     if len(parts) == 1:
         return parts[0]
-    said = f'role="img" aria-label="{html.escape(alt)}" style="--shape:{image.width / image.height:.3f}"'
-    return f'<div class="{name} panels" {said}>{"".join(parts)}</div>'
+    shape = image.width / image.height
+    attributes = f'role="img" aria-label="{html.escape(alt)}" style="--shape:{shape:.3f}"'
+    return f'<div class="{name} panels" {attributes}>{"".join(parts)}</div>'
 
 
 def _stored(content: bytes, ending: str, name: str, alt: str, folder: Path, size: str = "") -> str:

@@ -1,4 +1,7 @@
-"""Pages that put one section of every notebook together: the reports' errors with remarks on them, and the sources."""
+"""Pages that put one section of every notebook together.
+
+They are the reports' errors with remarks on them, and the sources.
+"""
 
 import re
 from copy import deepcopy
@@ -18,8 +21,9 @@ PAGES = {
     "errata": (
         """# Errata
 
-Errors in the published reports, and remarks on them, from the notebooks' appendices. A title links to its notebook,
-which has the functions and exercises that are named here. *Above* and *this notebook* refer to it.""",
+Errors in the published reports, and remarks on them, from the notebooks' appendices. A title links
+to its notebook, which has the functions and exercises that are named here. *Above* and *this
+notebook* refer to it.""",
         {
             "### Errors in it": """## Errors
 
@@ -39,12 +43,19 @@ The books, articles and reports that each notebook uses.""",
 
 
 def write(books: dict[str, NotebookNode], path: Path) -> bool:
-    """Write the page that `path` names, a notebook, from {file name: notebook}; return whether it has any contents."""
+    """Write the page that `path` names, and return whether it has any contents.
+
+    The page is a notebook, written from {file name: notebook}.
+    """
     begin, parts = PAGES[path.stem]
     cells = [new_markdown_cell(begin)]
     for heading, words in parts.items():
-        found = [cell for name, book in books.items() for cell in _titled(heading, name, book)]
-        cells += [new_markdown_cell(words)] * bool(found and words) + found
+        of_part = []
+        for name, book in books.items():
+            of_part += _titled(heading, name, book)
+        if of_part and words:
+            cells.append(new_markdown_cell(words))
+        cells += of_part
     if len(cells) == 1:
         return False
     for number, cell in enumerate(cells):
@@ -55,7 +66,10 @@ def write(books: dict[str, NotebookNode], path: Path) -> bool:
 
 
 def _titled(heading: str, name: str, book: NotebookNode) -> list:
-    """Return the cells of a notebook's section, whose heading becomes the notebook's title with a link to it."""
+    """Return the cells of a notebook's section.
+
+    Its heading becomes the notebook's title with a link to the notebook.
+    """
     text = "\n".join(cell.source for cell in book.cells if cell.cell_type == "markdown")
     title = re.search(r"^# (.+)|$", text, re.MULTILINE)[1] or Path(name).stem
     cells = section(book, heading)
@@ -69,8 +83,12 @@ def _titled(heading: str, name: str, book: NotebookNode) -> list:
 
 
 def section(book, heading: str) -> list:
-    """Return copies of the cells from a heading to the next one of its or a higher level; code is folded."""
-    found, inside = [], False
+    """Return copies of the cells from a heading to the next one of its or a higher level.
+
+    Code is folded.
+    """
+    copies = []
+    inside = False
     begins = re.compile(rf"^(?=#{{1,{heading.index(' ')}}} )", re.MULTILINE)
     for cell in book.cells:
         if cell.cell_type == "markdown":
@@ -78,8 +96,8 @@ def section(book, heading: str) -> list:
                 if begins.match(part):
                     inside = part.splitlines()[0].strip() == heading
                 if inside and part.strip():
-                    found.append(new_markdown_cell(part))
+                    copies.append(new_markdown_cell(part))
         elif inside and cell.cell_type == "code":
-            found.append(deepcopy(cell))
-            hide(found[-1], "hide-input", LINES)
-    return found
+            copies.append(deepcopy(cell))
+            hide(copies[-1], "hide-input", LINES)
+    return copies
