@@ -1,4 +1,6 @@
-"""The helper package of the robot kinematics course: mathematics, figures, checks and the course's own tools.
+"""The helper package of the robot kinematics course.
+
+It holds mathematics, figures, checks and the course's own tools.
 
 In the mathematics, arrays are batched on the left: a function of one (3, 3) matrix takes (..., 3,
 3). Angles are in radians, lengths in metres. Public functions raise ValueError, naming the

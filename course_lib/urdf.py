@@ -126,8 +126,9 @@ def _refuse_other_motions(path, way):
     for joint in way:
         if joint.kind not in (*ROTATING, "fixed"):
             raise ValueError(
-                f"{path.name}: joint {joint.name!r} is {joint.kind}, it {_OTHER_MOTIONS[joint.kind]}, "
-                f"and the joints of a SerialArm rotate. {_arm_before(joint)}"
+                f"{path.name}: joint {joint.name!r} is {joint.kind}, it "
+                f"{_OTHER_MOTIONS[joint.kind]}, and the joints of a SerialArm rotate. "
+                f"{_arm_before(joint)}"
             )
         if joint.mimics and joint.kind in ROTATING:
             raise ValueError(
@@ -155,8 +156,8 @@ def _joint_to_each_link(path, links, joints):
         for role, link in (("parent", joint.parent), ("child", joint.child)):
             if link not in links:
                 raise ValueError(
-                    f"{path.name}: the {role} of joint {joint.name!r} is {link!r}, and the file has "
-                    f"{_listed(links, 'link')}"
+                    f"{path.name}: the {role} of joint {joint.name!r} is {link!r}, and the file "
+                    f"has {_listed(links, 'link')}"
                 )
         if joint.child in joint_to:
             other = joint_to[joint.child].name
@@ -173,14 +174,14 @@ def _joint_to_each_link(path, links, joints):
         )
     if len(roots) > 1:
         raise ValueError(
-            f"{path.name}: {len(roots)} links have no parent, {_quoted(roots)}: only the base may have "
-            "none, so joints are missing"
+            f"{path.name}: {len(roots)} links have no parent, {_quoted(roots)}: only the base may "
+            "have none, so joints are missing"
         )
     return joint_to
 
 
 def _tip(path, links, joints, joint_to):
-    """Return the only link without a joint after it that an arm leads to, or ask which one is meant."""
+    """Return the only link without a joint after it that an arm leads to, or ask which."""
     parents = {joint.parent for joint in joints}
     counts = {link: _rotating_before(link, joint_to) for link in links if link not in parents}
     arms = [leaf for leaf, count in counts.items() if count]
@@ -219,10 +220,10 @@ def _refuse_doctype(*declaration):
 
 
 def _parsed(data):
-    """Return the root element of XML, whose prefixes need no declaration, or raise expat.ExpatError.
+    """Return the root element of XML, or raise expat.ExpatError.
 
-    Programs add elements of their own, such as drake:joint, and often leave the prefix undeclared;
-    ElementTree's own parser would refuse the whole file.
+    Its prefixes need no declaration. Programs add elements of their own, such as drake:joint, and
+    often leave the prefix undeclared; ElementTree's own parser would refuse the whole file.
     """
     builder, parser = TreeBuilder(), expat.ParserCreate()
     parser.StartElementHandler = builder.start
