@@ -80,7 +80,7 @@ class Solution:
         record = Property("", lambda values, cases: found.extend(values), across=True)
         asked = replace(self.exercise, cases=lambda rng: cases, properties=(*properties, record))
         judge(asked, self._student(source), seconds=60)
-        return found
+        return found[: len(cases)]  # the engine asks cases that it makes itself after these
 
     def _student(self, source):
         return Here(made(source, self.exercise.name, self.space))

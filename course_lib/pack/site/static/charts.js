@@ -256,6 +256,8 @@
     return made;
   }
 
+  let tableCount = 0;
+
   function addTable(place, series, layout) {
     const points = pointsOf(series);
     const step = Math.ceil(points.length / MAX_ROWS);
@@ -271,7 +273,9 @@
     const note = layout.annotations?.find(({ yref }) => yref === `${panels[panel]?.[1]} domain`);
     const name = plain([note?.text, series.name].filter(Boolean).join(": ")) || "values";
     frame.setAttribute("role", "region");
-    frame.setAttribute("aria-label", name);
+    // Two series may have one name; a region needs one that no other region of the page has.
+    tableCount += 1;
+    frame.setAttribute("aria-label", `${name} (table ${tableCount})`);
     const table = element("table", frame);
     const some =
       step > 1 ? `, every ${step}th of ${points.length.toLocaleString("en")} points` : "";
