@@ -57,7 +57,7 @@ def test_a_hostile_submission_earns_no_points_and_changes_nothing_else(name, few
     result = grade(book(*cells), "01_rotations", SEED, SHORT)
     rows = {row["exercise"]: row for row in result["exercises"]}
     row, earns = rows["nearest_so"], said(name, "says") == "earns"
-    assert row["points"] == (3 if earns else 0), row
+    assert row["points"] == (3 if earns else 0), str(row)
     assert earns or (row["state"] not in ("right", "not attempted yet") and row["message"]), row
     assert earns or said(name, "says") in row["message"] + row["mistake"], row
     assert said(name, "problem") in " ".join(result["problems"]), result["problems"]

@@ -225,7 +225,7 @@ def test_cells_follow_their_tags_and_the_site_is_small(site):
     page = (site / "01_rotations.html").read_text(encoding="utf-8")
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
-    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 5e6
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 7e6
 
 
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):

@@ -118,6 +118,13 @@ def _variety(case):
     return sum(len(np.unique(array[array != 0])) for array in arrays)
 
 
+def _in_the_form_of(argument, changed):
+    """Return a changed argument as an array, a list or a number, whichever the argument is."""
+    if isinstance(argument, np.ndarray):
+        return changed
+    return changed.tolist() if isinstance(argument, list | tuple) else float(changed)
+
+
 def _with_negative_zeros(case):
     """Return the case with -0.0 for each 0.0 of its floats; None if it has none."""
     changed, has_zeros = [], False
@@ -125,8 +132,7 @@ def _with_negative_zeros(case):
         if _is_floats(argument) or isinstance(argument, float):
             zeros = np.asarray(argument) == 0
             has_zeros = has_zeros or bool(zeros.any())
-            negative = np.where(zeros, -0.0, argument)
-            argument = negative if isinstance(argument, np.ndarray) else float(negative)
+            argument = _in_the_form_of(argument, np.where(zeros, -0.0, argument))
         changed.append(argument)
     return tuple(changed) if has_zeros else None
 
@@ -137,7 +143,6 @@ def beyond_a_revolution(case, names, angles):
     for name, argument in zip(names, case, strict=True):
         if name in angles:
             signs = np.where(np.arange(np.size(argument)) % 2, -1, 1).reshape(np.shape(argument))
-            moved = argument + 4 * np.pi * signs
-            argument = moved if isinstance(argument, np.ndarray) else float(moved)
+            argument = _in_the_form_of(argument, np.asarray(argument) + 4 * np.pi * signs)
         changed.append(argument)
     return tuple(changed)

@@ -259,6 +259,7 @@
   let tableCount = 0;
 
   function addTable(place, series, layout) {
+    if (series.hoverinfo === "skip") return; // what says nothing under the pointer is a drawing
     const points = pointsOf(series);
     const step = Math.ceil(points.length / MAX_ROWS);
     const columns = columnsOf(series, layout);
