@@ -15,6 +15,9 @@ import nbformat
 import numpy as np
 import pytest
 
+# A matrix of numpy is one of the forms, however much numpy advises against it.
+pytestmark = pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("0[1-6]_*.ipynb"))
 
 

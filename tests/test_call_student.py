@@ -234,7 +234,10 @@ def test_anything_that_can_be_called_is_judged_and_need_not_have_lines_of_its_ow
             ["shape (3000, 3000), which is too large to be an answer"],
         ),
         pytest.param(
-            _endless, ERROR, ["took more than 1 seconds of computing. Does a loop"], marks=has_clock
+            _endless,
+            ERROR,
+            ["took more than 1 seconds of computing", "a loop never ends, or there is more work"],
+            marks=has_clock,
         ),
     ],
 )

@@ -482,7 +482,10 @@ def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
         (b"[" * 100_000, "not JSON"),
         (b"[]", "no list of cells"),
         (b'{"cells": 3}', "no list of cells"),
-        (b'{"nbformat": 3, "worksheets": [{"cells": []}]}', "the format that notebooks had before 2014"),
+        (
+            b'{"nbformat": 3, "worksheets": [{"cells": []}]}',
+            "the format that notebooks had before 2014",
+        ),
         (b'{"cells": [' + b"{}," * 6000 + b"{}]}", "more than"),
         (book("x" * 3_000_000), "million characters"),
     ],

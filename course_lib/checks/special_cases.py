@@ -41,7 +41,7 @@ class Sweep:
     --------
     >>> nearly_pi = Sweep("nearly pi", lambda rng, gap: (np.pi - gap,), values=(0.1, 0.01))
     >>> nearly_pi.cases(np.random.default_rng(0))
-    [(3.0415926535897933,), (3.1315926535897933,)]
+    [(3.041592653589793,), (3.1315926535897933,)]
     """
 
     what: str

@@ -379,7 +379,7 @@ def carry_over(older: Path, path: Path, shown: str = "") -> Report:
         )
         return report
     if new.list is not new.content.get("cells"):
-        report.problem = f"{path} is in a format of before 2014. Copy it from the release again."
+        report.problem = f"{path} is in the format that notebooks had before 2014. Copy it from the release again."
         return report
     places = match(old, new)
     _carry_answers(old, new, places, report)
