@@ -1,5 +1,6 @@
 """Exercises and how their answers are judged, independent of where the student's function runs."""
 
+import functools
 import json
 import time
 from collections.abc import Callable
@@ -193,9 +194,9 @@ class Exercise:
         if not isinstance(read, np.ndarray):
             return read
         # The check compares numbers as floats. Later cells index by whole numbers and negate truth
-        # values, so those stay what they are.
-        kind = np.asarray(value).dtype
-        if kind.kind in "biu":
+        # values, so what the library answers with such numbers is handed on as such.
+        kind = _whole_kind(self)
+        if kind is not None and np.array_equal(read, read.astype(kind)):
             read = read.astype(kind)
         return read[()] if read.ndim == 0 else read
 
@@ -379,6 +380,15 @@ class Here:
             return call_student.reply(self.function, questions, consult)
         answer = self.right_ones.answering(consult)
         return call_student.reply(self.function, questions, answer, self.right_ones.arguments)
+
+
+@functools.cache
+def _whole_kind(exercise):
+    """Return the type of the library's answers, if they are truth values or whole numbers; else None."""
+    first_case = next(iter(exercise.cases(np.random.default_rng(PUBLIC_SEED))))
+    answer = attempt(exercise.library, *first_case)
+    kind = np.asarray(answer).dtype
+    return kind if kind.kind in "biu" else None
 
 
 def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
