@@ -190,7 +190,11 @@ class Exercise:
         try:
             read = self.returns(value, *arguments)
         except Exception:  # a call that the check does not make, such as one for many inputs
-            return _as_array(value)
+            array = _as_array(value)
+            usual = _usual_answer(self)
+            # A row (1, n) may be the answer to a batch of one; a column of n > 1 is no batch.
+            is_column = np.shape(array) == (usual.size, 1) and usual.size > 1 and usual.ndim == 1
+            return array.ravel() if is_column else array
         if not isinstance(read, np.ndarray):
             return read
         # The check compares numbers as floats. Later cells index by whole numbers and negate truth
@@ -383,11 +387,18 @@ class Here:
 
 
 @functools.cache
+def _usual_answer(exercise):
+    """Return the library's answer to the first case, as an array."""
+    first_case = next(iter(exercise.cases(np.random.default_rng(PUBLIC_SEED))))
+    try:
+        return np.asarray(exercise.library(*first_case))
+    except Exception:  # no array, such as screw axes and a pose
+        return np.array(None)
+
+
 def _whole_kind(exercise):
     """Return the type of the library's answers, if they are truth values or whole numbers; else None."""
-    first_case = next(iter(exercise.cases(np.random.default_rng(PUBLIC_SEED))))
-    answer = attempt(exercise.library, *first_case)
-    kind = np.asarray(answer).dtype
+    kind = _usual_answer(exercise).dtype
     return kind if kind.kind in "biu" else None
 
 
@@ -480,13 +491,21 @@ def _claim(answer, arguments):
 
 
 def _as_array(value):
-    """Return a list as an array, one of parts that differ in shape as a tuple of arrays."""
-    if not isinstance(value, list | tuple):
+    """Return a list as an array, one of parts that differ in shape as a tuple of arrays.
+
+    A matrix becomes an ordinary array, and complex numbers without imaginary part become real.
+    """
+    if isinstance(value, list | tuple):
+        try:
+            value = np.array(value)
+        except ValueError:  # such as screw axes and a pose
+            return tuple(_as_array(np.array(part)) for part in value)
+    if not isinstance(value, np.ndarray):
         return value
-    try:
-        return np.array(value)
-    except ValueError:  # such as screw axes and a pose
-        return tuple(np.array(part) for part in value)
+    array = np.asarray(value)
+    if array.dtype.kind == "c" and not array.imag.any():
+        return array.real
+    return array
 
 
 def _in_words(warning):
