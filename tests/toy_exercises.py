@@ -38,9 +38,11 @@ NEAREST_SO = Exercise(
 )
 
 
-@NEAREST_SO.mistake
+@NEAREST_SO.mistake(
+    "a reflection stays one",
+    "Look at det.",
+)
 def reflections_stay(M):
-    """a reflection stays one. Look at det."""
     U, _, Vt = np.linalg.svd(M)
     return U @ Vt
 
@@ -61,9 +63,11 @@ IS_SMALL = Exercise(
 )
 
 
-@IS_SMALL.mistake
+@IS_SMALL.mistake(
+    "the sign of x is forgotten",
+    "Take abs(x).",
+)
 def sign_forgotten(x, tol):
-    """the sign of x is forgotten. Take abs(x)."""
     return x <= tol
 
 

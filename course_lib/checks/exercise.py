@@ -136,9 +136,8 @@ class Exercise:
     >>> twice = Property("the answer is 2 x", lambda value, x: value == 2 * x)
     >>> cases, read = lambda rng: [(2.0,), (3.0,)], lambda value, x: value
     >>> double = Exercise("double", 1, ("x",), cases, read, (twice,), hints=())
-    >>> @double.mistake
+    >>> @double.mistake("x is squared", "What is twice x?")
     ... def squared(x):
-    ...     '''x is squared. What is twice x?'''
     ...     return x**2
     >>> judge(double, Here(lambda x: x * x)).mistake
     Mistake('x is squared')

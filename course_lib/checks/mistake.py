@@ -1,7 +1,7 @@
-"""Known mistakes, each once: a function as a student would write it, whose docstring names it and makes them think."""
+"""Known mistakes, each once: a name, a hint, and a function as a student would write it."""
 
 import functools
-import inspect
+import itertools
 
 
 class Mistake:
@@ -76,7 +76,8 @@ class Mistakes(list):
 
     def add(
         self,
-        function=None,
+        name,
+        hint=None,
         *,
         seen=None,
         part=None,
@@ -87,14 +88,14 @@ class Mistakes(list):
         recognises=False,
         **variants,
     ):
-        """Add a mistake; as a decorator, that of a function.
+        """Return a decorator that adds the mistake that a function makes; or add a Mistake.
 
         Parameters
         ----------
-        function : callable or Mistake
-            A function that answers as a student does who makes the mistake. The first sentence of
-            its docstring is the mistake's name, the rest is the hint. Or a Mistake, if only
-            `raises`, `form` or `nan` recognises it.
+        name, hint : str
+            As of a Mistake. The decorated function answers as a student does who makes the mistake.
+            Or name is a Mistake, which is added at once, if only `raises`, `form` or `nan`
+            recognises it.
         seen, part, alike, raises, form, nan
             As of a Mistake. With `seen` the function need not predict the very answers: it is the
             wrong answer on which the check is tested.
@@ -108,34 +109,28 @@ class Mistakes(list):
         Returns
         -------
         callable or Mistake
-            What was passed.
+            The decorator, which returns the function as it was; or the Mistake that was passed.
         """
         known = {"seen": seen, "part": part, "alike": alike}
         known |= {"raises": raises, "form": form, "nan": nan}
-        if function is None:
-            return functools.partial(self.add, recognises=recognises, **known, **variants)
-        if isinstance(function, Mistake):
-            self.append(Mistake(function.name, function.hint, *function.answers, **known))
+        if isinstance(name, Mistake):
+            self.append(Mistake(name.name, name.hint, *name.answers, **known))
+            return name
+
+        def add_mistake_of(function):
+            if recognises:
+                self.append(Mistake(name, hint, **(known | {"seen": function})))
+            else:
+                self.append(Mistake(name, hint, *_versions(function, variants), **known))
             return function
-        if recognises:
-            self.append(Mistake(*words(function), **(known | {"seen": function})))
-            return function
-        answers = [function]
-        for keyword, values in variants.items():
-            answers = [
-                functools.partial(answer, **{keyword: value})
-                for answer in answers
-                for value in values
-            ]
-        self.append(Mistake(*words(function), *answers, **known))
-        return function
+
+        return add_mistake_of
 
 
-def words(function):
-    """Return the name and the hint that the docstring of a mistake gives."""
-    name, stop, hint = " ".join((inspect.getdoc(function) or "").split()).partition(". ")
-    if not stop:
-        raise ValueError(
-            f"{function.__name__}: the docstring gives the mistake's name, a full stop, and a hint"
-        )
-    return name, hint
+def _versions(function, variants):
+    """Return the function with each combination of the variants' values."""
+    keywords = list(variants)
+    return [
+        functools.partial(function, **dict(zip(keywords, values, strict=True)))
+        for values in itertools.product(*variants.values())
+    ]

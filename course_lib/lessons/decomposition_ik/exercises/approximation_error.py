@@ -111,6 +111,8 @@ EXERCISE.mistake(_NOT_LINED_UP, raises=("ValueError", "broadcast"))
 
 
 @EXERCISE.mistake(
+    "the differences in x and y are not combined into a distance",
+    "If a tip is off by 3 m along x and by 4 m along y, how far is it from its position?",
     length=(
         lambda d: np.abs(d).sum(axis=-1),
         lambda d: d.sum(axis=-1),
@@ -118,11 +120,7 @@ EXERCISE.mistake(_NOT_LINED_UP, raises=("ValueError", "broadcast"))
         lambda d: np.abs(d[..., 0]),
         lambda d: np.abs(d[..., 1]),
         lambda d: np.abs(d).max(axis=-1),
-    )
+    ),
 )
 def no_length(*case, length):
-    """the differences in x and y are not combined into a distance.
-
-    If a tip is off by 3 m along x and by 4 m along y, how far is it from its position?
-    """
     return distances(*case, length)

@@ -71,42 +71,52 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "q2 = 0 is in branch 1",
+    "On which side of the comparison in the task is 0?",
+)
 def zero_is_negative(q):
-    """q2 = 0 is in branch 1. On which side of the comparison in the task is 0?"""
     return q[:, 1] <= 0
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "-0.0 is in branch 1",
+    "numpy has a zero with a minus sign: how does it compare with 0?",
+)
 def sign_of_minus_zero(q):
-    """-0.0 is in branch 1. numpy has a zero with a minus sign: how does it compare with 0?"""
     return np.signbit(q[:, 1])
 
 
-@EXERCISE.mistake(tolerance=(1e-16, 1e-13, 1e-10, 1e-8, 1e-4))
+@EXERCISE.mistake(
+    "a small negative q2 counts as 0",
+    "Which number does the task compare q2 with?",
+    tolerance=(1e-16, 1e-13, 1e-10, 1e-8, 1e-4),
+)
 def tiny_angle_is_zero(q, tolerance):
-    """a small negative q2 counts as 0. Which number does the task compare q2 with?"""
     return q[:, 1] < -tolerance
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the sine of q2 decides",
+    "What is the sign of the sine beyond pi?",
+)
 def sign_of_the_sine(q):
-    """the sine of q2 decides. What is the sign of the sine beyond pi?"""
     return np.sin(q[:, 1]) < 0
 
 
 @EXERCISE.mistake(
-    one_elbow=(right, lambda q: 0 * right(q)), cut=(split_branches, _at_the_widest_gap)
+    "samples of both signs are still cut at a gap, or by k-means",
+    "What if the two clouds touch?",
+    one_elbow=(right, lambda q: 0 * right(q)),
+    cut=(split_branches, _at_the_widest_gap),
 )
 def still_split(q, one_elbow, cut):
-    """samples of both signs are still cut at a gap, or by k-means. What if the two clouds touch?"""
     return one_elbow(q) if _one_elbow(q) else cut(q)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "samples that all have q2 < 0 are in branch 0",
+    "Does their label depend on the other samples of the cell?",
+)
 def one_elbow_is_branch_0(q):
-    """samples that all have q2 < 0 are in branch 0.
-
-    Does their label depend on the other samples of the cell?
-    """
     return 0 * right(q) if _one_elbow(q) else None

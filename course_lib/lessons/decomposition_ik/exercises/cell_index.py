@@ -177,43 +177,48 @@ EXERCISE.mistake(_FLAT, form=lambda array, xy, *rest: array.shape in ((len(xy),)
 EXERCISE.mistake(_DROPPED, form=_are_dropped)
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "the numbers of the cells are floats",
+    "np.floor(3.7) is 3.0, a float: can it be the index of an array?",
+    recognises=True,
+)
 def floats(index, *case):
-    """the numbers of the cells are floats.
-
-    np.floor(3.7) is 3.0, a float: can it be the index of an array?
-    """
     return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "a position on an upper edge gets the number n, and the last cell is n - 1",
+    "For which x and y does that happen?",
+)
 def beyond_the_last(*case):
-    """a position on an upper edge gets the number n, and the last cell is n - 1.
-
-    For which x and y does that happen?
-    """
     return cell_index(*case, edge=lambda index, *rest: index)
 
 
-@EXERCISE.mistake(edge=_EDGES)
+@EXERCISE.mistake(
+    "only the coordinate that lies outside gets -1",
+    "In which row is a position that lies to the left of the box?",
+    edge=_EDGES,
+)
 def one_coordinate(*case, edge):
-    """only the coordinate that lies outside gets -1.
-
-    In which row is a position that lies to the left of the box?
-    """
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
 
 
-@EXERCISE.mistake(last=(0, 1), edge=_EDGES)
+@EXERCISE.mistake(
+    "a position less than one cell to the left of the box, or below it, gets a cell, because its "
+    "number is cut off towards 0",
+    "What are int(-0.3) and np.floor(-0.3)?",
+    last=(0, 1),
+    edge=_EDGES,
+)
 def truncated(*case, last, edge):
-    """a position less than one cell to the left of the box, or below it, gets a cell, because its
-    number is cut off towards 0. What are int(-0.3) and np.floor(-0.3)?"""
     parts, n = _parts(*case), case[-1]
     out = ((parts <= -1) | (parts >= n + 1 if last else parts > n)).any(axis=1, keepdims=True)
     return cell_index(*case, edge=edge, to_whole=np.trunc, outside=lambda *box: out)
 
 
 @EXERCISE.mistake(
+    "some or all positions outside are not marked",
+    "A position can be left, right, below or above: is one enough?",
     some=(
         lambda parts, n: np.False_,
         lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),
@@ -224,10 +229,6 @@ def truncated(*case, last, edge):
     to_whole=(np.floor, np.trunc),
 )
 def not_marked(*case, some, edge, to_whole):
-    """some or all positions outside are not marked.
-
-    A position can be left, right, below or above: is one enough?
-    """
     return cell_index(
         *case,
         edge=edge,

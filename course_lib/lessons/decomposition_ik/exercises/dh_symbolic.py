@@ -117,10 +117,9 @@ EXERCISE.mistake(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the modified convention is taken",
+    "With which of the four motions does the standard convention begin?",
+)
 def modified(a, alpha, d, theta):
-    """the modified convention is taken.
-
-    With which of the four motions does the standard convention begin?
-    """
     return transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d])

@@ -188,6 +188,8 @@ EXERCISE.mistake(_EMPTY, raises=("ValueError", "Found array with 0 sample"))
 
 
 @EXERCISE.mistake(
+    "the coefficients stand in another order",
+    "Which row belongs to q1, which column to x, which is the intercept?",
     fit=(
         lambda xy, q: np.column_stack(
             [_least_squares(xy, q)[:, :2].T, _least_squares(xy, q)[:, 2]]
@@ -195,36 +197,33 @@ EXERCISE.mistake(_EMPTY, raises=("ValueError", "Found array with 0 sample"))
         lambda xy, q: _least_squares(xy, q).T.reshape(2, 3),
         lambda xy, q: _least_squares(xy[:, ::-1], q),
         lambda xy, q: _least_squares(xy, q)[:, [2, 0, 1]],
-    )
+    ),
 )
 def another_order(*case, fit):
-    """the coefficients stand in another order.
-
-    Which row belongs to q1, which column to x, which is the intercept?
-    """
     return fit_cells(*case, fit=fit)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the second index of models counts the angles, and the third the clusters",
+    "In which order does the task name them?",
+)
 def cluster_for_angle(*case):
-    """the second index of models counts the angles, and the third the clusters. In which order
-    does the task name them?"""
     return fit_cells(*case).swapaxes(1, 2)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the samples outside all cells, with number -1, go into the last cell",
+    "Which entry of an array has index -1?",
+)
 def outside_in_the_last_cell(xy, q, cell, count):
-    """the samples outside all cells, with number -1, go into the last cell.
-
-    Which entry of an array has index -1?
-    """
     return fit_cells(xy, q, cell % count, count)
 
 
-@EXERCISE.mistake(least=(1, 2, 4), fit=(_linear_regression, _least_squares))
+@EXERCISE.mistake(
+    "the number of samples that a model needs is not 3",
+    "Has a cluster of exactly 2 a model, and one of exactly 3?",
+    least=(1, 2, 4),
+    fit=(_linear_regression, _least_squares),
+)
 def another_limit(*case, least, fit):
-    """the number of samples that a model needs is not 3.
-
-    Has a cluster of exactly 2 a model, and one of exactly 3?
-    """
     return fit_cells(*case, fit=fit, least=least)

@@ -89,24 +89,28 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "angles are fitted to positions, as in fit_cells",
+    "Which of the two is to be predicted here?",
+)
 def angles_from_positions(q, xy, cell, count):
-    """angles are fitted to positions, as in fit_cells. Which of the two is to be predicted here?"""
     return fit_joint_cells(xy, q, cell, count)
 
 
-@EXERCISE.mistake(least=(1, 2, 4))
+@EXERCISE.mistake(
+    "the number of samples that a model needs is not 3",
+    "Has a cell of exactly 2 a model, and one of exactly 3?",
+    least=(1, 2, 4),
+)
 def another_limit(*case, least):
-    """the number of samples that a model needs is not 3.
-
-    Has a cell of exactly 2 a model, and one of exactly 3?
-    """
     return fit_joint_cells(*case, least=least)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the loop ends at the first cell without a model",
+    "What follows after that cell?",
+)
 def loop_ends_at_a_gap(q, xy, cell, count):
-    """the loop ends at the first cell without a model. What follows after that cell?"""
     models = fit_joint_cells(q, xy, cell, count)
     gaps = np.flatnonzero(np.isnan(models[:, 0, 0]))
     if len(gaps):

@@ -92,38 +92,43 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "delta has the other sign",
+    "If the arm sags, which direction is ahead: the rigid arm's, or the measured one?",
+)
 def other_sign(q, xy):
-    """delta has the other sign.
-
-    If the arm sags, which direction is ahead: the rigid arm's, or the measured one?
-    """
     return -fit_sag(q, xy)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "an angle is off by a full revolution",
+    "What does arctan2 return for a tip just beyond 180 degrees?",
+)
 def not_wrapped(q, xy):
-    """an angle is off by a full revolution.
-
-    What does arctan2 return for a tip just beyond 180 degrees?
-    """
     return fit_sag(q, xy, wrap=lambda gap: gap)
 
 
-@EXERCISE.mistake(second=(lambda q: q[:, 1], lambda q: q[:, 0] + q[:, 1] / 2))
+@EXERCISE.mistake(
+    "the second cosine is not that of q1 + q2",
+    "In which direction does the second link point?",
+    second=(lambda q: q[:, 1], lambda q: q[:, 0] + q[:, 1] / 2),
+)
 def other_cosine(q, xy, second):
-    """the second cosine is not that of q1 + q2. In which direction does the second link point?"""
     return fit_sag(q, xy, columns=lambda q: np.cos(np.column_stack([q[:, 0], second(q)])))
 
 
-@EXERCISE.mistake(share=(0, 1, -0.5))
+@EXERCISE.mistake(
+    "the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2",
+    "Both links are equally long: where does the tip lie between their directions?",
+    share=(0, 1, -0.5),
+)
 def other_direction(q, xy, share):
-    """the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2. Both links
-    are equally long: where does the tip lie between their directions?"""
     return fit_sag(q, xy, gap=lambda q, xy: _gap(q, xy) + (share - 0.5) * q[:, 1])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "there is a constant beside the two",
+    "What is delta if both links stand upright?",
+)
 def with_a_constant(q, xy):
-    """there is a constant beside the two. What is delta if both links stand upright?"""
     return fit_sag(q, xy, columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))[:2]

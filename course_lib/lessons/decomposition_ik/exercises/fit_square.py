@@ -81,29 +81,35 @@ EXERCISE.mistake(
 EXERCISE.mistake(_ONE_COLUMN_LESS, form=lambda array, terms, q: array.shape == (2, terms.shape[1]))
 
 
-@EXERCISE.mistake(target=(np.positive, np.abs))
+@EXERCISE.mistake(
+    "q2, or |q2|, is fitted, not its square",
+    "Which of the three is smooth at the edge of the workspace?",
+    target=(np.positive, np.abs),
+)
 def not_the_square(terms, q, target):
-    """q2, or |q2|, is fitted, not its square.
-
-    Which of the three is smooth at the edge of the workspace?
-    """
     return fit_square(terms, q, target)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "q1 has no term in q2",
+    "Is q1 alone a smooth function of the position?",
+)
 def q1_without_q2(terms, q):
-    """q1 has no term in q2. Is q1 alone a smooth function of the position?"""
     return np.array([[*_least_squares(terms, q[:, 0]), 0], fit_square(terms, q)[1]])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the square of q2 has a term in q2",
+    "What does a query know when it computes the square?",
+)
 def square_by_q2(terms, q):
-    """the square of q2 has a term in q2. What does a query know when it computes the square?"""
     columns = np.column_stack([terms, q[:, 1]])
     return np.array([fit_square(terms, q)[0], _least_squares(columns, q[:, 1] ** 2)])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "q1 has a term in the square of q2",
+    "Of what is the last entry of row 0 the factor?",
+)
 def q1_with_the_square(terms, q):
-    """q1 has a term in the square of q2. Of what is the last entry of row 0 the factor?"""
     return fit_square(terms, q, extra=np.square)

@@ -115,18 +115,16 @@ EXERCISE.mistake(_FIRST_ROWS, raises=("ValueError", "values to unpack"))
 
 
 @EXERCISE.mistake(
+    "the second link has another direction than q1 + q2",
+    "From which direction is q2 counted, and which way round?",
     direction=(
         lambda q1, q2: q2,
         lambda q1, q2: q1 - q2,
         lambda q1, q2: q2 - q1,
         lambda q1, q2: 2 * q1 + q2,
-    )
+    ),
 )
 def second_direction(q, direction):
-    """the second link has another direction than q1 + q2.
-
-    From which direction is q2 counted, and which way round?
-    """
     q = np.asarray(q, float)
     second = direction(q[..., 0], q[..., 1])
     return _elbow(q) + np.stack([np.cos(second), np.sin(second)], -1)

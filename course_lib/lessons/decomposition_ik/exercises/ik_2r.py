@@ -169,25 +169,30 @@ EXERCISE.mistake(_NO_COSINE, raises=("ValueError", "math domain error"))
 EXERCISE.mistake(_NO_COSINE, raises=("ValueError", "expected a number in range"))
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "positions at the edge of the workspace count as out of reach",
+    "May rounding make the cosine exceed 1?",
+    recognises=True,
+)
 def edge_out_of_reach(q, xy):
-    """positions at the edge of the workspace count as out of reach.
-
-    May rounding make the cosine exceed 1?
-    """
     return _at_edge(xy) and np.isnan(q).any()
 
 
-@EXERCISE.mistake(factor=(1, 0.5, -0.5))
+@EXERCISE.mistake(
+    "the angle between the first link and the direction to the tip has another size or sign",
+    "Which angles of the triangle of both links are equal, and what is their sum?",
+    factor=(1, 0.5, -0.5),
+)
 def another_half(xy, factor):
-    """the angle between the first link and the direction to the tip has another size or sign. Which
-    angles of the triangle of both links are equal, and what is their sum?"""
     return np.column_stack([ik_2r(xy)[:, 0] + factor * ik_2r(xy)[:, 1], ik_2r(xy)[:, 1]])
 
 
-@EXERCISE.mistake(q1=(lambda q, q2: q[:, 0], lambda q, q2: q.sum(1) - q[:, 1] / 2 - q2 / 2))
+@EXERCISE.mistake(
+    "q2 is the angle inside the triangle",
+    "What is q2 of a stretched arm?",
+    q1=(lambda q, q2: q[:, 0], lambda q, q2: q.sum(1) - q[:, 1] / 2 - q2 / 2),
+)
 def inner_angle(xy, q1):
-    """q2 is the angle inside the triangle. What is q2 of a stretched arm?"""
     q = ik_2r(xy)
     q2 = np.sign(q[:, 1]) * np.pi - q[:, 1]
     return np.column_stack([q1(q, q2), q2])

@@ -78,22 +78,22 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
+    "J is not inverted as it stands",
+    "Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?",
     solve=(
         lambda J, e: np.linalg.solve(J.T, e),
         lambda J, e: J.T @ e,
         lambda J, e: J @ e,
         lambda J, e: (1 / J) @ e,
-    )
+    ),
 )
 def no_inverse(q, xy, solve):
-    """J is not inverted as it stands.
-
-    Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?
-    """
     return newton_step(q, xy, solve=solve)
 
 
 @EXERCISE.mistake(
+    "a column of J is not the derivative by its angle",
+    "Which links move with q1, which with q2, and which way?",
     jacobian=(
         lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),
         lambda q: _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0],
@@ -101,46 +101,54 @@ def no_inverse(q, xy, solve):
             _jacobian(q)[:, 1:] * [1, 1] + (_jacobian(q)[:, :1] - _jacobian(q)[:, 1:]) * [0, 1]
         ),
         lambda q: _jacobian(q)[:, ::-1],
-    )
+    ),
 )
 def another_jacobian(q, xy, jacobian):
-    """a column of J is not the derivative by its angle.
-
-    Which links move with q1, which with q2, and which way?
-    """
     return newton_step(q, xy, jacobian)
 
 
-@EXERCISE.mistake(steps=(2, 3, 5, 30))
+@EXERCISE.mistake(
+    "more than one step is made",
+    "How many steps does the task ask for?",
+    steps=(2, 3, 5, 30),
+)
 def several_steps(q, xy, steps):
-    """more than one step is made. How many steps does the task ask for?"""
     for _ in range(steps):
         q = newton_step(q, xy)
     return q
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the step leads away from the position",
+    "From which position to which leads p - f(q)?",
+)
 def away_from_the_target(q, xy):
-    """the step leads away from the position. From which position to which leads p - f(q)?"""
     return 2 * q - newton_step(q, xy)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the step itself is returned",
+    "Which angles does the arm have after it?",
+)
 def step_without_q(q, xy):
-    """the step itself is returned. Which angles does the arm have after it?"""
     return newton_step(q, xy) - q
 
 
-@EXERCISE.mistake(wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)))
+@EXERCISE.mistake(
+    "the angles are brought between -pi and pi, or between 0 and 2 pi",
+    "Does the formula do that?",
+    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
+)
 def wrapped(q, xy, wrap):
-    """the angles are brought between -pi and pi, or between 0 and 2 pi. Does the formula do
-    that?"""
     return wrap(newton_step(q, xy))
 
 
-@EXERCISE.mistake(eps=(1e-6, 1e-4, 1e-2))
+@EXERCISE.mistake(
+    "the step is damped",
+    "Which matrix stands before p - f(q) in a Newton step?",
+    eps=(1e-6, 1e-4, 1e-2),
+)
 def damped(q, xy, eps):
-    """the step is damped. Which matrix stands before p - f(q) in a Newton step?"""
     return newton_step(
         q, xy, solve=lambda J, e: J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
     )

@@ -120,16 +120,18 @@ EXERCISE = Exercise(
 EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
-@EXERCISE.mistake(at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)))
+@EXERCISE.mistake(
+    "a query without a cell gets another cell's models",
+    "What does the index -1 mean in Python?",
+    at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)),
+)
 def another_cell(models, cell, xy, at):
-    """a query without a cell gets another cell's models. What does the index -1 mean in Python?"""
     return _affine(models[at(cell)], xy)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the intercept is forgotten",
+    "How many numbers has a row of a model, and what does each multiply?",
+)
 def intercept_forgotten(*case):
-    """the intercept is forgotten.
-
-    How many numbers has a row of a model, and what does each multiply?
-    """
     return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))

@@ -202,25 +202,28 @@ def _other(q, **changes):
     return labelled(q, **changes) if several(q) else None
 
 
-@EXERCISE.mistake(n_init=(1, 10), swapped=(False, True))
+@EXERCISE.mistake(
+    "the labels are swapped in some cells, or in all",
+    "Which cluster does KMeans call 0, and which do you want?",
+    n_init=(1, 10),
+    swapped=(False, True),
+)
 def not_renumbered(q, n_init, swapped):
-    """the labels are swapped in some cells, or in all.
-
-    Which cluster does KMeans call 0, and which do you want?
-    """
     return 1 - labelled(q) if swapped and several(q) else _other(q, number=None, n_init=n_init)
 
 
-@EXERCISE.mistake(every=(True, False))
+@EXERCISE.mistake(
+    "the samples are split by the sign of q2",
+    "Which labels did k-means give, and what is left for you to decide?",
+    every=(True, False),
+)
 def by_the_sign(q, every):
-    """the samples are split by the sign of q2.
-
-    Which labels did k-means give, and what is left for you to decide?
-    """
     return (np.asarray(q)[:, 1] < 0).astype(int) if every or several(q) else None
 
 
 @EXERCISE.mistake(
+    "the clusters are numbered by something else than their mean q2",
+    "Which column of q is that, and which function?",
     number=(
         lambda own: own[:, 0].mean(),
         lambda own: -own[:, 0].mean(),
@@ -228,11 +231,7 @@ def by_the_sign(q, every):
         lambda own: abs(own[:, 1].mean()),
         len,
         lambda own: own.mean(),
-    )
+    ),
 )
 def ordered_otherwise(q, number):
-    """the clusters are numbered by something else than their mean q2.
-
-    Which column of q is that, and which function?
-    """
     return _other(q, number=number)

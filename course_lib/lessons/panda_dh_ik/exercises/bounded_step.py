@@ -118,26 +118,27 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the bounds are ignored",
+    "How fast is the fastest joint of your answer?",
+)
 def unbounded(J, v, bound, eps):
-    """the bounds are ignored. How fast is the fastest joint of your answer?"""
     return _free(J, v, bound, eps)
 
 
 @EXERCISE.mistake(
-    cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max())
+    "the best step without bounds is clipped, or scaled down, afterwards",
+    "If one joint is at its bound, could the others do part of its work?",
+    cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max()),
 )
 def cut_afterwards(J, v, bound, eps, cut):
-    """the best step without bounds is clipped, or scaled down, afterwards. If one joint is at its
-    bound, could the others do part of its work?"""
     q_dot = _free(J, v, bound, eps)
     return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "eps stands for its square root",
+    "A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?",
+)
 def eps_not_a_root(J, v, bound, eps):
-    """eps stands for its square root.
-
-    A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?
-    """
     return right(J, v, bound, eps**2)

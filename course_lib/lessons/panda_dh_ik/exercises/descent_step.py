@@ -90,36 +90,45 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3))
+    "the translation still holds a part of the rotation",
+    "Which error belongs to the geometric Jacobian in the table of the three Jacobians?",
+    error=(lambda T, G: _of_the_world(G, T), lambda T, G: np.roll(log_se3(G @ inverse(T)), 3)),
 )
 def rotation_in_the_translation(q, J, T, T_target, step, error):
-    """the translation still holds a part of the rotation. Which error belongs to the geometric
-    Jacobian in the table of the three Jacobians?"""
     return q + step * J.T @ error(T, T_target)
 
 
-@EXERCISE.mistake(position=(True, False))
+@EXERCISE.mistake(
+    "the error is seen from the end-effector",
+    "Along which axes is the geometric Jacobian?",
+    position=(True, False),
+)
 def from_the_end_effector(q, J, T, T_target, step, position):
-    """the error is seen from the end-effector. Along which axes is the geometric Jacobian?"""
     R, e = T[:3, :3], pose_error(T, T_target)
     e = np.concatenate([R.T @ e[:3] if position else e[:3], log_so3(R.T @ T_target[:3, :3])])
     return q + step * J.T @ e
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "phi stands before the difference of the positions",
+    "Which three rows of J come first?",
+)
 def halves_swapped(q, J, T, T_target, step):
-    """phi stands before the difference of the positions. Which three rows of J come first?"""
     return q + step * J.T @ np.roll(pose_error(T, T_target), 3)
 
 
-@EXERCISE.mistake(signs=((-1, 1), (1, -1), (-1, -1)))
+@EXERCISE.mistake(
+    "the error, or one half of it, leads from the target to the arm",
+    "From which pose to which must it lead, where it is added?",
+    signs=((-1, 1), (1, -1), (-1, -1)),
+)
 def half_reversed(q, J, T, T_target, step, signs):
-    """the error, or one half of it, leads from the target to the arm. From which pose to which
-    must it lead, where it is added?"""
     return q + step * J.T @ (np.repeat(signs, 3) * pose_error(T, T_target))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "an inverse of J stands where J^T is asked for",
+    "Which method is this, and which the task's?",
+)
 def inverse_for_the_transpose(q, J, T, T_target, step):
-    """an inverse of J stands where J^T is asked for. Which method is this, and which the task's?"""
     return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)

@@ -109,23 +109,31 @@ def _orders():
     return orders
 
 
-@EXERCISE.mistake(columns=(slice(4), slice(3), slice(3, 4)))
+@EXERCISE.mistake(
+    "this is the pose by the other convention, or its rotation or position is",
+    "Which pair of steps comes first here, that of x or that of z?",
+    columns=(slice(4), slice(3), slice(3, 4)),
+)
 def other_convention(*row, columns):
-    """this is the pose by the other convention, or its rotation or position is. Which pair of steps
-    comes first here, that of x or that of z?"""
     T = modified(*row)
     T[:, columns] = standard(*row)[:, columns]
     return T
 
 
-@EXERCISE.mistake(order=_orders())
+@EXERCISE.mistake(
+    "the steps are multiplied in another order",
+    "Each factor acts along the axes that the factors left of it made: which of a and d is along "
+    "an old axis, and which along a new one?",
+    order=_orders(),
+)
 def other_order(a, alpha, d, theta, order):
-    """the steps are multiplied in another order. Each factor acts along the axes that the factors
-    left of it made: which of a and d is along an old axis, and which along a new one?"""
     return _product(order, a, alpha, d, theta)
 
 
-@EXERCISE.mistake(convert=(np.deg2rad, np.rad2deg))
+@EXERCISE.mistake(
+    "the angles are taken for degrees, or converted to degrees",
+    "In which unit do they come?",
+    convert=(np.deg2rad, np.rad2deg),
+)
 def in_degrees(a, alpha, d, theta, convert):
-    """the angles are taken for degrees, or converted to degrees. In which unit do they come?"""
     return modified(a, convert(alpha), d, convert(theta))

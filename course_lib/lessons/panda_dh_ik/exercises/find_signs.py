@@ -165,15 +165,20 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "only positions are compared",
+    "Which joint may rotate the end-effector without moving it?",
+)
 def positions_only(table, q, poses):
-    """only positions are compared. Which joint may rotate the end-effector without moving it?"""
     return _best(table, _gaps(table, q, poses)[..., 0].max(1))
 
 
-@EXERCISE.mistake(k=(0, -1))
+@EXERCISE.mistake(
+    "only one configuration is compared",
+    "May a wrong pattern fit one configuration by chance?",
+    k=(0, -1),
+)
 def one_configuration(table, q, poses, k):
-    """only one configuration is compared. May a wrong pattern fit one configuration by chance?"""
     return _best(table, _gaps(table, q, poses)[:, k].max(1))
 
 
@@ -190,9 +195,13 @@ def _differences(table, q, poses):
     return _all_ends(table, q) - poses
 
 
-@EXERCISE.mistake(whole=(False, True), absolute=(False, True))
+@EXERCISE.mistake(
+    "differences are added up with their signs",
+    "What do 0.3 and -0.3 add up to?",
+    whole=(False, True),
+    absolute=(False, True),
+)
 def signed_differences(table, q, poses, whole, absolute):
-    """differences are added up with their signs. What do 0.3 and -0.3 add up to?"""
     differences = _differences(table, q, poses)
     if not whole:
         differences = differences[..., :3, 3]
@@ -203,12 +212,14 @@ def signed_differences(table, q, poses, whole, absolute):
 _SIGNED = EXERCISE.mistakes[-1].answers
 
 
-@EXERCISE.mistake(from_last=(False, True), size=(_largest, _squares), rounds=(1, 8))
+@EXERCISE.mistake(
+    "one joint is decided after the other",
+    "Does the best sign of one joint depend on those of the others?",
+    from_last=(False, True),
+    size=(_largest, _squares),
+    rounds=(1, 8),
+)
 def one_joint_at_a_time(table, q, poses, from_last, size, rounds):
-    """one joint is decided after the other.
-
-    Does the best sign of one joint depend on those of the others?
-    """
     costs = np.round(size(_differences(table, q, poses)), 9)
     cost_of = dict(zip(map(tuple, _patterns(table)), costs, strict=True))
     joints = range(len(table))
@@ -223,7 +234,9 @@ def one_joint_at_a_time(table, q, poses, from_last, size, rounds):
 _JOINT_BY_JOINT = EXERCISE.mistakes[-1].answers
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the table is read in the modified convention",
+    "Which convention does the task name?",
+)
 def other_convention(table, q, poses):
-    """the table is read in the modified convention. Which convention does the task name?"""
     return _best(table, _gaps(table, q, poses, modified).max((1, 2)))

@@ -129,15 +129,16 @@ EXERCISE.mistake(
 
 
 @EXERCISE.mistake(
+    "the damping is not that of the task",
+    "Print it for s = 0, s = near / 2 and s > near: where is it largest, where is it 0, and does "
+    "it jump?",
     eps_of=(
         lambda s, near, most: most,
         lambda s, near, most: 0.0,
         lambda s, near, most: most if s < near else 0.0,
         lambda s, near, most: most * (1 - s / near) if s < near else 0.0,
         lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0,
-    )
+    ),
 )
 def other_damping(*case, eps_of):
-    """the damping is not that of the task. Print it for s = 0, s = near / 2 and s > near: where is
-    it largest, where is it 0, and does it jump?"""
     return _walked(*case, eps_of=eps_of)

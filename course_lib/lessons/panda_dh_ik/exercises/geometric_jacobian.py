@@ -111,16 +111,22 @@ EXERCISE.mistake(OTHER_FORM, form=_known_form)
 EXERCISE.mistake(_SEVEN, raises=("IndexError", "is out of bounds for axis 0"))
 
 
-@EXERCISE.mistake(z=(0, 1), step=(1, -1), base=(np.eye(4), shared.T_W0))
+@EXERCISE.mistake(
+    "the origin, or the axis too, is that of the next frame, or of the one before",
+    "On which joint's axis does frame i lie here?",
+    z=(0, 1),
+    step=(1, -1),
+    base=(np.eye(4), shared.T_W0),
+)
 def another_frame(frames, z, step, base):
-    """the origin, or the axis too, is that of the next frame, or of the one before. On which
-    joint's axis does frame i lie here?"""
     others = frames[1:] if step > 0 else np.concatenate([[base], frames[:-2]])
     return _jacobian((frames[:-1], others)[z][:, :3, 2], others[:, :3, 3], frames[-1, :3, 3])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the velocity has the wrong sign",
+    "Let the axis of a joint point at you: which way does it move the flange, and what does the "
+    "product say?",
+)
 def backwards(frames):
-    """the velocity has the wrong sign. Let the axis of a joint point at you: which way does it move
-    the flange, and what does the product say?"""
     return right(frames) * np.repeat([[-1], [1]], 3, 0)

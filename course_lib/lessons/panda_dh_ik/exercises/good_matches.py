@@ -167,12 +167,12 @@ EXERCISE.mistake(
 )
 
 
-@EXERCISE.mistake(most=(1, 9))
+@EXERCISE.mistake(
+    "the worst match is dropped, once or again and again",
+    "Can a good match look worst beside two wrong ones?",
+    most=(1, 9),
+)
 def worst_dropped(src, dst, tol, most):
-    """the worst match is dropped, once or again and again.
-
-    Can a good match look worst beside two wrong ones?
-    """
     kept = np.arange(len(src))
     for _ in range(most):
         if len(kept) > 3 and _residuals(kept, src, dst)[kept].max() >= tol:
@@ -180,31 +180,34 @@ def worst_dropped(src, dst, tol, most):
     return np.isin(np.arange(len(src)), kept)
 
 
-@EXERCISE.mistake(measure=(np.max, np.sum, np.linalg.norm))
+@EXERCISE.mistake(
+    "the triple with the smallest residuals of its own is taken",
+    "Can three wrong matches fit one pose, and which number does the task make the largest?",
+    measure=(np.max, np.sum, np.linalg.norm),
+)
 def closest_triple(*case, measure):
-    """the triple with the smallest residuals of its own is taken. Can three wrong matches fit one
-    pose, and which number does the task make the largest?"""
     return _by_residuals(case, measure, of_all=False)
 
 
 _CLOSEST = EXERCISE.mistakes[-1].answers
 
 
-@EXERCISE.mistake(measure=(np.sum, np.linalg.norm, np.max))
+@EXERCISE.mistake(
+    "the pose with the smallest residuals of all matches is taken",
+    "Which matches count, where some are far off?",
+    measure=(np.sum, np.linalg.norm, np.max),
+)
 def least_of_all(*case, measure):
-    """the pose with the smallest residuals of all matches is taken. Which matches count, where
-    some are far off?"""
     return _by_residuals(case, measure, of_all=True)
 
 
 _LEAST_OF_ALL = EXERCISE.mistakes[-1].answers
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "each coordinate is compared with tol, not the distance",
+    "How far is a point if each coordinate is off by tol?",
+)
 def by_coordinates(src, dst, tol):
-    """each coordinate is compared with tol, not the distance.
-
-    How far is a point if each coordinate is off by tol?
-    """
     masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]
     return masks[masks.sum(1).argmax()]

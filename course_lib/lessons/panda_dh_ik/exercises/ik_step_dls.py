@@ -154,40 +154,40 @@ EXERCISE.mistake(
 )
 
 
-@EXERCISE.mistake(number=(np.square, np.sqrt, np.reciprocal, np.ones_like))
+@EXERCISE.mistake(
+    "the number on the diagonal is not eps",
+    "Is it squared, is a root taken, or is the unit matrix added without it?",
+    number=(np.square, np.sqrt, np.reciprocal, np.ones_like),
+)
 def another_number(q, J, e, eps, number):
-    """the number on the diagonal is not eps.
-
-    Is it squared, is a root taken, or is the unit matrix added without it?
-    """
     return damped(q, J, e, number(eps))
 
 
 @EXERCISE.mistake(
-    size=(lambda eps: 1, lambda eps: eps, lambda eps: 1 / eps, lambda eps: 1 / (1 + eps))
+    "the step is along J^T e, as in the transpose method",
+    "Which matrix stands between J^T and e in a damped step?",
+    size=(lambda eps: 1, lambda eps: eps, lambda eps: 1 / eps, lambda eps: 1 / (1 + eps)),
 )
 def along_the_gradient(q, J, e, eps, size):
-    """the step is along J^T e, as in the transpose method.
-
-    Which matrix stands between J^T and e in a damped step?
-    """
     return q + size(eps) * J.T @ e
 
 
 @EXERCISE.mistake(
+    "the angles are brought between -pi and pi, or between 0 and 2 pi",
+    "Does the task ask for that, and what does a joint do whose angle jumps by a revolution?",
     wrap=(
         lambda q: np.arctan2(np.sin(q), np.cos(q)),
         lambda q: q % (2 * np.pi),
         lambda q: np.clip(q, -np.pi, np.pi),
-    )
+    ),
 )
 def wrapped(q, J, e, eps, wrap):
-    """the angles are brought between -pi and pi, or between 0 and 2 pi. Does the task ask for
-    that, and what does a joint do whose angle jumps by a revolution?"""
     return wrap(damped(q, J, e, eps))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the step is not damped: it is J^+ e",
+    "Where does eps stand in J^T (J J^T + eps I)^-1 e?",
+)
 def undamped(q, J, e, eps):
-    """the step is not damped: it is J^+ e. Where does eps stand in J^T (J J^T + eps I)^-1 e?"""
     return q + np.linalg.pinv(J) @ e

@@ -101,17 +101,20 @@ EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "core dimension"))
 EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "could not be broadcast"))
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "J is taken to have full rank, which it has not at a singularity",
+    "J J^T has no inverse there, and the null space has more dimensions: does your formula still "
+    "hold?",
+    recognises=True,
+)
 def full_rank(answer, q, J, *rest):
-    """J is taken to have full rank, which it has not at a singularity. J J^T has no inverse there,
-    and the null space has more dimensions: does your formula still hold?"""
     return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
 
 
-@EXERCISE.mistake(kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J))
+@EXERCISE.mistake(
+    "the wish q_middle - q is not projected, or its other part is kept",
+    "Which part of it does J^+ J hold?",
+    kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J),
+)
 def no_projection(q, J, q_middle, gain, kept):
-    """the wish q_middle - q is not projected, or its other part is kept.
-
-    Which part of it does J^+ J hold?
-    """
     return q + gain * kept(J) @ (q_middle - q)

@@ -107,7 +107,9 @@ EXERCISE = Exercise(
 EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the base is left out: these are poses seen from the base",
+    "Where is the base in the world?",
+)
 def base_left_out(q):
-    """the base is left out: these are poses seen from the base. Where is the base in the world?"""
     return _chain(*steps(q), base=np.eye(4))

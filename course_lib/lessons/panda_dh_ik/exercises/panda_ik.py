@@ -289,35 +289,39 @@ EXERCISE.mistake(
 )
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "the iteration stops too early, or the angles are rounded",
+    "How close does the task ask you to come, and does your damping still slow you down there?",
+    recognises=True,
+)
 def stopped_too_early(q, T, q0):
-    """the iteration stops too early, or the angles are rounded. How close does the task ask you to
-    come, and does your damping still slow you down there?"""
     return _REACHED < _gaps(flange(q), T).max() < 0.02 and _inside(q, T, q0)
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "the base is forgotten, or counted twice or the wrong way",
+    "From where is T_target seen, and from where is your flange?",
+    recognises=True,
+)
 def base_forgotten(q, T, q0):
-    """the base is forgotten, or counted twice or the wrong way. From where is T_target seen, and
-    from where is your flange?"""
     back = inverse(T_W0)
     return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "the flange is forgotten: the frame of joint 7 is at T_target",
+    "Which of the eight poses is the flange's?",
+    recognises=True,
+)
 def flange_forgotten(q, T, q0):
-    """the flange is forgotten: the frame of joint 7 is at T_target.
-
-    Which of the eight poses is the flange's?
-    """
     return bool((_gaps(frames(q)[6], T) < 1e-3).all())
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "only the position, or only the orientation, is brought to T_target",
+    "How many numbers has the error?",
+    recognises=True,
+)
 def one_half_only(q, T, q0):
-    """only the position, or only the orientation, is brought to T_target.
-
-    How many numbers has the error?
-    """
     metres, angle = _gaps(flange(q), T)
     return _reachable(T, q0) and min(metres, angle) <= _REACHED < max(metres, angle)

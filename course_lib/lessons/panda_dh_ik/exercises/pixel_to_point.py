@@ -100,26 +100,26 @@ EXERCISE = Exercise(
 EXERCISE.mistake(_ONES, form=lambda array, pixels, *rest: array.shape == (len(pixels), 4))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "T_wc is inverted",
+    "It is the camera's pose in the world: which coordinates does it take to which?",
+)
 def inverted(pixels, depths, K, T_wc):
-    """T_wc is inverted.
-
-    It is the camera's pose in the world: which coordinates does it take to which?
-    """
     return right(pixels, depths, K, inverse(T_wc))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the points are rotated by the transpose of R_wc",
+    "They are rows: what is R p, if p is written as a row?",
+)
 def transposed(pixels, depths, K, T_wc):
-    """the points are rotated by the transpose of R_wc.
-
-    They are rows: what is R p, if p is written as a row?
-    """
     return right(pixels, depths, K, np.eye(4)) @ T_wc[:3, :3] + T_wc[:3, 3]
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the depth is taken as the distance along the ray",
+    "Along which axis is it measured?",
+)
 def along_the_ray(pixels, depths, K, T_wc):
-    """the depth is taken as the distance along the ray. Along which axis is it measured?"""
     rays = _rays(pixels, K)
     return moved(T_wc, depths[:, None] * rays / np.linalg.norm(rays, axis=1, keepdims=True))

@@ -264,25 +264,29 @@ EXERCISE.mistake(OTHER_FORM, form=_other_form)
 
 
 @EXERCISE.mistake(
-    seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR)
+    "the path to the grasp leads through something",
+    "From where must the fingers come, if they are to end on both sides of the mug? And how far "
+    "apart are your rows?",
+    seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR),
 )
 def straight_to_the_grasp(q0, T_grasp):
-    """the path to the grasp leads through something. From where must the fingers come, if they are
-    to end on both sides of the mug? And how far apart are your rows?"""
     return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))
 
 
-@EXERCISE.mistake(seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3)
+@EXERCISE.mistake(
+    "the flange, not the gripper, ends at T_grasp",
+    "Which pose does panda_ik take?",
+    seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3,
+)
 def flange_at_the_grasp(q0, T_grasp):
-    """the flange, not the gripper, ends at T_grasp. Which pose does panda_ik take?"""
     return right(q0, T_grasp @ IN_FLANGE)
 
 
 @EXERCISE.mistake(
-    seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND
+    "the speeds are within their bounds, but the motion starts or ends at full speed",
+    "What does that ask of the motors in the first row?",
+    seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND,
 )
 def from_full_speed(q0, T_grasp):
-    """the speeds are within their bounds, but the motion starts or ends at full speed. What does
-    that ask of the motors in the first row?"""
     first, second = legs(q0, T_grasp, _EVEN)
     return joined(*(timed(leg, lambda speed, acceleration: speed) for leg in (first, second)))

@@ -182,38 +182,39 @@ EXERCISE.mistake(_NO_ROTATION, raises=("ValueError", "is not a rotation"))
 EXERCISE.mistake(_WHOLE_POSE, raises=("ValueError", "of shape (..., 3, 3)"))
 
 
-@EXERCISE.mistake(signs=((-1, -1), (-1, 1), (1, -1)))
+@EXERCISE.mistake(
+    "the error, or one half of it, leads away from the target",
+    "From which pose to which should it lead?",
+    signs=((-1, -1), (-1, 1), (1, -1)),
+)
 def away_from_the_target(T, T_target, signs):
-    """the error, or one half of it, leads away from the target.
-
-    From which pose to which should it lead?
-    """
     return np.repeat(signs, 3) * pose_error(T, T_target)
 
 
-@EXERCISE.mistake(halves=((True, True), (True, False), (False, True)))
+@EXERCISE.mistake(
+    "the error, or one half of it, is seen from the end-effector",
+    "Along which axes are the rows of the Jacobian?",
+    halves=((True, True), (True, False), (False, True)),
+)
 def from_the_end_effector(T, T_target, halves):
-    """the error, or one half of it, is seen from the end-effector.
-
-    Along which axes are the rows of the Jacobian?
-    """
     R, e = T[:3, :3], pose_error(T, T_target)
     seen = R.T @ e[:3], log_so3(R.T @ T_target[:3, :3])
     return np.where(np.repeat(halves, 3), np.concatenate(seen), e)
 
 
 @EXERCISE.mistake(
+    "the translation holds a part of the rotation: it is that of a product of poses, or of its "
+    "logarithm",
+    "Which point's velocity do the upper rows of the Jacobian give?",
     error=(
         lambda T, G: np.append((G @ inverse(T))[:3, 3], pose_error(T, G)[3:]),
         lambda T, G: np.roll(log_se3(G @ inverse(T)), 3),
         lambda T, G: np.roll(log_se3(inverse(T) @ G), 3),
         lambda T, G: log_se3(G @ inverse(T)),
         lambda T, G: log_se3(inverse(T) @ G),
-    )
+    ),
 )
 def rotation_in_the_translation(T, T_target, error):
-    """the translation holds a part of the rotation: it is that of a product of poses, or of its
-    logarithm. Which point's velocity do the upper rows of the Jacobian give?"""
     return error(T, T_target)
 
 
@@ -222,11 +223,13 @@ def _quaternion(R):
 
 
 @EXERCISE.mistake(
-    measure=(roll_pitch_yaw, log_so3, _quaternion), order=(1, -1), alike=_alike_up_to_two_pi
+    "angles, rotation vectors or quaternions of the two rotations are subtracted",
+    "Do rotations about different axes add up, and is it -358 degrees from 179 to -179?",
+    measure=(roll_pitch_yaw, log_so3, _quaternion),
+    order=(1, -1),
+    alike=_alike_up_to_two_pi,
 )
 def coordinates_subtracted(T, T_target, measure, order):
-    """angles, rotation vectors or quaternions of the two rotations are subtracted. Do rotations
-    about different axes add up, and is it -358 degrees from 179 to -179?"""
     return np.append(
         _between(T, T_target)[0], (measure(T_target[:3, :3]) - measure(T[:3, :3]))[::order]
     )

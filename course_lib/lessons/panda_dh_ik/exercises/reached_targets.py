@@ -148,10 +148,10 @@ EXERCISE.mistake(
 EXERCISE.mistake(_ONE_MATRIX, raises=("ValueError", "core dimension"))
 
 
-@EXERCISE.mistake(clip=("", "end"))
+@EXERCISE.mistake(
+    "the limits are ignored, or applied at the end only",
+    "From which configuration does each step start?",
+    clip=("", "end"),
+)
 def limits_ignored(*case, clip):
-    """the limits are ignored, or applied at the end only.
-
-    From which configuration does each step start?
-    """
     return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None

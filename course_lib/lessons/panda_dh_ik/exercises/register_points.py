@@ -172,24 +172,31 @@ def _has_block(T, block, src, dst, weights):
     return same(T, pose(block, np.average(dst - src @ block.T, 0, weights)))
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "R is the rotation nearest to the transpose of B",
+    "Are the points of dst on the left in B?",
+    recognises=True,
+)
 def of_the_transpose(T, *case):
-    """R is the rotation nearest to the transpose of B. Are the points of dst on the left in B?"""
     return _has_block(T, registered(*case)[:3, :3].T, *case)
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "U V^T has the same sign for all points: it is returned as it is, or always changed",
+    "How do you see whether it is a reflection, and at which singular value does a change of sign "
+    "cost least?",
+    recognises=True,
+)
 def sign_missing(T, *case):
-    """U V^T has the same sign for all points: it is returned as it is, or always changed. How do
-    you see whether it is a reflection, and at which singular value does a change of sign cost
-    least?"""
     return _has_block(T, _reflection(*case), *case)
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "R is not the best rotation if U V^T is a reflection",
+    "Where do you change a sign, and what does that cost at each of the singular values?",
+    recognises=True,
+)
 def sign_elsewhere(T, *case):
-    """R is not the best rotation if U V^T is a reflection. Where do you change a sign, and what
-    does that cost at each of the singular values?"""
     M, signs = _reflection(*case), 1 - 2 * np.eye(3)
     blocks = [*(M * each for each in (*signs, *signs[:, :, None], -1))]
     blocks += [M - 2 * np.outer(M @ axis, axis) for axis in np.linalg.svd(product(*case))[2][:2]]

@@ -57,13 +57,13 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
+    "the wrong columns move, or in the wrong direction",
+    "A row holds a, alpha, d: which of them belong to a step along x, which to one along z, and "
+    "which of its neighbours does the step X_1 join, Z_1 or Z_2?",
     shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)),
     around=(True, False),
 )
 def other_columns_move(table, shifts, around):
-    """the wrong columns move, or in the wrong direction. A row holds a, alpha, d: which of them
-    belong to a step along x, which to one along z, and which of its neighbours does the step X_1
-    join, Z_1 or Z_2?"""
     padded = (
         np.vstack([table, np.zeros(3)]) if not around else table
     )  # with zeros in place of what comes around
@@ -72,7 +72,9 @@ def other_columns_move(table, shifts, around):
     )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the last row keeps its a and alpha",
+    "Is there a step along x after the last joint?",
+)
 def last_row_kept(table):
-    """the last row keeps its a and alpha. Is there a step along x after the last joint?"""
     return np.concatenate([converted(table)[:-1], [[*table[-1, :2], *converted(table)[-1, 2:]]]])

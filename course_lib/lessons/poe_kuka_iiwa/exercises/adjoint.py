@@ -92,20 +92,20 @@ EXERCISE.mistake(_NESTED, form=(2, 2, 3, 3))
 
 
 @EXERCISE.mistake(
-    part=_LOWER_LEFT, coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T)
+    "[p] and R are in the wrong order, or R is missing or transposed in the lower left block",
+    "In which frame is p, and in which must omega be before the cross product?",
+    part=_LOWER_LEFT,
+    coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T),
 )
 def order_of_the_coupling(T, coupling):
-    """[p] and R are in the wrong order, or R is missing or transposed in the lower left block. In
-    which frame is p, and in which must omega be before the cross product?"""
     return coupling(T[BLOCK], hat(T[COLUMN]))
 
 
 @EXERCISE.mistake(
-    part=_LOWER_LEFT, coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: R @ P)
+    "the lower left block has its sign changed",
+    "The new v has the part p x omega: is [p] that, or omega x p?",
+    part=_LOWER_LEFT,
+    coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: R @ P),
 )
 def sign_of_the_coupling(T, coupling):
-    """the lower left block has its sign changed.
-
-    The new v has the part p x omega: is [p] that, or omega x p?
-    """
     return -coupling(T[BLOCK], hat(T[COLUMN]))

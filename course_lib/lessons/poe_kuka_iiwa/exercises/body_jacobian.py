@@ -65,17 +65,15 @@ EXERCISE.mistake(shared.ONE_COLUMN, form=(6,))
 
 
 @EXERCISE.mistake(
+    "the exponentials of the body screws are in the wrong order, or of the wrong joints",
+    "Which move column i?",
     others=(
         lambda each, i: each[i + 1 :],
         lambda each, i: each[:i],
         lambda each, i: each[i + 2 :][::-1],
-    )
+    ),
 )
 def other_joints(screws, M, q, others):
-    """the exponentials of the body screws are in the wrong order, or of the wrong joints.
-
-    Which move column i?
-    """
     B = screws @ adjoint(inverse(M)).T
     each = shared.exponentials(B, -q)
     return shared.columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)

@@ -155,34 +155,46 @@ def _p(
     return along * part + (forward(a) * (v - across * part) + sideways(a) * np.cross(n, v)) / a
 
 
-@EXERCISE.mistake(part=COLUMN, rotated=(0, 1, -1))
+@EXERCISE.mistake(
+    "p is v, or R v",
+    "That is the velocity at the beginning, or at the end, of the motion: what is it on the way?",
+    part=COLUMN,
+    rotated=(0, 1, -1),
+)
 def p_is_v(twist, rotated):
-    """p is v, or R v.
-
-    That is the velocity at the beginning, or at the end, of the motion: what is it on the way?
-    """
     return exp_so3(rotated * twist[:3]) @ twist[3:]
 
 
-@EXERCISE.mistake(part=COLUMN)
+@EXERCISE.mistake(
+    "the number n @ v stands for the part of v along n",
+    "Which vector along n is as long?",
+    part=COLUMN,
+)
 def number_for_the_part_along_the_axis(twist):
-    """the number n @ v stands for the part of v along n. Which vector along n is as long?"""
     return _p(twist, number=True)
 
 
-@EXERCISE.mistake(part=COLUMN)
+@EXERCISE.mistake(
+    "the part of v along n is bent into the arc as well",
+    "What is left of v without it?",
+    part=COLUMN,
+)
 def all_of_v_on_the_arc(twist):
-    """the part of v along n is bent into the arc as well. What is left of v without it?"""
     return _p(twist, across=False)
 
 
-@EXERCISE.mistake(part=COLUMN)
+@EXERCISE.mistake(
+    "the part along n x v has another length, as with omega for n",
+    "How long is n?",
+    part=COLUMN,
+)
 def omega_for_n(twist):
-    """the part along n x v has another length, as with omega for n. How long is n?"""
     return _p(twist, sideways=lambda a: a * (1 - np.cos(a)))
 
 
 @EXERCISE.mistake(
+    "a factor in the formula of p is wrong, or a term is missing",
+    "As a goes to 0, p goes to v: is that so in yours?",
     part=COLUMN,
     factors=(
         {"forward": lambda a: a * np.sin(a)},
@@ -193,34 +205,38 @@ def omega_for_n(twist):
     ),
 )
 def factor_of_p(twist, factors):
-    """a factor in the formula of p is wrong, or a term is missing.
-
-    As a goes to 0, p goes to v: is that so in yours?
-    """
     return _p(twist, **factors)
 
 
 @EXERCISE.mistake(
-    part=COLUMN, sideways=(lambda a: 0, lambda a: np.cos(a) - 1, lambda a: 1 + np.cos(a))
+    "the step sideways, along n x v, is missing or has another sign",
+    "To which side of v does a rotation about n bend the path of the origin?",
+    part=COLUMN,
+    sideways=(lambda a: 0, lambda a: np.cos(a) - 1, lambda a: 1 + np.cos(a)),
 )
 def sideways_term(twist, sideways):
-    """the step sideways, along n x v, is missing or has another sign. To which side of v does a
-    rotation about n bend the path of the origin?"""
     return _p(twist, sideways=sideways)
 
 
-@EXERCISE.mistake(part=COLUMN)
+@EXERCISE.mistake(
+    "p is left at zero",
+    "The given lines fill in the rotation: where do you fill in p?",
+    part=COLUMN,
+)
 def p_not_written(twist):
-    """p is left at zero. The given lines fill in the rotation: where do you fill in p?"""
     if _angle(twist) < _GIVEN:
         raise ValueError("so small an angle is not the student's")
     return np.zeros(3)
 
 
-@EXERCISE.mistake(part=COLUMN, below=(5e-4, 2e-3, 2e-2, 0.2, 0.4))
+@EXERCISE.mistake(
+    "the first terms of the series stand for angles that are too large",
+    "Up to which angle are they off by less than the task allows, and what do the given lines "
+    "compare a with?",
+    part=COLUMN,
+    below=(5e-4, 2e-3, 2e-2, 0.2, 0.4),
+)
 def series_too_far(twist, below):
-    """the first terms of the series stand for angles that are too large. Up to which angle are
-    they off by less than the task allows, and what do the given lines compare a with?"""
     if not _GIVEN <= _angle(twist) < below:
         raise ValueError("this angle is answered by the formula, or by the given lines")
     return twist[3:] + np.cross(twist[:3], twist[3:]) / 2

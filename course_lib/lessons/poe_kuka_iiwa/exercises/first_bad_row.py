@@ -122,82 +122,91 @@ EXERCISE = Exercise(
 EXERCISE.mistake(_ALL_ROWS, form=lambda array, t, *rest: array.size > 1)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "row 0 is not looked at",
+    "It has no time before it: what else can be bad in it?",
+)
 def first_row_not_asked(t, q, limits):
-    """row 0 is not looked at. It has no time before it: what else can be bad in it?"""
     return _first(_bad(t, q, limits) & (np.arange(len(t)) > 0))
 
 
-@EXERCISE.mistake(number=(lambda t: 0, len))
+@EXERCISE.mistake(
+    "0 or the number of rows is returned for a file without a fault",
+    "What is a file with a fault in row 0, then?",
+    number=(lambda t: 0, len),
+)
 def number_for_none(t, q, limits, number):
-    """0 or the number of rows is returned for a file without a fault.
-
-    What is a file with a fault in row 0, then?
-    """
     row = _right(t, q, limits)
     return number(t) if row < 0 else row
 
 
-@EXERCISE.mistake(ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")))
+@EXERCISE.mistake(
+    "numbers that are not finite go unnoticed",
+    "What is nan < 1, and what is infinity? Can t hold such numbers too?",
+    ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")),
+)
 def not_finite(t, q, limits, ignored):
-    """numbers that are not finite go unnoticed.
-
-    What is nan < 1, and what is infinity? Can t hold such numbers too?
-    """
     return _first(
         _bad(t, q, limits, ignored, (lambda x: ~np.isnan(x)) if "inf" in ignored else np.isfinite)
     )
 
 
-@EXERCISE.mistake(ignored=(("time",), ()))
+@EXERCISE.mistake(
+    "a time that stands still or runs backwards goes unnoticed",
+    "What must hold between a row and the one before?",
+    ignored=(("time",), ()),
+)
 def time_not_asked(t, q, limits, ignored):
-    """a time that stands still or runs backwards goes unnoticed.
-
-    What must hold between a row and the one before?
-    """
     return _first(_bad(t, q, limits, ignored, late=np.less))
 
 
-@EXERCISE.mistake(ignored=(("low",), ("high",), ("low", "high")))
+@EXERCISE.mistake(
+    "an angle is not compared with both of its limits",
+    "What are the two columns of limits?",
+    ignored=(("low",), ("high",), ("low", "high")),
+)
 def limit_not_asked(t, q, limits, ignored):
-    """an angle is not compared with both of its limits. What are the two columns of limits?"""
     return _first(_bad(t, q, limits, ignored))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the lowest angle is taken for minus the highest",
+    "Must the limits of a joint be symmetric?",
+)
 def limits_taken_for_symmetric(t, q, limits):
-    """the lowest angle is taken for minus the highest. Must the limits of a joint be symmetric?"""
     return _right(t, q, limits[:, [1]] * [-1, 1])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "an angle exactly at its limit is refused",
+    "What does the task say of a joint at its limit?",
+)
 def refused_at_the_limit(t, q, limits):
-    """an angle exactly at its limit is refused. What does the task say of a joint at its limit?"""
     return _first(_bad(t, q, limits, beyond=np.greater_equal))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the fault that is looked for first is named",
+    "A row is bad for any of the reasons: which row is the first?",
+)
 def rule_by_rule(t, q, limits):
-    """the fault that is looked for first is named.
-
-    A row is bad for any of the reasons: which row is the first?
-    """
     others = (("time", "low", "high"), ("t", "q", "low", "high"), ("t", "q", "time"))
     rows = [_first(_bad(t, q, limits, ignored)) for ignored in others]
     return next((row for row in rows if row >= 0), -1)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "rows are counted from 1",
+    "Which number has the first row of an array?",
+)
 def counted_from_1(t, q, limits):
-    """rows are counted from 1. Which number has the first row of an array?"""
     row = _right(t, q, limits)
     return row + 1 if row >= 0 else row
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the row before the fault is named, where time runs backwards",
+    "Of which two rows is np.diff(t)[i] made?",
+)
 def row_before(t, q, limits):
-    """the row before the fault is named, where time runs backwards.
-
-    Of which two rows is np.diff(t)[i] made?
-    """
     return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))

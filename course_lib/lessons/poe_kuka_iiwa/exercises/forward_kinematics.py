@@ -68,40 +68,43 @@ EXERCISE = Exercise(
 EXERCISE.mistake(OTHER_FORM, form=_known_form)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "M is missing",
+    "The exponentials move the end-effector away from home: where does its pose at home come in?",
+)
 def M_missing(screws, M, q):
-    """M is missing.
-
-    The exponentials move the end-effector away from home: where does its pose at home come in?
-    """
     return products(shared.exponentials(screws, q))[-1]
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "M stands on the left of the exponentials",
+    "On which side of M does a motion seen from the base act?",
+)
 def M_on_the_left(screws, M, q):
-    """M stands on the left of the exponentials.
-
-    On which side of M does a motion seen from the base act?
-    """
     return M @ products(shared.exponentials(screws, q))[-1]
 
 
-@EXERCISE.mistake(times_M=(lambda T, M: T @ M, lambda T, M: M @ T, lambda T, M: T))
+@EXERCISE.mistake(
+    "the exponentials are multiplied in the reverse order",
+    "Joint 1 moves all the others: which is applied last?",
+    times_M=(lambda T, M: T @ M, lambda T, M: M @ T, lambda T, M: T),
+)
 def reverse_order(screws, M, q, times_M):
-    """the exponentials are multiplied in the reverse order.
-
-    Joint 1 moves all the others: which is applied last?
-    """
     return times_M(products(shared.exponentials(screws, q)[::-1])[-1], M)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the twists are added up",
+    "What is one motion after another, for matrices?",
+)
 def twists_added_up(screws, M, q):
-    """the twists are added up. What is one motion after another, for matrices?"""
     return exp_se3(q @ screws) @ M
 
 
-@EXERCISE.mistake(joint=(0, -1))
+@EXERCISE.mistake(
+    "the first or the last joint is left out",
+    "How many exponentials does your loop multiply?",
+    joint=(0, -1),
+)
 def joint_left_out(screws, M, q, joint):
-    """the first or the last joint is left out. How many exponentials does your loop multiply?"""
     return products(np.delete(shared.exponentials(screws, q), joint, axis=0))[-1] @ M

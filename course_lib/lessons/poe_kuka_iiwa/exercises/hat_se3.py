@@ -79,10 +79,10 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(part=BLOCK)
+@EXERCISE.mistake(
+    "the block is made of v, not of omega",
+    "A twist is (omega, v): which three entries come first?",
+    part=BLOCK,
+)
 def block_of_v(twist):
-    """the block is made of v, not of omega.
-
-    A twist is (omega, v): which three entries come first?
-    """
     return hat(twist[3:])

@@ -93,65 +93,82 @@ def _by(screws, M, q, mass, center, wrench):
     )
 
 
-@EXERCISE.mistake(origin=(0, 1))
+@EXERCISE.mistake(
+    "the center of mass is not rotated into the base's axes",
+    "In which frame is it given?",
+    origin=(0, 1),
+)
 def center_not_rotated(screws, M, q, mass, center, origin):
-    """the center of mass is not rotated into the base's axes. In which frame is it given?"""
     return _by(
         screws, M, q, mass, center, lambda p, T, f: (np.cross(origin * T[:3, 3] + center, f), f)
     )
 
 
-@EXERCISE.mistake(factor=(0, -1))
+@EXERCISE.mistake(
+    "the moment of the weight is missing, or has the wrong sign",
+    "Which moment does a force at the point p have about the base's origin?",
+    factor=(0, -1),
+)
 def moment(*case, factor):
-    """the moment of the weight is missing, or has the wrong sign.
-
-    Which moment does a force at the point p have about the base's origin?
-    """
     return _by(*case, lambda p, T, f: (factor * np.cross(p, f), f))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the torques are those that the weight exerts on the joints",
+    "Which torques balance them?",
+)
 def torques_of_the_weight(*case):
-    """the torques are those that the weight exerts on the joints. Which torques balance them?"""
     return -_right(*case)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the force stands above the moment in the wrench",
+    "In which order are the halves of a twist, and so the rows of the space Jacobian?",
+)
 def force_first(*case):
-    """the force stands above the moment in the wrench. In which order are the halves of a twist,
-    and so the rows of the space Jacobian?"""
     return _by(*case, lambda p, T, f: (f, np.cross(p, f)))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the Jacobian and the wrench belong to two frames",
+    "Seen from which frame is each of them?",
+)
 def body_jacobian_with_a_space_wrench(screws, M, q, mass, center):
-    """the Jacobian and the wrench belong to two frames. Seen from which frame is each of them?"""
     T = shared.tool_pose(screws, M, q)
     body = adjoint(inverse(T)) @ shared.jacobian(screws, q)
     return -body.T @ _weight(screws, M, q, mass, center)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "an inverse of the Jacobian takes the wrench to the torques",
+    "The joints' power equals the power at the load: which matrix follows from that?",
+)
 def inverse_for_the_transpose(screws, M, q, mass, center):
-    """an inverse of the Jacobian takes the wrench to the torques. The joints' power equals the
-    power at the load: which matrix follows from that?"""
     wrench = _weight(screws, M, q, mass, center)
     return -np.linalg.pinv(shared.jacobian(screws, q)) @ wrench
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the load hangs at the end-effector's origin",
+    "Where does `center` come in?",
+)
 def load_at_the_end_effector(screws, M, q, mass, center):
-    """the load hangs at the end-effector's origin. Where does `center` come in?"""
     return _right(screws, M, q, mass, 0 * center)
 
 
-@EXERCISE.mistake(weight=(lambda mass: 1, lambda mass: 1 / G, lambda mass: mass / G))
+@EXERCISE.mistake(
+    "the weight of the load is another one",
+    "Which force, in newtons, pulls at `mass` kilograms?",
+    weight=(lambda mass: 1, lambda mass: 1 / G, lambda mass: mass / G),
+)
 def another_weight(screws, M, q, mass, center, weight):
-    """the weight of the load is another one. Which force, in newtons, pulls at `mass` kilograms?"""
     return _right(screws, M, q, weight(mass), center)
 
 
-@EXERCISE.mistake(g=(9.8, 10, 9.80665, 9.82))
+@EXERCISE.mistake(
+    "gravity has another value than in the task",
+    "How many m/s^2 does the task state?",
+    g=(9.8, 10, 9.80665, 9.82),
+)
 def another_gravity(screws, M, q, mass, center, g):
-    """gravity has another value than in the task. How many m/s^2 does the task state?"""
     return _right(screws, M, q, mass * g / G, center)

@@ -183,14 +183,14 @@ EXERCISE.mistake(_INVERTED, raises=("LinAlgError", "must be square"))
 
 
 @EXERCISE.mistake(
+    "the steps do not converge to a target close by, or end too soon",
+    "Print the error after each step. From which pose to which does it lead, and are its frame, "
+    "and the order of its halves, those of your Jacobian?",
     error=(
         lambda T, T_target: log_se3(inverse(T_target) @ T),
         lambda T, T_target: log_se3(T_target @ inverse(T)),
         lambda T, T_target: np.roll(body_error(T, T_target), 3),
-    )
+    ),
 )
 def another_error(screws, M, T_target, q0, error):
-    """the steps do not converge to a target close by, or end too soon. Print the error after each
-    step. From which pose to which does it lead, and are its frame, and the order of its halves,
-    those of your Jacobian?"""
     return descent(screws, M, T_target, q0, error)

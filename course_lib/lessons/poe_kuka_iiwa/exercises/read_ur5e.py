@@ -158,37 +158,38 @@ def _orientation(read, predicted):
     )
 
 
-@EXERCISE.mistake(alike=_screws)
+@EXERCISE.mistake(
+    "v has the wrong sign",
+    "Does the joint move the origin with omega x p, or is p where the axis is?",
+    alike=_screws,
+)
 def other_order_of_the_product():
-    """v has the wrong sign.
-
-    Does the joint move the origin with omega x p, or is p where the axis is?
-    """
     return np.hstack([_OMEGA, np.cross(_OMEGA, _POINTS)]), _M
 
 
-@EXERCISE.mistake(alike=_screws, joint=(4, 5))
+@EXERCISE.mistake(
+    "the direction of a joint is reversed",
+    "Go through the arrows of the drawing, joint by joint.",
+    alike=_screws,
+    joint=(4, 5),
+)
 def reversed_direction(joint):
-    """the direction of a joint is reversed.
-
-    Go through the arrows of the drawing, joint by joint.
-    """
     return _answered(_OMEGA * np.where(np.arange(6) == joint, -1, 1)[:, None])
 
 
-@EXERCISE.mistake(alike=_orientation)
+@EXERCISE.mistake(
+    "the flange is taken to be parallel to the base",
+    "In which directions do the flange's axes point in the drawing?",
+    alike=_orientation,
+)
 def parallel_to_the_base():
-    """the flange is taken to be parallel to the base.
-
-    In which directions do the flange's axes point in the drawing?
-    """
     return _answered(R=np.eye(3))
 
 
-@EXERCISE.mistake(alike=_orientation)
+@EXERCISE.mistake(
+    "the rotation in M is transposed",
+    "Each of its columns is one axis of the flange, seen from the base.",
+    alike=_orientation,
+)
 def rows_for_columns():
-    """the rotation in M is transposed.
-
-    Each of its columns is one axis of the flange, seen from the base.
-    """
     return _answered(R=_R.T)

@@ -114,36 +114,38 @@ EXERCISE.mistake(_ONE_POSE, form=(4, 4))
 EXERCISE.mistake(_ONE_POSE, form=(8, 4))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the rotation goes clockwise, or the pose and its inverse are swapped",
+    "Which of the two comes first?",
+)
 def clockwise(omega, point, theta):
-    """the rotation goes clockwise, or the pose and its inverse are swapped.
-
-    Which of the two comes first?
-    """
     return _right(omega, point, -theta)
 
 
-@EXERCISE.mistake(part=_P, sign=(1, -1, 0), rotated=(False, True))
+@EXERCISE.mistake(
+    "p is 0, the point itself, or the point rotated",
+    "T takes x to R x + p. Which p keeps the point where it is?",
+    part=_P,
+    sign=(1, -1, 0),
+    rotated=(False, True),
+)
 def point_for_p(omega, point, theta, sign, rotated):
-    """p is 0, the point itself, or the point rotated.
-
-    T takes x to R x + p. Which p keeps the point where it is?
-    """
     return sign * (exp_so3(theta * omega) @ point if rotated else point)
 
 
 @EXERCISE.mistake(
-    part=_P, p=(lambda R, x: R @ x - x, lambda R, x: x - R.T @ x, lambda R, x: x + R @ x)
+    "a sign in p is wrong, or R is transposed in it",
+    "T takes x to R x + p. Which p keeps the point where it is?",
+    part=_P,
+    p=(lambda R, x: R @ x - x, lambda R, x: x - R.T @ x, lambda R, x: x + R @ x),
 )
 def sign_in_p(omega, point, theta, p):
-    """a sign in p is wrong, or R is transposed in it.
-
-    T takes x to R x + p. Which p keeps the point where it is?
-    """
     return p(exp_so3(theta * omega), point)
 
 
 @EXERCISE.mistake(
+    "the last column of the inverse does not take p back to the origin",
+    "Solve y = R x + p for x.",
     part=_BACK_P,
     p=(
         lambda R, p: -p,
@@ -154,8 +156,4 @@ def sign_in_p(omega, point, theta, p):
     ),
 )
 def column_of_the_inverse(omega, point, theta, p):
-    """the last column of the inverse does not take p back to the origin.
-
-    Solve y = R x + p for x.
-    """
     return p(exp_so3(theta * omega), _right(omega, point, theta)[_P])

@@ -120,12 +120,12 @@ EXERCISE.mistake(
 )
 
 
-@EXERCISE.mistake(alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value))
+@EXERCISE.mistake(
+    "several singularities come together",
+    "What is the rank in each row, and which other angles are 0 there?",
+    alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value),
+)
 def several_together():
-    """several singularities come together.
-
-    What is the rank in each row, and which other angles are 0 there?
-    """
     return np.zeros((3, 7))
 
 
@@ -135,12 +135,13 @@ def _nearly_singular(value, predicted):
     return near and any(_SINGULAR <= size < 1e-2 for size in smallest)
 
 
-@EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_nearly_singular)
+@EXERCISE.mistake(
+    "pi / 2 is rounded",
+    "What is the last singular value of a configuration that is only near a singular one?",
+    place=((2, 4), (1, 2)),
+    alike=_nearly_singular,
+)
 def pi_rounded(place):
-    """pi / 2 is rounded.
-
-    What is the last singular value of a configuration that is only near a singular one?
-    """
     return _with(place, 1.57)
 
 
@@ -155,12 +156,13 @@ def _half_way(value, predicted):
     )
 
 
-@EXERCISE.mistake(place=((2, 4), (1, 2)), alike=_half_way)
+@EXERCISE.mistake(
+    "q6 = 0 or q2 = 0 is taken for singular by itself",
+    "A seventh joint helps out: what if its neighbour moves too?",
+    place=((2, 4), (1, 2)),
+    alike=_half_way,
+)
 def one_angle_alone(place):
-    """q6 = 0 or q2 = 0 is taken for singular by itself.
-
-    A seventh joint helps out: what if its neighbour moves too?
-    """
     return _with(place, 0.5)
 
 
@@ -172,12 +174,13 @@ def _of_two_families(value, predicted):
     )
 
 
-@EXERCISE.mistake(rows=((1,), (2,), (1, 2)), alike=_of_two_families)
+@EXERCISE.mistake(
+    "q2 and q6 are both 0 in a row: a fourth family",
+    "Which joints must move to leave it, those of one family alone?",
+    rows=((1,), (2,), (1, 2)),
+    alike=_of_two_families,
+)
 def shoulder_and_wrist_at_once(rows):
-    """q2 and q6 are both 0 in a row: a fourth family.
-
-    Which joints must move to leave it, those of one family alone?
-    """
     found = _right()
     for k in rows:
         found[k] = [0.3, 0, -0.4, 1.1, 0.5, 0, 0.2]

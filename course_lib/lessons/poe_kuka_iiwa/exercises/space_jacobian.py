@@ -67,11 +67,11 @@ EXERCISE = Exercise(
 EXERCISE.mistake(ONE_COLUMN, form=(6,))
 
 
-@EXERCISE.mistake(own=(0, 1))
+@EXERCISE.mistake(
+    "the exponentials are multiplied in the reverse order",
+    "Joint 1 moves all the others: on which side is its?",
+    own=(0, 1),
+)
 def reverse_order(screws, q, own):
-    """the exponentials are multiplied in the reverse order.
-
-    Joint 1 moves all the others: on which side is its?
-    """
     each = exponentials(screws, q)
     return columns(adjoint([products(each[: i + own][::-1])[-1] for i in range(len(each))]), screws)

@@ -98,28 +98,32 @@ EXERCISE = Exercise(
 _ORDERS = [list(order) for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
 
 
-@EXERCISE.mistake(order=_ORDERS)
+@EXERCISE.mistake(
+    "the rows are in another order",
+    "Which row is space, which body, which hybrid?",
+    order=_ORDERS,
+)
 def another_order(V_s, T, order):
-    """the rows are in another order. Which row is space, which body, which hybrid?"""
     return _right(V_s, T)[order]
 
 
-@EXERCISE.mistake(part=HYBRID, sign=(-1, 0))
+@EXERCISE.mistake(
+    "the cross product in the hybrid row is missing, or in the wrong order",
+    "How fast does a rotation omega move p?",
+    part=HYBRID,
+    sign=(-1, 0),
+)
 def cross_product_reversed(V_s, T, sign):
-    """the cross product in the hybrid row is missing, or in the wrong order.
-
-    How fast does a rotation omega move p?
-    """
     return np.append(V_s[:3], V_s[3:] + sign * np.cross(V_s[:3], T[:3, 3]))
 
 
 @EXERCISE.mistake(
-    part=HYBRID, powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)), moved=(True, False)
+    "the hybrid row is rotated by R or R^T, or half of it is",
+    "Along which axes does the hybrid frame see?",
+    part=HYBRID,
+    powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)),
+    moved=(True, False),
 )
 def hybrid_rotated(V_s, T, powers, moved):
-    """the hybrid row is rotated by R or R^T, or half of it is.
-
-    Along which axes does the hybrid frame see?
-    """
     of_omega, of_v = (np.linalg.matrix_power(T[:3, :3], power) for power in powers)
     return np.append(of_omega @ V_s[:3], of_v @ (V_s[3:] + moved * np.cross(V_s[:3], T[:3, 3])))

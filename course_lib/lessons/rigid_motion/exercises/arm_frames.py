@@ -88,55 +88,65 @@ EXERCISE.mistake(_ONLY_POSES, form=(3, 3))
 EXERCISE.mistake(_ONLY_POINTS, form=(3, 2))
 
 
-@EXERCISE.mistake(position_alone=(False, True))
+@EXERCISE.mistake(
+    "theta2 is taken for the angle from the x axis of the world",
+    "It is measured from the first link: along which direction does the second one point?",
+    position_alone=(False, True),
+)
 def from_the_world(theta, position_alone):
-    """theta2 is taken for the angle from the x axis of the world. It is measured from the first
-    link: along which direction does the second one point?"""
     T = _right([theta[0], theta[1] - theta[0]])
     return np.concatenate([_right(theta)[..., :2], T[..., 2:]], -1) if position_alone else T
 
 
-@EXERCISE.mistake(moved=([True, True, False], [True, True, True], [False, True, True]))
+@EXERCISE.mistake(
+    "a frame is rotated first, and then translated",
+    "Joint 1 stays at the base. To joint 2: first 1 m along link 1, or first the rotation?",
+    moved=([True, True, False], [True, True, True], [False, True, True]),
+)
 def links_first(theta, moved):
-    """a frame is rotated first, and then translated. Joint 1 stays at the base. To joint 2: first 1
-    m along link 1, or first the rotation?"""
     along = [_trans() if each else np.eye(3) for each in moved]
     return _chain(_rot(theta[0]) @ along[0], _rot(theta[1]) @ along[1], along[2])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the frame of joint 2 is not rotated by theta2",
+    "A frame rotates with the link that follows its joint.",
+)
 def second_frame_as_first(theta):
-    """the frame of joint 2 is not rotated by theta2.
-
-    A frame rotates with the link that follows its joint.
-    """
     return _chain(_rot(theta[0]), _trans(), _rot(theta[1]) @ _trans())
 
 
-@EXERCISE.mistake(second=(True, False), third=(True, False))
+@EXERCISE.mistake(
+    "each frame is seen from the one before it, not from the base",
+    "What takes T_12 to T_02?",
+    second=(True, False),
+    third=(True, False),
+)
 def from_the_frame_before(theta, second, third):
-    """each frame is seen from the one before it, not from the base. What takes T_12 to T_02?"""
     T = [_rot(theta[0]), _trans() @ _rot(theta[1]), _trans()]
     return np.array([T[0], T[1] if second else T[0] @ T[1], T[1] @ T[2] if third else T[2]])
 
 
 @EXERCISE.mistake(
-    angle=(lambda t: t[1], lambda t: t[0], lambda t: -t[0] - t[1], lambda t: -t[0], lambda t: -t[1])
+    "the tip's frame is not rotated as link 2 is",
+    "There is no joint at the tip: how is link 2 rotated?",
+    angle=(
+        lambda t: t[1],
+        lambda t: t[0],
+        lambda t: -t[0] - t[1],
+        lambda t: -t[0],
+        lambda t: -t[1],
+    ),
 )
 def tip_not_as_link_2(theta, angle):
-    """the tip's frame is not rotated as link 2 is.
-
-    There is no joint at the tip: how is link 2 rotated?
-    """
     T = _right(theta)
     return np.array([*T[:2], T[2] @ _rot(angle(theta))])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the chain is multiplied in the reverse order",
+    "T_02 = T_01 T_12: which letters stand next to each other?",
+)
 def reverse_order(theta):
-    """the chain is multiplied in the reverse order.
-
-    T_02 = T_01 T_12: which letters stand next to each other?
-    """
     T_01, T_12, T_23 = _rot(theta[0]), _trans() @ _rot(theta[1]), _trans()
     return np.array([T_01, T_12 @ T_01, T_23 @ T_12 @ T_01])

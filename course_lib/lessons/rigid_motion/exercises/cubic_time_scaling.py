@@ -165,23 +165,27 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(factor=(lambda T: 1, lambda T: T * T))
+@EXERCISE.mistake(
+    "the velocities are not multiplied by T, or more than once",
+    "By u = t / T the velocity is ds/du = T ds/dt.",
+    factor=(lambda T: 1, lambda T: T * T),
+)
 def velocities_not_times_T(t, T, s0, s1, v0, v1, factor):
-    """the velocities are not multiplied by T, or more than once.
-
-    By u = t / T the velocity is ds/du = T ds/dt.
-    """
     return _cubic(t / T, s0, s1, v0 * factor(T), v1 * factor(T))
 
 
-@EXERCISE.mistake(factors=((0, 0), (1, 0), (0, 1), (-1, 1), (1, -1), (-1, -1)))
+@EXERCISE.mistake(
+    "a velocity at an end is left out, or has the opposite sign",
+    "Differentiate your s(t) at 0 and at T: which velocity do you find?",
+    factors=((0, 0), (1, 0), (0, 1), (-1, 1), (1, -1), (-1, -1)),
+)
 def other_velocities(t, T, s0, s1, v0, v1, factors):
-    """a velocity at an end is left out, or has the opposite sign. Differentiate your s(t) at 0 and
-    at T: which velocity do you find?"""
     return cubic_time_scaling(t, T, s0, s1, factors[0] * v0, factors[1] * v1)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "t is not divided by T",
+    "Which u is 1 at the end?",
+)
 def not_divided_by_T(t, T, s0, s1, v0, v1):
-    """t is not divided by T. Which u is 1 at the end?"""
     return _cubic(t, s0, s1, v0 * T, v1 * T)

@@ -116,10 +116,13 @@ def _with_position(twist, position):
     return None if _position_holds(T, twist) else T
 
 
-@EXERCISE.mistake(terms=(10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200))
+@EXERCISE.mistake(
+    "a series with a fixed number of terms is added up",
+    "Its terms grow until there are more of them than omega, and large ones cancel badly: "
+    "integrate cosine and sine in closed form.",
+    terms=(10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200),
+)
 def series(twist, terms):
-    """a series with a fixed number of terms is added up. Its terms grow until there are more of
-    them than omega, and large ones cancel badly: integrate cosine and sine in closed form."""
     omega, vx, vy = twist
     A = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
     T = term = np.eye(3)
@@ -133,26 +136,33 @@ def _nearly(T, twist):
     return 0 < abs(twist[0]) < 0.1 and np.abs(_apart(T, twist)).max() < 1e-2
 
 
-@EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))
+@EXERCISE.mistake(
+    "small angles are taken for none, or lose their digits",
+    "At omega = 1e-8 the body still moves sideways by omega v / 2. Which of your formulas does "
+    "this omega take, and how many digits has it there?",
+    seen=_nearly,
+    bound=(1e-8, 1e-4, 1e-3),
+)
 def small_angles(twist, bound):
-    """small angles are taken for none, or lose their digits. At omega = 1e-8 the body still moves
-    sideways by omega v / 2. Which of your formulas does this omega take, and how many digits has
-    it there?"""
     return _with_position(twist, twist[1:]) if abs(twist[0]) < bound else None
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "omega is wrapped to [-pi, pi] before the position is computed",
+    "A body that makes a whole revolution in unit time ends where it began: does one that does "
+    "not rotate?",
+)
 def omega_wrapped(twist):
-    """omega is wrapped to [-pi, pi] before the position is computed. A body that makes a whole
-    revolution in unit time ends where it began: does one that does not rotate?"""
     wrapped = wrap_angle(twist[0])
     if abs(wrapped - twist[0]) < EXACT:
         return None
     return _with_position(twist, exp_se2([wrapped, *twist[1:]])[:2, 2])
 
 
-@EXERCISE.mistake(R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]))
+@EXERCISE.mistake(
+    "the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves",
+    "What is its path if it rotates meanwhile?",
+    R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]),
+)
 def straight_line(twist, R):
-    """the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves. What
-    is its path if it rotates meanwhile?"""
     return _with_position(twist, R(twist) @ twist[1:])

@@ -118,6 +118,8 @@ shared.add_path_mistakes(EXERCISE, _path)
 
 
 @EXERCISE.mistake(
+    "the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc",
+    "Wrap the difference of the two angles, and only that, before it is scaled.",
     difference=(
         lambda a, b: b - a,
         lambda a, b: (b - a) % shared.REVOLUTION,
@@ -125,26 +127,28 @@ shared.add_path_mistakes(EXERCISE, _path)
         lambda a, b: (
             b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi)
         ),
-    )
+    ),
 )
 def not_wrapped(start, goal, n, difference):
-    """the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc. Wrap
-    the difference of the two angles, and only that, before it is scaled."""
     return _path(
         start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])]
     )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "x and y are wrapped as if they were angles",
+    "Which of the three numbers repeats after 2 pi?",
+)
 def lengths_wrapped(start, goal, n):
-    """x and y are wrapped as if they were angles. Which of the three numbers repeats after 2 pi?"""
     return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the wrapped difference is cut off to a whole number",
+    "np.array([2, -1, 3]) holds whole numbers only, and so does a difference of two such arrays: "
+    "what does np.array(start, float) hold?",
+)
 def whole_numbers(start, goal, n):
-    """the wrapped difference is cut off to a whole number. np.array([2, -1, 3]) holds whole numbers
-    only, and so does a difference of two such arrays: what does np.array(start, float) hold?"""
     if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
         return None
     return _path(start, goal, n, change=np.trunc(right_change(start, goal)))

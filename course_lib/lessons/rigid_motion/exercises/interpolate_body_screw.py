@@ -135,10 +135,12 @@ def _screw(start, goal, n, s):
     return by_screw(start, goal, s, angle) if shared.one_arc_is_shorter(start, goal, n) else None
 
 
-@EXERCISE.mistake(difference=(shared.change, lambda start, goal: np.subtract(goal, start)))
+@EXERCISE.mistake(
+    "x, y and theta are interpolated each by itself: a straight line",
+    "Here the velocity is constant in the body's frame. Which function has an arc for that?",
+    difference=(shared.change, lambda start, goal: np.subtract(goal, start)),
+)
 def straight_line(start, goal, n, difference):
-    """x, y and theta are interpolated each by itself: a straight line. Here the velocity is
-    constant in the body's frame. Which function has an arc for that?"""
     path = shared.straight(start, difference(start, goal), shared.scaling(n))
     return path if shared.one_arc_is_shorter(start, goal, n) else None
 
@@ -147,6 +149,9 @@ shared.add_path_mistakes(EXERCISE, _screw)
 
 
 @EXERCISE.mistake(
+    "the displacement is seen from another frame than that in which it is applied",
+    "T_start^-1 T_goal leads from start to goal, seen from start: where does T_start stand in the "
+    "product?",
     product=(
         lambda T0, T1, move: T0 @ move(T1 @ inverse(T0)),
         lambda T0, T1, move: move(inverse(T0) @ T1) @ T0,
@@ -156,6 +161,4 @@ shared.add_path_mistakes(EXERCISE, _screw)
     s=(shared.cubic, lambda u: u),
 )
 def wrong_side(start, goal, n, product, s):
-    """the displacement is seen from another frame than that in which it is applied. T_start^-1
-    T_goal leads from start to goal, seen from start: where does T_start stand in the product?"""
     return _by_matrices(start, goal, n, product, s)

@@ -133,24 +133,32 @@ def _nearly(twist, T):
     return 0 < abs(_angle(T)) < 1e-3 and np.abs(twist - log_se2(T)).max() < 1e-2
 
 
-@EXERCISE.mistake(seen=_nearly, bound=(1e-8, 1e-4, 1e-3))
+@EXERCISE.mistake(
+    "digits are lost for small angles",
+    "Near 1 the cosine hardly changes: neither arccos nor 1 - cos(omega) keeps its digits there.",
+    seen=_nearly,
+    bound=(1e-8, 1e-4, 1e-3),
+)
 def small_angles(T, bound):
-    """digits are lost for small angles. Near 1 the cosine hardly changes: neither arccos nor 1 -
-    cos(omega) keeps its digits there."""
     return _unless_right(np.append(_angle(T), T[:2, 2]), T) if abs(_angle(T)) < bound else None
 
 
-@EXERCISE.mistake(inverse=("arccos", "arcsin", "arctan"), v_too=(True, False))
+@EXERCISE.mistake(
+    "arccos, arcsin or arctan is used, which know the angle on half of the circle only",
+    "Which function takes sine and cosine apart?",
+    inverse=("arccos", "arcsin", "arctan"),
+    v_too=(True, False),
+)
 def half_of_the_circle(T, inverse, v_too):
-    """arccos, arcsin or arctan is used, which know the angle on half of the circle only. Which
-    function takes sine and cosine apart?"""
     ratio = {"arccos": T[0, 0], "arcsin": T[1, 0], "arctan": T[1, 0] / T[0, 0]}[inverse]
     omega = getattr(np, inverse)(ratio if inverse == "arctan" else np.clip(ratio, -1, 1))
     return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
 
 
-@EXERCISE.mistake(R=(lambda T: np.eye(2), lambda T: T[:2, :2].T, lambda T: T[:2, :2]))
+@EXERCISE.mistake(
+    "v is the position, rotated or not, as if the body rotated before or after it moves",
+    "Which v leads to this position while the body rotates?",
+    R=(lambda T: np.eye(2), lambda T: T[:2, :2].T, lambda T: T[:2, :2]),
+)
 def as_if_not_rotating(T, R):
-    """v is the position, rotated or not, as if the body rotated before or after it moves. Which v
-    leads to this position while the body rotates?"""
     return _unless_right(np.append(_angle(T), R(T) @ T[:2, 2]), T)

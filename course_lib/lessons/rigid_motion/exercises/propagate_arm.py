@@ -97,12 +97,11 @@ EXERCISE = Exercise(
 shared.add_step_mistakes(EXERCISE, _step)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the time since the pair began is counted from the row before",
+    "Which time belongs to the row before?",
+)
 def elapsed_twice(start, plan, dt):
-    """the time since the pair began is counted from the row before.
-
-    Which time belongs to the row before?
-    """
     return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(
         start, plan, dt
     )

@@ -133,48 +133,58 @@ def _moved(case, direction):
     return shared.follow(move_by(direction))(*case)
 
 
-@EXERCISE.mistake(share=(1, 0.5))
+@EXERCISE.mistake(
+    "theta at the end or in the middle of the step is used, not at its beginning",
+    "Euler's method takes the velocity at the beginning of a step: which line comes last?",
+    share=(1, 0.5),
+)
 def theta_later(start, plan, dt, share):
-    """theta at the end or in the middle of the step is used, not at its beginning. Euler's method
-    takes the velocity at the beginning of a step: which line comes last?"""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
 
 
 @EXERCISE.mistake(
-    factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1))
+    "vx changes only x, and vy only y, as along the axes of the world",
+    "(vx, vy) is ahead and to the left of the body: what rotates it?",
+    factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1)),
 )
 def axes_of_the_world(start, plan, dt, factors):
-    """vx changes only x, and vy only y, as along the axes of the world. (vx, vy) is ahead and to
-    the left of the body: what rotates it?"""
     return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(
         start, plan, dt
     )
 
 
-@EXERCISE.mistake(factor=(0, -1))
+@EXERCISE.mistake(
+    "vy is left out, or counted to the right",
+    "Where does a body go that moves only to its left?",
+    factor=(0, -1),
+)
 def no_sideways(start, plan, dt, factor):
-    """vy is left out, or counted to the right. Where does a body go that moves only to its left?"""
     return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(
         start, plan, dt
     )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "R is transposed: the velocity is rotated in the opposite direction",
+    "A body that faces up drives up, and y grows.",
+)
 def transposed(start, plan, dt):
-    """R is transposed: the velocity is rotated in the opposite direction. A body that faces up
-    drives up, and y grows."""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "R is computed only once",
+    "The body rotates: so does the direction in which it moves.",
+)
 def theta_kept(start, plan, dt):
-    """R is computed only once. The body rotates: so does the direction in which it moves."""
     return _moved((start, plan, dt), direction=lambda theta, omega, h: start[2])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the velocities are read as (omega, vx, vy)",
+    "In a plan omega is the last of the three.",
+)
 def order_of_the_twist(start, plan, dt):
-    """the velocities are read as (omega, vx, vy). In a plan omega is the last of the three."""
     return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(
         start, plan, dt
     )

@@ -107,12 +107,12 @@ EXERCISE = Exercise(
 EXERCISE.mistake(shared.MATRICES, form=shared.are_matrices)
 
 
-@EXERCISE.mistake(share=(0, 0.5, 1))
+@EXERCISE.mistake(
+    "each step goes straight, in one direction",
+    "The body rotates meanwhile, so it moves along an arc.",
+    share=(0, 0.5, 1),
+)
 def straight_steps(start, plan, dt, share):
-    """each step goes straight, in one direction.
-
-    The body rotates meanwhile, so it moves along an arc.
-    """
     return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))(
         start, plan, dt
     )
@@ -129,27 +129,28 @@ def _by(step, angle_of=lambda T, theta: theta):
     return shared.follow(move)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the exponential stands on the left",
+    "The velocities are in the body's frame: on which side does that stand?",
+)
 def on_the_left(*case):
-    """the exponential stands on the left.
-
-    The velocities are in the body's frame: on which side does that stand?
-    """
     return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
 
 
-@EXERCISE.mistake(angle_of=(lambda T, theta: theta, lambda T, theta: np.arctan2(T[1, 0], T[0, 0])))
+@EXERCISE.mistake(
+    "the twist is in the order (vx, vy, omega)",
+    "rigid.exp_se2 takes the angular velocity first.",
+    angle_of=(lambda T, theta: theta, lambda T, theta: np.arctan2(T[1, 0], T[0, 0])),
+)
 def order_of_the_twist(*case, angle_of):
-    """the twist is in the order (vx, vy, omega). rigid.exp_se2 takes the angular velocity first."""
     return _by(lambda T, velocity, h: T @ exp_se2(velocity * h), angle_of)(*case)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "arccos loses the sign of the angle",
+    "Which function needs both sine and cosine, and gives the sign, too?",
+)
 def angle_without_sign(*case):
-    """arccos loses the sign of the angle.
-
-    Which function needs both sine and cosine, and gives the sign, too?
-    """
     step = _by(
         lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]] * h),
         lambda T, theta: np.arccos(min(1, T[0, 0])),

@@ -200,18 +200,20 @@ def add_path_mistakes(exercise, path):
 
     exercise.mistake(MATRICES, form=lambda array, start, goal, n: array.shape == (n, 3, 3))
 
-    @exercise.mistake(s=TIME_SCALINGS)
+    @exercise.mistake(
+        "s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients",
+        "It is 0, 1/2 and 1 at u = 0, 1/2 and 1, and slow at both ends.",
+        s=TIME_SCALINGS,
+    )
     def other_time_scaling(start, goal, n, s):
-        """s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients. It is
-        0, 1/2 and 1 at u = 0, 1/2 and 1, and slow at both ends."""
         return path(start, goal, n, s(np.linspace(0, 1, n)))
 
-    @exercise.mistake(u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n))
+    @exercise.mistake(
+        "u does not go from 0 to 1: one of the ends has no pose",
+        "np.linspace can include both ends.",
+        u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n),
+    )
     def an_end_missing(start, goal, n, u):
-        """u does not go from 0 to 1: one of the ends has no pose.
-
-        np.linspace can include both ends.
-        """
         return path(start, goal, n, cubic(u(n)))
 
 
@@ -219,23 +221,25 @@ def add_step_mistakes(exercise, move):
     """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
     @exercise.mistake(
+        "a pair ends too late or too early: its last step is not shortened, or is missing",
+        "How much time of its duration remains for the last step?",
         count=(
             lambda r: np.ceil(r - 1e-6),
             np.round,
             lambda r: np.floor(r + 1e-6),
             lambda r: max(1, round(r)),
-        )
+        ),
     )
     def not_on_time(start, plan, dt, count):
-        """a pair ends too late or too early: its last step is not shortened, or is missing. How
-        much time of its duration remains for the last step?"""
         return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(
             start, plan, dt
         )
 
-    @exercise.mistake
+    @exercise.mistake(
+        "each pair begins at start again",
+        "Where did the pair before end?",
+    )
     def start_again(start, plan, dt):
-        """each pair begins at start again. Where did the pair before end?"""
         parts = [follow(move)(start, [pair], dt)[1:] for pair in plan]
         return np.concatenate([np.array([start], float), *parts])
 

@@ -112,26 +112,30 @@ def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
     )
 
 
-@EXERCISE.mistake(share=(0, 1, -0.5))
+@EXERCISE.mistake(
+    "theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong "
+    "side",
+    "In the triangle of base, elbow and tip two sides are equal: how large is the angle at the "
+    "base?",
+    share=(0, 1, -0.5),
+)
 def first_link_wrong(tip, share):
-    """theta1 differs from the direction of the tip by the wrong part of theta2, or to the wrong
-    side. In the triangle of base, elbow and tip two sides are equal: how large is the angle at the
-    base?"""
     return _solutions(tip, _bend(tip), lambda direction, two: direction - share * two)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "theta2 is measured from the x axis of the world",
+    "From which direction does the arm of this notebook count it?",
+)
 def from_the_world(tip):
-    """theta2 is measured from the x axis of the world.
-
-    From which direction does the arm of this notebook count it?
-    """
     return two_link_angles(tip) @ [[1, 1], [0, 1]]
 
 
-@EXERCISE.mistake(theta1_too=(True, False))
+@EXERCISE.mistake(
+    "theta2 is the angle inside the triangle",
+    "Draw the triangle of base, elbow and tip: where in it does theta2 stand?",
+    theta1_too=(True, False),
+)
 def inside_the_triangle(tip, theta1_too):
-    """theta2 is the angle inside the triangle. Draw the triangle of base, elbow and tip: where in
-    it does theta2 stand?"""
     angles = _solutions(tip, np.pi - _bend(tip))
     return angles if theta1_too else np.column_stack([two_link_angles(tip)[:, 0], angles[:, 1]])

@@ -144,23 +144,28 @@ def _each(formula, angle):
     return np.vectorize(formula, otypes=[float])(angle) if np.ndim(angle) else formula(angle)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "only one revolution is subtracted",
+    "An angle may hold several revolutions: 8 pi holds four. How many does this one hold?",
+)
 def one_revolution(angle):
-    """only one revolution is subtracted. An angle may hold several revolutions: 8 pi holds four.
-    How many does this one hold?"""
     return _each(lambda a: a - REVOLUTION * (a > np.pi) + REVOLUTION * (a < -np.pi), angle)
 
 
-@EXERCISE.mistake(shift=((0, 0), (0, -np.pi), (np.pi, 0)))
+@EXERCISE.mistake(
+    "a remainder between 0 and 2 pi is not shifted both before and after it is taken",
+    "np.mod gives numbers from 0 on: what has to happen before it, and after it?",
+    shift=((0, 0), (0, -np.pi), (np.pi, 0)),
+)
 def from_zero(angle, shift):
-    """a remainder between 0 and 2 pi is not shifted both before and after it is taken. np.mod gives
-    numbers from 0 on: what has to happen before it, and after it?"""
     return _each(lambda a: np.mod(a + shift[0], REVOLUTION) + shift[1], angle)
 
 
-@EXERCISE.mistake(shift=(0, np.pi, -np.pi))
+@EXERCISE.mistake(
+    "the revolutions are cut off towards 0, or the remainder has the sign of the angle",
+    "How many revolutions are nearest to 4 rad? And math.fmod(-1, 5) is -1, np.mod(-1, 5) is 4: "
+    "which is needed?",
+    shift=(0, np.pi, -np.pi),
+)
 def remainder_with_sign(angle, shift):
-    """the revolutions are cut off towards 0, or the remainder has the sign of the angle. How many
-    revolutions are nearest to 4 rad? And math.fmod(-1, 5) is -1, np.mod(-1, 5) is 4: which is
-    needed?"""
     return _each(lambda a: np.fmod(a + shift, REVOLUTION) - shift, angle)

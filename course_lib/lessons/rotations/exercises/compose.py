@@ -61,26 +61,27 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "world and body are swapped",
+    "In `step @ R @ p`, which rotation acts last, and about whose axes?",
+)
 def world_and_body_swapped(R, step, frame):
-    """world and body are swapped.
-
-    In `step @ R @ p`, which rotation acts last, and about whose axes?
-    """
     return R @ step if frame == "world" else step @ R
 
 
-@EXERCISE.mistake(order=(1, -1))
+@EXERCISE.mistake(
+    "the frame makes no difference",
+    "Compare both orders for rotations by 90 degrees about z and about x.",
+    order=(1, -1),
+)
 def frame_not_used(R, step, frame, order):
-    """the frame makes no difference.
-
-    Compare both orders for rotations by 90 degrees about z and about x.
-    """
     first, second = (R, step)[::order]
     return first @ second
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "* works entry by entry",
+    "In numpy the product of matrices is @.",
+)
 def entry_by_entry(R, step, frame):
-    """* works entry by entry. In numpy the product of matrices is @."""
     return R * step

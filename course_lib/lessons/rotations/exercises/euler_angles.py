@@ -133,23 +133,25 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
+    "the angles are those of another product, or in another order",
+    "Multiply the three matrices on paper, and compare the entries.",
     of=(
         lambda R: _right(R.T),
         lambda R: -_right(R),
         lambda R: -_right(R.T),
         lambda R: _right(R)[::-1],
-    )
+    ),
 )
 def other_product(R, of):
-    """the angles are those of another product, or in another order. Multiply the three matrices on
-    paper, and compare the entries."""
     return None if _lock(R) else of(R)
 
 
-@EXERCISE.mistake(which=((0,), (2,), (0, 2)))
+@EXERCISE.mistake(
+    "arctan takes a quotient: it cannot tell an angle from the opposite one",
+    "It lies between -pi/2 and pi/2. numpy has a function that takes y and x apart.",
+    which=((0,), (2,), (0, 2)),
+)
 def arctan(R, which):
-    """arctan takes a quotient: it cannot tell an angle from the opposite one. It lies between -pi/2
-    and pi/2. numpy has a function that takes y and x apart."""
     angles = _right(R)
     for k in which:
         angles[k] = np.arctan(np.tan(angles[k]))
@@ -157,11 +159,11 @@ def arctan(R, which):
 
 
 @EXERCISE.mistake(
-    seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1
+    "near gimbal lock the formula for the exact lock is used too soon",
+    "Its error is about cos(beta): how small has that to be for 1e-6?",
+    seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1,
 )
 def lock_too_soon(R):
-    """near gimbal lock the formula for the exact lock is used too soon. Its error is about
-    cos(beta): how small has that to be for 1e-6?"""
     return (
         np.array([0.0, _right(R)[1], np.arctan2(-R[0, 1], R[1, 1])])
         if np.hypot(R[0, 0], R[1, 0]) < 0.02

@@ -79,73 +79,73 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "R rotates clockwise",
+    "For a small angle a point p moves by w x p: which sign has the term with [n]?",
+)
 def clockwise(w):
-    """R rotates clockwise.
-
-    For a small angle a point p moves by w x p: which sign has the term with [n]?
-    """
     return exp_so3(-w)
 
 
-@EXERCISE.mistake(below=(1e-3, 1e-4, 1e-8, 1e-11))
+@EXERCISE.mistake(
+    "small angles are lost",
+    "Which is the only rotation vector that has no axis?",
+    below=(1e-3, 1e-4, 1e-8, 1e-11),
+)
 def small_angles_lost(w, below):
-    """small angles are lost. Which is the only rotation vector that has no axis?"""
     return np.eye(3) if np.linalg.norm(w) < below else exp_so3(w)
 
 
 @EXERCISE.mistake(
+    "the factor of [n], or of [n]^2, has a wrong sign, belongs to the other, or [n]^2 is taken "
+    "for n n^T",
+    "Put a = 90 degrees and n = z into the formula: where does x go?",
     of=(
         lambda a, N: np.sin(a) * N - (1 - np.cos(a)) * N @ N,
         lambda a, N: (1 - np.cos(a)) * N + np.sin(a) * N @ N,
         lambda a, N: np.sin(a) * N + (1 + np.cos(a)) * N @ N,
         lambda a, N: np.sin(a) * N + (1 - np.cos(a)) * (N @ N + np.eye(3)),  # n n^T for [n]^2
-    )
+    ),
 )
 def other_factors(w, of):
-    """the factor of [n], or of [n]^2, has a wrong sign, belongs to the other, or [n]^2 is taken for
-    n n^T. Put a = 90 degrees and n = z into the formula: where does x go?"""
     a = np.linalg.norm(w)
     return np.eye(3) + of(a, hat(w / a)) if a else np.eye(3)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "w is not divided by its length before [w] is formed",
+    "Rodrigues' formula contains a unit axis n.",
+)
 def length_not_divided_out(w):
-    """w is not divided by its length before [w] is formed.
-
-    Rodrigues' formula contains a unit axis n.
-    """
     a, N = np.linalg.norm(w), hat(w)
     return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
 
 
-@EXERCISE.mistake(terms=range(2, 21))
+@EXERCISE.mistake(
+    "the series of the exponential is cut after some terms",
+    "A few terms are enough for small angles only.",
+    terms=range(2, 21),
+)
 def series_cut(w, terms):
-    """the series of the exponential is cut after some terms.
-
-    A few terms are enough for small angles only.
-    """
     return partial_sum(hat(w), terms)
 
 
 @EXERCISE.mistake(
+    "*, ** or np.exp works entry by entry",
+    "In numpy the product of matrices is @; M ** 2 squares each entry.",
     of=(
         lambda a, N: np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N * N,
         lambda a, N: np.exp(a * N),
-    )
+    ),
 )
 def entry_by_entry(w, of):
-    """*, ** or np.exp works entry by entry.
-
-    In numpy the product of matrices is @; M ** 2 squares each entry.
-    """
     return of(np.linalg.norm(w), hat(w / (np.linalg.norm(w) or 1)))
 
 
-@EXERCISE.mistake(order=((0, 1, 2), (2, 1, 0)))
+@EXERCISE.mistake(
+    "w is taken for angles about x, y and z, one after the other",
+    "Here it is one axis, and its length one angle.",
+    order=((0, 1, 2), (2, 1, 0)),
+)
 def one_axis_after_the_other(w, order):
-    """w is taken for angles about x, y and z, one after the other.
-
-    Here it is one axis, and its length one angle.
-    """
     return np.linalg.multi_dot([exp_so3(w[k] * np.eye(3)[k]) for k in order])

@@ -88,62 +88,63 @@ EXERCISE = Exercise(
 EXERCISE.mistake(_ONE_TOO_FEW, form=lambda array, R_0, log, *rest: array.shape == (len(log), 3, 3))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the mounting is ignored",
+    "The sensor's x axis need not be the body's.",
+)
 def mounting_ignored(R_0, log, dt, R_bi):
-    """the mounting is ignored. The sensor's x axis need not be the body's."""
     return _right(R_0, log, dt, np.eye(3))
 
 
-@EXERCISE.mistake(mounted=(True, False))
+@EXERCISE.mistake(
+    "each step is made about the fixed axes",
+    "A gyroscope is carried along: about whose axes does it report?",
+    mounted=(True, False),
+)
 def taken_for_spatial(R_0, log, dt, R_bi, mounted):
-    """each step is made about the fixed axes.
-
-    A gyroscope is carried along: about whose axes does it report?
-    """
     return _flown(R_0, dt * (log @ R_bi.T if mounted else log), lambda R, step: exp_so3(step) @ R)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "these are the orientations of the sensor",
+    "Asked for are those of the body, which starts at R_0.",
+)
 def of_the_sensor(R_0, log, dt, R_bi):
-    """these are the orientations of the sensor.
-
-    Asked for are those of the body, which starts at R_0.
-    """
     return _flown(R_0 @ R_bi, dt * log)
 
 
 @EXERCISE.mistake(
+    "R_bi is multiplied into the orientation with each step",
+    "Which coordinates does it change, from which frame?",
     next_one=(
         lambda R, step, R_bi: R @ exp_so3(step) @ R_bi,
         lambda R, step, R_bi: R @ R_bi @ exp_so3(step),
-    )
+    ),
 )
 def mounting_in_each_step(R_0, log, dt, R_bi, next_one):
-    """R_bi is multiplied into the orientation with each step.
-
-    Which coordinates does it change, from which frame?
-    """
     return _flown(R_0, dt * log, lambda R, step: next_one(R, step, R_bi))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "R [omega] dt is added to R, as at the beginning of the notebook",
+    "What did the drone do then?",
+)
 def added(R_0, log, dt, R_bi):
-    """R [omega] dt is added to R, as at the beginning of the notebook.
-
-    What did the drone do then?
-    """
     return _flown(R_0, dt * log @ R_bi.T, lambda R, step: R + R @ hat(step))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the rotation vectors are added up, and the exponential of their sum is taken",
+    "Rotations about different axes do not commute: is exp(a) exp(b) the same as exp(a + b)?",
+)
 def angles_added_up(R_0, log, dt, R_bi):
-    """the rotation vectors are added up, and the exponential of their sum is taken. Rotations about
-    different axes do not commute: is exp(a) exp(b) the same as exp(a + b)?"""
     sums = itertools.accumulate(dt * log @ R_bi.T, initial=np.zeros(3))
     return np.array([R_0 @ exp_so3(w) for w in sums])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "dt is missing",
+    "By which angle does a body rotate in dt seconds?",
+)
 def time_step_missing(R_0, log, dt, R_bi):
-    """dt is missing. By which angle does a body rotate in dt seconds?"""
     return _right(R_0, log, 1.0, R_bi)

@@ -239,9 +239,13 @@ def _upright(R, tol):
     return abs(np.linalg.det(R) - 1) <= tol
 
 
-@EXERCISE.mistake(about=_SHAPES, low=(-np.inf, 0))
+@EXERCISE.mistake(
+    "a negative error always passes",
+    "An error of -0.5 is as wrong as 0.5.",
+    about=_SHAPES,
+    low=(-np.inf, 0),
+)
 def negative_errors_pass(X, kind, tol, about, low):
-    """a negative error always passes. An error of -0.5 is as wrong as 0.5."""
     tests = {
         "rotation": lambda R: _entries(R).max() <= tol and low <= np.linalg.det(R) <= 1 + tol,
         "pose": lambda T: _is_rotation(T[:-1, :-1], tol) and row_error(T).max() <= tol,
@@ -251,11 +255,12 @@ def negative_errors_pass(X, kind, tol, about, low):
 
 
 @EXERCISE.mistake(
-    about=_SHAPES, upright=(lambda d, tol: np.isclose(d, 1, atol=tol), lambda d, tol: d > 0)
+    "a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own",
+    "Which keyword of theirs sets it to zero?",
+    about=_SHAPES,
+    upright=(lambda d, tol: np.isclose(d, 1, atol=tol), lambda d, tol: d > 0),
 )
 def relative_tolerance(X, kind, tol, about, upright):
-    """a relative tolerance is added: numpy.allclose and numpy.isclose have one of their own. Which
-    keyword of theirs sets it to zero?"""
     tests = {
         "rotation": lambda R: (
             np.allclose(R.T @ R, np.eye(len(R)), atol=tol) and upright(np.linalg.det(R), tol)
@@ -268,34 +273,40 @@ def relative_tolerance(X, kind, tol, about, upright):
     return _only(about, X, kind, tests[about])
 
 
-@EXERCISE.mistake(size=(lambda q: np.sum(q**2), np.sum))
+@EXERCISE.mistake(
+    "the length of a quaternion is not the root of the sum of its squares",
+    "Within a tolerance, is the square as good?",
+    size=(lambda q: np.sum(q**2), np.sum),
+)
 def other_length(X, kind, tol, size):
-    """the length of a quaternion is not the root of the sum of its squares. Within a tolerance, is
-    the square as good?"""
     return _only("quaternion", X, kind, lambda q: abs(size(q) - 1) <= tol)
 
 
-@EXERCISE.mistake(size=(np.linalg.norm, lambda E: np.abs(E).mean()))
+@EXERCISE.mistake(
+    "the errors of all entries of R^T R are added up, in a norm or a mean",
+    "The largest error decides.",
+    size=(np.linalg.norm, lambda E: np.abs(E).mean()),
+)
 def errors_added_up(X, kind, tol, size):
-    """the errors of all entries of R^T R are added up, in a norm or a mean.
-
-    The largest error decides.
-    """
     return _only("rotation", X, kind, lambda R: size(_entries(R)) <= tol and _upright(R, tol))
 
 
-@EXERCISE.mistake(shape=[shape for shapes in _SHAPES.values() for shape in shapes])
+@EXERCISE.mistake(
+    "one shape alone is accepted",
+    "Which shapes does the task name for each kind?",
+    shape=[shape for shapes in _SHAPES.values() for shape in shapes],
+)
 def one_shape_alone(X, kind, tol, shape):
-    """one shape alone is accepted. Which shapes does the task name for each kind?"""
     return X.shape == shape and is_valid(X, kind, tol) if shape in _SHAPES[kind] else None
 
 
 @EXERCISE.mistake(
-    passes=(lambda d, tol: True, lambda d, tol: d > 0, lambda d, tol: abs(abs(d) - 1) <= tol)
+    "the determinant is not compared with 1, within tol",
+    "For which matrices is R^T R = I, although they are no rotations? And is a positive "
+    "determinant enough?",
+    passes=(lambda d, tol: True, lambda d, tol: d > 0, lambda d, tol: abs(abs(d) - 1) <= tol),
 )
 def determinant_left_out(X, kind, tol, passes):
-    """the determinant is not compared with 1, within tol. For which matrices is R^T R = I, although
-    they are no rotations? And is a positive determinant enough?"""
     return _only(
         "rotation",
         X,
@@ -304,19 +315,22 @@ def determinant_left_out(X, kind, tol, passes):
     )
 
 
-@EXERCISE.mistake(entries=(0, 1))
+@EXERCISE.mistake(
+    "the last row of a pose is not compared with (0, ..., 0, 1), or not all of it",
+    "How large may its entries be?",
+    entries=(0, 1),
+)
 def last_row_left_out(X, kind, tol, entries):
-    """the last row of a pose is not compared with (0, ..., 0, 1), or not all of it.
-
-    How large may its entries be?
-    """
     row = np.abs(row_error(X))[::-1][:entries] if X.ndim == 2 else ()
     return _only(
         "pose", X, kind, lambda T: _is_rotation(T[:-1, :-1], tol) and max(row, default=0) <= tol
     )
 
 
-@EXERCISE.mistake(about=_SHAPES)
+@EXERCISE.mistake(
+    "an error of exactly tol is refused",
+    "What does *at most* say of equal numbers?",
+    about=_SHAPES,
+)
 def exactly_tol_refused(X, kind, tol, about):
-    """an error of exactly tol is refused. What does *at most* say of equal numbers?"""
     return is_valid(X, kind, tol * (1 - 1e-12)) if kind == about else None

@@ -194,50 +194,64 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(column=range(3))
+@EXERCISE.mistake(
+    "at 180 degrees the axis is always taken from the same column of R + I, which is zero for "
+    "some axes",
+    "It is a multiple of n, and may be 0 n: which of the three columns is not zero?",
+    column=range(3),
+)
 def zero_column(R, column):
-    """at 180 degrees the axis is always taken from the same column of R + I, which is zero for some
-    axes. It is a multiple of n, and may be 0 n: which of the three columns is not zero?"""
     taken = (R + np.eye(3))[:, column]
     return np.pi * taken / np.linalg.norm(taken) if _half_turn(R) else log_so3(R)
 
 
-@EXERCISE.mistake(seen=lambda w, R: not np.isfinite(w).all())
+@EXERCISE.mistake(
+    "something is divided by zero, or arccos is asked outside [-1, 1]",
+    "Rounding may take the trace just above 3 or below -1, and at the identity and at 180 degrees "
+    "the sine is 0.",
+    seen=lambda w, R: not np.isfinite(w).all(),
+)
 def outside_the_domain(R):
-    """something is divided by zero, or arccos is asked outside [-1, 1]. Rounding may take the trace
-    just above 3 or below -1, and at the identity and at 180 degrees the sine is 0."""
     a = np.arccos((np.trace(R) - 1) / 2)
     return a / np.sin(a) * _skew_part(R)
 
 
-@EXERCISE.mistake(seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3)
+@EXERCISE.mistake(
+    "a rotation by 180 degrees is taken for none",
+    "At angle pi, R equals R^T, and R - R^T contains nothing. What does R + I contain there?",
+    seen=lambda w, R: _half_turn(R) and np.linalg.norm(w) < 1e-3,
+)
 def half_turn_taken_for_none(R):
-    """a rotation by 180 degrees is taken for none. At angle pi, R equals R^T, and R - R^T contains
-    nothing. What does R + I contain there?"""
     return np.zeros(3) if _half_turn(R) else log_so3(R)
 
 
 @EXERCISE.mistake(
-    seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6)
+    "at 180 degrees the signs of the axis's entries do not fit together",
+    "The diagonal of n n^T contains squares only. Where do the products of two entries stand?",
+    seen=lambda w, R: _half_turn(R) and np.allclose(np.abs(w), np.abs(log_so3(R)), atol=1e-6),
 )
 def signs_at_half_turns(R):
-    """at 180 degrees the signs of the axis's entries do not fit together. The diagonal of n n^T
-    contains squares only. Where do the products of two entries stand?"""
     return np.pi * np.sqrt(np.maximum((np.diag(R) + 1) / 2, 0)) if _half_turn(R) else log_so3(R)
 
 
-@EXERCISE.mistake(column=range(3), seen=lambda w, R: _half_turn(R))
+@EXERCISE.mistake(
+    "at 180 degrees the answer is not pi times the unit axis",
+    "Which entries of R hold the axis there, how long is the vector that you take, and may it be "
+    "0?",
+    column=range(3),
+    seen=lambda w, R: _half_turn(R),
+)
 def half_turn_wrong(R, column):
-    """at 180 degrees the answer is not pi times the unit axis. Which entries of R hold the axis
-    there, how long is the vector that you take, and may it be 0?"""
     return np.pi * (R + np.eye(3))[:, column] / 2 if _half_turn(R) else log_so3(R)
 
 
-@EXERCISE.mistake(seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R))
+@EXERCISE.mistake(
+    "near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too inaccurate",
+    "There sin(a) is small and a rounded angle has a rounded sine; and the formula for 180 "
+    "degrees itself is exact at pi only.",
+    seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R),
+)
 def inaccurate_near_half_turns(R):
-    """near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too
-    inaccurate. There sin(a) is small and a rounded angle has a rounded sine; and the formula for
-    180 degrees itself is exact at pi only."""
     return (
         log_so3(R) / _angle(R) * np.pi
         if np.pi - 1e-3 < _angle(R) and not _half_turn(R)

@@ -117,10 +117,13 @@ def _is_divided_by_little(q, R):
     return bool(parallel if along.any() else 0 < np.linalg.norm(q) < 1e-3)
 
 
-@EXERCISE.mistake(seen=_is_divided_by_little)
+@EXERCISE.mistake(
+    "something that is nearly 0 serves as the divisor",
+    "Any of w, x, y, z, or the sine, can be small, but not all of w, x, y, z at once. Which one "
+    "is a safe divisor?",
+    seen=_is_divided_by_little,
+)
 def divided_by_w(R):
-    """something that is nearly 0 serves as the divisor. Any of w, x, y, z, or the sine, can be
-    small, but not all of w, x, y, z at once. Which one is a safe divisor?"""
     w = np.sqrt(max(1 + np.trace(R), 0)) / 2
     return np.array([w, *(_vector_over_w(R) / (4 * w))])
 
@@ -130,18 +133,20 @@ def _right_but_for_signs(q, R):
     return np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6) and np.isfinite(q).all()
 
 
-@EXERCISE.mistake(seen=_right_but_for_signs)
+@EXERCISE.mistake(
+    "the signs of w, x, y, z do not fit together, or 0 is taken for a sign",
+    "The diagonal gives squares only. Which entries of R hold the product of two of the four, and "
+    "which of them are not 0 if one of w, x, y, z is 0?",
+    seen=_right_but_for_signs,
+)
 def signs_lost(R):
-    """the signs of w, x, y, z do not fit together, or 0 is taken for a sign. The diagonal gives
-    squares only. Which entries of R hold the product of two of the four, and which of them are not
-    0 if one of w, x, y, z is 0?"""
     return np.abs(matrix_to_quaternion(R))
 
 
-@EXERCISE.mistake(seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3)
+@EXERCISE.mistake(
+    "q has not length one",
+    "Divide the products of two entries by 4 times the entry that is known, and check |q|.",
+    seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3,
+)
 def not_of_length_one(R):
-    """q has not length one.
-
-    Divide the products of two entries by 4 times the entry that is known, and check |q|.
-    """
     return 2 * matrix_to_quaternion(R)

@@ -47,21 +47,22 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    links=((1, 1, 1), (1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1))
+    "a link is used in the other direction",
+    "Read the letters of your factors from left to right.",
+    links=((1, 1, 1), (1, 1, -1), (-1, 1, 1), (-1, -1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, -1)),
 )
 def other_direction(R_bg, R_cg, R_cm, links):
-    """a link is used in the other direction.
-
-    Read the letters of your factors from left to right.
-    """
     first, second, third = (
         R if way > 0 else R.T for R, way in zip((R_bg, R_cg, R_cm), links, strict=True)
     )
     return first @ second @ third
 
 
-@EXERCISE.mistake(order=((2, 1, 0), (1, 2, 0), (1, 0, 2), (0, 2, 1), (2, 0, 1)))
+@EXERCISE.mistake(
+    "the factors stand in another order",
+    "Neighbouring letters must match.",
+    order=((2, 1, 0), (1, 2, 0), (1, 0, 2), (0, 2, 1), (2, 0, 1)),
+)
 def other_order(R_bg, R_cg, R_cm, order):
-    """the factors stand in another order. Neighbouring letters must match."""
     links = R_bg, R_cg.T, R_cm
     return links[order[0]] @ links[order[1]] @ links[order[2]]

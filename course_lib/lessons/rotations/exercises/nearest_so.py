@@ -77,22 +77,29 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the sign is put at the largest singular value",
+    "Reversing costs least where M is weakest. numpy sorts singular values in descending order.",
+)
 def largest_singular_value(M):
-    """the sign is put at the largest singular value. Reversing costs least where M is weakest.
-    numpy sorts singular values in descending order."""
     return polar(M, np.linalg.det(polar(M)), *ones(M))
 
 
-@EXERCISE.mistake(sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: d))
+@EXERCISE.mistake(
+    "the sign comes from det M",
+    "A singular M has det M = 0, and yet it has a nearest rotation. Which determinant is always "
+    "+1 or -1?",
+    sign=(np.sign, lambda d: 1.0 if d >= 0 else -1.0, lambda d: d),
+)
 def sign_of_det_M(M, sign):
-    """the sign comes from det M. A singular M has det M = 0, and yet it has a nearest rotation.
-    Which determinant is always +1 or -1?"""
     return polar(M, *ones(M), sign(np.linalg.det(M)))
 
 
-@EXERCISE.mistake(negated=(False, True))
+@EXERCISE.mistake(
+    "numpy's third result is taken for V",
+    "numpy.linalg.svd returns V already transposed.",
+    negated=(False, True),
+)
 def v_transposed_twice(M, negated):
-    """numpy's third result is taken for V. numpy.linalg.svd returns V already transposed."""
     U, _, Vt = np.linalg.svd(M)
     return (U * np.array([*ones(M), np.linalg.det(U @ Vt) if negated else 1])) @ Vt.T

@@ -71,38 +71,43 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "q is read as (x, y, z, w)",
+    "Here a quaternion is (w, x, y, z), with the scalar first.",
+)
 def scalar_last(q):
-    """q is read as (x, y, z, w). Here a quaternion is (w, x, y, z), with the scalar first."""
     return quaternion_to_matrix(np.roll(q, 1))
 
 
-@EXERCISE.mistake(factors=((1, 1), (1, 2), (2, 1)))
+@EXERCISE.mistake(
+    "a factor 2 is missing",
+    "Collect what multiplies p in q p q*: how often does each term occur?",
+    factors=((1, 1), (1, 2), (2, 1)),
+)
 def factor_missing(q, factors):
-    """a factor 2 is missing.
-
-    Collect what multiplies p in q p q*: how often does each term occur?
-    """
     return _combination(q, 1, *factors)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the sign of w is lost",
+    "q and -q are the same rotation: (-w, v) and (w, v) are not. Does arcsin, or a root, see the "
+    "sign?",
+)
 def sign_of_w_lost(q):
-    """the sign of w is lost. q and -q are the same rotation: (-w, v) and (w, v) are not. Does
-    arcsin, or a root, see the sign?"""
     return quaternion_to_matrix(np.array([abs(q[0]), *q[1:]]))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "R rotates by half the angle",
+    "w is the cosine of half the angle, not of the angle.",
+)
 def half_the_angle(q):
-    """R rotates by half the angle. w is the cosine of half the angle, not of the angle."""
     return exp_so3(np.arccos(np.clip(q[0], -1, 1)) * q[1:] / np.linalg.norm(q[1:]))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "* or ** works entry by entry",
+    "In numpy the product of matrices is @; M ** 2 squares each entry.",
+)
 def entry_by_entry(q):
-    """* or ** works entry by entry.
-
-    In numpy the product of matrices is @; M ** 2 squares each entry.
-    """
     return np.eye(3) + 2 * q[0] * hat(q[1:]) + 2 * hat(q[1:]) ** 2

@@ -64,10 +64,12 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    low=(-1, 0), seen=sampling.of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003)
-)  # uniform: 1/8
+    "four uniform numbers are normalised",
+    "They fill a cube, which has corners: more draws point there. Which distribution looks the "
+    "same in all directions?",
+    low=(-1, 0),
+    seen=sampling.of_many(lambda q: abs(np.mean(q**4) - 0.1071) < 0.003),
+)
 def from_a_cube(n, rng, low):
-    """four uniform numbers are normalised. They fill a cube, which has corners: more draws point
-    there. Which distribution looks the same in all directions?"""
     q = rng.uniform(low, 1, (n, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)

@@ -26,12 +26,12 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < EXACT)
+@EXERCISE.mistake(
+    "I - 2 V V^T is used, a reflection",
+    "Its determinant is -1. The rotation by 180 degrees about V is its negative.",
+    seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < EXACT,
+)
 def reflection(n, rng):
-    """I - 2 V V^T is used, a reflection.
-
-    Its determinant is -1. The rotation by 180 degrees about V is its negative.
-    """
     return -random_rotations(n, rng)
 
 
@@ -45,11 +45,11 @@ def _middle_angle_is_uniform(R):
     )
 
 
-@EXERCISE.mistake(seen=sampling.of_many(_middle_angle_is_uniform))
+@EXERCISE.mistake(
+    "three angles about fixed axes are drawn uniformly",
+    "Is there as much room near the poles as at the equator?",
+    seen=sampling.of_many(_middle_angle_is_uniform),
+)
 def euler_angles(n, rng):
-    """three angles about fixed axes are drawn uniformly.
-
-    Is there as much room near the poles as at the equator?
-    """
     first, middle, last = 2 * np.pi * rng.random((3, n))
     return rot_z(first) @ rot_x(middle) @ rot_z(last)

@@ -67,17 +67,21 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the new x is used to compute the new y",
+    "Both new coordinates come from the old ones.",
+)
 def new_x_used(p, a):
-    """the new x is used to compute the new y. Both new coordinates come from the old ones."""
     x = np.cos(a) * p[0] - np.sin(a) * p[1]
     return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])
 
 
-@EXERCISE.mistake(of_x=(True, False))
+@EXERCISE.mistake(
+    "the direction of p comes from arctan or arccos, which know half of the circle only",
+    "Which function of x and y tells p from -p?",
+    of_x=(True, False),
+)
 def half_of_the_circle(p, a, of_x):
-    """the direction of p comes from arctan or arccos, which know half of the circle only. Which
-    function of x and y tells p from -p?"""
     return (
         np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
         if of_x

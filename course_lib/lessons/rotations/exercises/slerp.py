@@ -129,16 +129,22 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the longer arc is taken",
+    "q1 and -q1 are the same rotation: which of them is nearer to q0?",
+)
 def longer_arc(q0, q1, t):
-    """the longer arc is taken. q1 and -q1 are the same rotation: which of them is nearer to q0?"""
     return _along(q0, q1, t)
 
 
-@EXERCISE.mistake(end=(_shorter, lambda q0, q1: q1), size=(nearest_quaternion, lambda q: q))
+@EXERCISE.mistake(
+    "the quaternions are mixed on the straight line between them",
+    "The points are evenly spaced on the chord, not on the arc: near its middle the rotation is "
+    "faster.",
+    end=(_shorter, lambda q0, q1: q1),
+    size=(nearest_quaternion, lambda q: q),
+)
 def straight_chord(q0, q1, t, end, size):
-    """the quaternions are mixed on the straight line between them. The points are evenly spaced on
-    the chord, not on the arc: near its middle the rotation is faster."""
     return size((1 - t) * q0 + t * end(q0, q1))
 
 
@@ -147,11 +153,12 @@ def _exactly(q, predicted, *case):
 
 
 @EXERCISE.mistake(
-    of=((nearest_quaternion, 0.03), (lambda q: q, 0.03), (lambda q: q, 1e-3)), alike=_exactly
+    "the straight line is taken at angles where it differs from the arc",
+    "From which angle on does your function take it, and how many digits are right there?",
+    of=((nearest_quaternion, 0.03), (lambda q: q, 0.03), (lambda q: q, 1e-3)),
+    alike=_exactly,
 )
 def chord_too_early(q0, q1, t, of):
-    """the straight line is taken at angles where it differs from the arc. From which angle on does
-    your function take it, and how many digits are right there?"""
     size, below = of
     return (
         size((1 - t) * q0 + t * _shorter(q0, q1))

@@ -74,9 +74,11 @@ EXERCISE = Exercise(
 add_nan(EXERCISE, arm_solutions)
 
 
-@EXERCISE.mistake(recognises=True)
+@EXERCISE.mistake(
+    "p is WRIST - SHOULDER, as if joint 3 did not move",
+    "Where has it brought the wrist center when joints 1 and 2 come?",
+    recognises=True,
+)
 def wrist_not_moved(found, center):
-    """p is WRIST - SHOULDER, as if joint 3 did not move. Where has it brought the wrist center when
-    joints 1 and 2 come?"""
     heights = [(rot_y(q[1]) @ (WRIST - SHOULDER))[2] for q in found]
     return len(found) > 0 and np.allclose(heights, (center - SHOULDER)[2], rtol=0, atol=1e-8)

@@ -188,10 +188,10 @@ def _alone(found, R):
     )
 
 
-@EXERCISE.mistake(seen=_alone)
+@EXERCISE.mistake(
+    "only one triple is returned",
+    "Subproblem 2 finds two pairs: what does the other triple look like?",
+    seen=_alone,
+)
 def one_only(R):
-    """only one triple is returned.
-
-    Subproblem 2 finds two pairs: what does the other triple look like?
-    """
     return _both(R)[:1]

@@ -149,22 +149,30 @@ def _solves_another(answer, q, target, alpha, eps):
     )
 
 
-@EXERCISE.mistake(share=(0, 1), seen=_solves_another)
+@EXERCISE.mistake(
+    "J^T J is not damped: eps is not used, or it is added elsewhere than on the diagonal",
+    "J^T J is 4 x 4 and has rank 2 at most. What has to be added to which of its entries to make "
+    "it invertible?",
+    share=(0, 1),
+    seen=_solves_another,
+)
 def not_damped(q, target, alpha, eps, share):
-    """J^T J is not damped: eps is not used, or it is added elsewhere than on the diagonal. J^T J is
-    4 x 4 and has rank 2 at most. What has to be added to which of its entries to make it
-    invertible?"""
     J = jacobian(q)
     return q - alpha * np.linalg.pinv(J.T @ J + share * eps) @ J.T @ (tip(q) - target)
 
 
-@EXERCISE.mistake(changed=(np.square, np.sqrt))
+@EXERCISE.mistake(
+    "eps is added in another way, squared or as a root",
+    "How does eps stand in J^T J + eps I?",
+    changed=(np.square, np.sqrt),
+)
 def other_damping(q, target, alpha, eps, changed):
-    """eps is added in another way, squared or as a root. How does eps stand in J^T J + eps I?"""
     return step(q, target, alpha, changed(eps))
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the step is one of gradient descent, alpha J^T e",
+    "Which matrix stands before J^T?",
+)
 def gradient_step(q, target, alpha, eps):
-    """the step is one of gradient descent, alpha J^T e. Which matrix stands before J^T?"""
     return q - alpha * jacobian(q).T @ (tip(q) - target)

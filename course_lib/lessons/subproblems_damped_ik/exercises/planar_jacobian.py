@@ -89,14 +89,19 @@ def _of_links(directions, moved_by=_AFTER):
     return np.array([-np.sin(directions), np.cos(directions)]) @ np.transpose(moved_by)
 
 
-@EXERCISE.mistake(moved_by=(_AFTER, np.eye(4), np.ones((4, 4))))
+@EXERCISE.mistake(
+    "the angles are not summed",
+    "Each joint angle is measured from the link before it: along which direction does link i "
+    "point?",
+    moved_by=(_AFTER, np.eye(4), np.ones((4, 4))),
+)
 def angles_not_summed(q, moved_by):
-    """the angles are not summed. Each joint angle is measured from the link before it: along which
-    direction does link i point?"""
     return _of_links(q, moved_by)
 
 
 @EXERCISE.mistake(
+    "the sum for joint j is over other links than those that it moves",
+    "Which links move if only joint 2 does?",
     moved_by=(
         np.eye(4),
         _AFTER * [0, 0, 0, 1],
@@ -104,18 +109,16 @@ def angles_not_summed(q, moved_by):
         _AFTER.T,
         _AFTER - np.eye(4),
         np.ones((4, 4)),
-    )
+    ),
 )
 def other_links(q, moved_by):
-    """the sum for joint j is over other links than those that it moves.
-
-    Which links move if only joint 2 does?
-    """
     return _of_links(np.cumsum(q), moved_by)
 
 
-@EXERCISE.mistake(signs=([[-1], [1]], [[1], [1]], [[1], [-1]]))
+@EXERCISE.mistake(
+    "sine and cosine are not differentiated, or their rows are swapped",
+    "Row 1 is the velocity along x: what is the derivative of the x coordinate?",
+    signs=([[-1], [1]], [[1], [1]], [[1], [-1]]),
+)
 def not_differentiated(q, signs):
-    """sine and cosine are not differentiated, or their rows are swapped. Row 1 is the velocity
-    along x: what is the derivative of the x coordinate?"""
     return jacobian(q)[::-1] * signs

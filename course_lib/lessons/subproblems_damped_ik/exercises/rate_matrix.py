@@ -85,22 +85,23 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "this is the angular velocity seen from the rotating end-effector",
+    "Which of R' R^T and R^T R' belongs to the fixed frame?",
+)
 def seen_from_the_end_effector(b):
-    """this is the angular velocity seen from the rotating end-effector. Which of R' R^T and R^T R'
-    belongs to the fixed frame?"""
     return _rotation(b).T @ rates(b)
 
 
 @EXERCISE.mistake(
+    "an axis is not carried along by the rotations before it",
+    "Which rotations stand to the left of that about b2, and of that about b3?",
     axes=(
         lambda b: (X, rot_x(b[1]) @ Y),
         lambda b: (X, rot_y(b[0]) @ rot_x(b[1]) @ Y),
         lambda b: (rot_y(b[0]) @ X, Y),
         lambda b: (rot_y(b[0]) @ X, rot_x(b[1]) @ Y),
-    )
+    ),
 )
 def axis_not_carried_along(b, axes):
-    """an axis is not carried along by the rotations before it. Which rotations stand to the left of
-    that about b2, and of that about b3?"""
     return np.column_stack([Y, *axes(b)])

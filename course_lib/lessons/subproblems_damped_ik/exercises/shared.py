@@ -121,10 +121,12 @@ def add_too_few(exercise, solutions, misses):
     """Add the mistakes of lists in which one of two solutions, or both, are missing."""
     add_nan(exercise, solutions)
 
-    @exercise.mistake(seen=lambda found, *case: len(found) == 0 and len(solutions(*case)) == 2)
+    @exercise.mistake(
+        "the list is empty although there are solutions",
+        "Print the number that decides whether there is a solution: for this input there are two.",
+        seen=lambda found, *case: len(found) == 0 and len(solutions(*case)) == 2,
+    )
     def nothing_found(*case):
-        """the list is empty although there are solutions. Print the number that decides whether
-        there is a solution: for this input there are two."""
         return two(solutions, *case)[:0]
 
     def alone(found, *case):
@@ -133,10 +135,13 @@ def add_too_few(exercise, solutions, misses):
             misses(solution, *case) < TOUCHING for solution in found
         )
 
-    @exercise.mistake(seen=alone)
+    @exercise.mistake(
+        "only one of the two solutions is returned",
+        "A root has two signs, and so has an angle with a given cosine: where does your function "
+        "use both?",
+        seen=alone,
+    )
     def one_only(*case):
-        """only one of the two solutions is returned. A root has two signs, and so has an angle with
-        a given cosine: where does your function use both?"""
         return two(solutions, *case)[:1]
 
 
@@ -152,21 +157,24 @@ def add_swings(exercise, solutions, ends):
         return np.arctan(np.divide(k @ np.cross(p, g), across(k, p) @ g))
 
     @exercise.mistake(
+        "the angle in the middle of the two solutions is wrong",
+        "It may have either sign, and be beyond 90 degrees: which function sees the signs of sine "
+        "and cosine, and which of the two does it take first?",
         middle=(
             by_arctan,
             lambda *of: np.pi / 2 - angle_about(*of),
             lambda *of: abs(angle_about(*of)),
-        )
+        ),
     )
     def middle_wrong(*case, middle):
-        """the angle in the middle of the two solutions is wrong. It may have either sign, and be
-        beyond 90 degrees: which function sees the signs of sine and cosine, and which of the two
-        does it take first?"""
         return two(solutions, *case) - angle_about(*ends(*case)) + middle(*ends(*case))
 
-    @exercise.mistake(first=(0, 1), second=(lambda x: -x, lambda x: np.pi - x, lambda x: np.pi + x))
+    @exercise.mistake(
+        "the second solution is the first with the other sign, or differs by pi",
+        "arccos has two angles, x and -x. Which line adds the middle to them, and when?",
+        first=(0, 1),
+        second=(lambda x: -x, lambda x: np.pi - x, lambda x: np.pi + x),
+    )
     def second_from_the_first(*case, first, second):
-        """the second solution is the first with the other sign, or differs by pi. arccos has two
-        angles, x and -x. Which line adds the middle to them, and when?"""
         found = two(solutions, *case)[first]
         return [found, second(found)]

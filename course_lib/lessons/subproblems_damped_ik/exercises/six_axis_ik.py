@@ -105,36 +105,41 @@ def _with(T, center, rest=_undone):
     return found if all_solutions(T) else None
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the flange's position is taken for the wrist center",
+    "How far is the flange beyond the wrist center, and in which direction?",
+)
 def flange_for_wrist(T):
-    """the flange's position is taken for the wrist center. How far is the flange beyond the wrist
-    center, and in which direction?"""
     return _with(T, T[:3, 3])
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the home orientation is left out",
+    "How is the flange rotated if all joint angles are zero?",
+)
 def home_orientation_left_out(T):
-    """the home orientation is left out. How is the flange rotated if all joint angles are zero?"""
     return _with(T, _center(T), lambda q, R: _undone(q, T[:3, :3]))
 
 
 @EXERCISE.mistake(
+    "the rotation of the first three joints is not undone, not all of it, or in the wrong order",
+    "Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other "
+    "side?",
     rest=(
         lambda q, R: R,
         lambda q, R: R @ _first(q).T,
         lambda q, R: _first(q) @ R,
         lambda q, R: (rot_z(q[0]) @ rot_y(q[1])).T @ R,
-    )
+    ),
 )
 def first_joints_not_undone(T, rest):
-    """the rotation of the first three joints is not undone, not all of it, or in the wrong order.
-    Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other
-    side?"""
     return _with(T, _center(T), rest)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "HOME stands on the wrong side of T",
+    "Which motion takes HOME to T?",
+)
 def home_on_the_wrong_side(T):
-    """HOME stands on the wrong side of T. Which motion takes HOME to T?"""
     M = inverse(HOME) @ T
     return _with(T, M[:3, :3] @ WRIST + M[:3, 3], lambda q, R: _undone(q, M[:3, :3]))

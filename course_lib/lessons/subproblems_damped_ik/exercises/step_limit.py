@@ -66,43 +66,44 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
+    "one direction decides, and not the strictest one",
+    "The factor must stay above -1 in every direction: in which direction does it reach -1 first?",
     square=(
         lambda s: s[-2] ** 2,
         lambda s: s[1] ** 2,
-    )
+    ),
 )
 def another_singular_value(J, eps, square):
-    """one direction decides, and not the strictest one. The factor must stay above -1 in every
-    direction: in which direction does it reach -1 first?"""
     return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
 
 
 @EXERCISE.mistake(
-    square=(lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2), lambda s: np.mean(s**2))
+    "the singular values are combined: in a norm, a mean or a product",
+    "Each direction has a factor of its own. At which alpha does the first of them reach -1?",
+    square=(lambda s: np.mean(s) ** 2, np.prod, lambda s: np.sum(s**2), lambda s: np.mean(s**2)),
 )
 def all_directions_together(J, eps, square):
-    """the singular values are combined: in a norm, a mean or a product. Each direction has a factor
-    of its own. At which alpha does the first of them reach -1?"""
     return _by(lambda s, eps: 2 * (1 + eps / square(s)))(J, eps)
 
 
 @EXERCISE.mistake(
+    "s or eps stands in a wrong power",
+    "Compare with the factor of a step, and ask whether you have s or its square: what are the "
+    "eigenvalues of J J^T?",
     share=(
         lambda s, eps: eps / s[0],
         lambda s, eps: (eps / s[0]) ** 2,
         lambda s, eps: eps / s[0] ** 4,
-    )
+    ),
 )
 def power_wrong(J, eps, share):
-    """s or eps stands in a wrong power. Compare with the factor of a step, and ask whether you have
-    s or its square: what are the eigenvalues of J J^T?"""
     return _by(lambda s, eps: 2 * (1 + share(s, eps)))(J, eps)
 
 
-@EXERCISE.mistake(limit=(lambda s, eps: 2.0, lambda s, eps: 2 / s[0] ** 2))
+@EXERCISE.mistake(
+    "the limit without damping is returned",
+    "eps makes each step shorter: what does this mean for alpha?",
+    limit=(lambda s, eps: 2.0, lambda s, eps: 2 / s[0] ** 2),
+)
 def without_damping(J, eps, limit):
-    """the limit without damping is returned.
-
-    eps makes each step shorter: what does this mean for alpha?
-    """
     return _by(limit)(J, eps)

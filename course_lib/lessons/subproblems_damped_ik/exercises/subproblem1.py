@@ -169,17 +169,19 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the sign of the angle is lost",
+    "Neither arccos nor the length of a cross product tells one direction of rotation from the "
+    "other: what does?",
+)
 def sign_lost(k, p, g):
-    """the sign of the angle is lost. Neither arccos nor the length of a cross product tells one
-    direction of rotation from the other: what does?"""
     return abs(angle_about(k, p, g))
 
 
 @EXERCISE.mistake(
-    sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n))
+    "p and g are not projected onto the plane perpendicular to the axis",
+    "Which part of a point does the rotation move?",
+    sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n)),
 )
 def not_projected(k, p, g, sine):
-    """p and g are not projected onto the plane perpendicular to the axis. Which part of a point
-    does the rotation move?"""
     return np.arctan2(sine(k, np.cross(p, g)), p @ g)

@@ -155,16 +155,17 @@ shared.add_too_few(EXERCISE, _solutions, _misses)
 
 
 @EXERCISE.mistake(
+    "the height that p should have along g is wrong",
+    "Square |R p - g| = d, multiply it out, and solve for g . R p: which lengths are squared, and "
+    "what about the factor and the signs?",
     height=(
         lambda p, g, d: (d * d - p * p - g * g) / 2,
         lambda p, g, d: p * p + g * g - d * d,
         lambda p, g, d: d,
         lambda p, g, d: (p * p + g * g - d) / 2,
-    )
+    ),
 )
 def height_wrong(k, p, g, d, height):
-    """the height that p should have along g is wrong. Square |R p - g| = d, multiply it out, and
-    solve for g . R p: which lengths are squared, and what about the factor and the signs?"""
     two(_solutions, k, p, g, d)
     found = subproblem4(k, g, p, height(np.linalg.norm(p), np.linalg.norm(g), d))
     return list(found.theta) if found.exact else None

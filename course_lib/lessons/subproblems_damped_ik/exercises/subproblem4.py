@@ -143,18 +143,21 @@ def _either_side(case, e, A=None):
 
 
 @EXERCISE.mistake(
-    of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y), of_A=(True, False)
+    "the constant part of the height is not subtracted where it should be, or is another one",
+    "Which part of h . R p never changes? Is it in d, and is it in h . p?",
+    of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y),
+    of_A=(True, False),
 )
 def constant_wrong(k, h, p, d, of_d, of_A):
-    """the constant part of the height is not subtracted where it should be, or is another one.
-    Which part of h . R p never changes? Is it in d, and is it in h . p?"""
     e = d - of_d(k @ h, k @ p)
     return _either_side((k, h, p, d), e) if of_A else _either_side((k, h, p, d), e, A=h @ p)
 
 
-@EXERCISE.mistake
+@EXERCISE.mistake(
+    "the constant is not taken out of A",
+    "Which part of h . p does not change with theta?",
+)
 def constant_in_A(k, h, p, d):
-    """the constant is not taken out of A. Which part of h . p does not change with theta?"""
     return _either_side((k, h, p, d), d - (k @ h) * (k @ p), A=h @ p)
 
 
