@@ -36,7 +36,8 @@ ABOUT_A_NOTEBOOK = (*ABOUT_AN_EXERCISE, "test_notebooks.py", "test_release_runs.
 
 
 def pytest_ignore_collect(collection_path):
-    """With ONLY=unhat (make test ONLY=unhat), leave out files that hold nothing of that name: collecting takes time."""
+    """With ONLY=unhat (make test ONLY=unhat), leave out files that hold nothing of that name:
+    collecting takes time."""
     only, name = os.environ.get("ONLY", ""), collection_path.name
     if not only or not collection_path.is_file():
         return None
@@ -110,7 +111,8 @@ def pytest_collection_finish(session):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers():
-    """Half as many processes again as processors: a third of the time tests wait, for a sandbox, a kernel or a page."""
+    """Half as many processes again as processors: a third of the time tests wait, for a sandbox, a
+    kernel or a page."""
     return (
         None
         if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ
@@ -125,7 +127,8 @@ def pytest_collection_modifyitems(items):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item):
-    """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test, and so do its tools."""
+    """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test, and
+    so do its tools."""
     with np.printoptions():
         outcome = yield
     item.config.machine.restore()
@@ -161,7 +164,8 @@ def pytest_runtest_setup(item):
 
 @pytest.fixture(scope="session")
 def solutions():
-    """The notebook's name -> the sources of its first code cell (imports) and of the authors' solutions."""
+    """The notebook's name -> the sources of its first code cell (imports) and of the authors'
+    solutions."""
 
     def read(name):
         cells = [
@@ -189,7 +193,8 @@ def locked(path):
 
 @pytest.fixture(scope="session")
 def course(tmp_path_factory):
-    """The folder of the whole course as a site, to be looked at and left as it is; one process builds it for all."""
+    """The folder of the whole course as a site, to be looked at and left as it is; one process
+    builds it for all."""
     from course_lib.pack.site.build import build  # here, for most tests need none
 
     base = tmp_path_factory.getbasetemp()
@@ -213,7 +218,8 @@ def isolated():
 
 @pytest.fixture
 def few(isolated, monkeypatch, solutions):
-    """The cell with the imports and those with right answers; the notebook has no other exercises."""
+    """The cell with the imports and those with right answers; the notebook has no other
+    exercises."""
     from hostile.build import answers, few_exercises
 
     few_exercises(monkeypatch)
@@ -236,7 +242,8 @@ def unpacked(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def browser(request):
-    """A browser, which stays open for the next module if that needs one, too: to start it takes as long as a page."""
+    """A browser, which stays open for the next module if that needs one, too: to start it takes as
+    long as a page."""
     config = request.config
     if config.browser is None or not config.browser.is_connected():
         from site_visits import open_browser  # here, for most tests need no browser
@@ -247,7 +254,8 @@ def browser(request):
 
 
 def pytest_terminal_summary(terminalreporter):
-    """Print what test_bank.py and test_mutants.py record of each exercise, whichever process ran them."""
+    """Print what test_bank.py and test_mutants.py record of each exercise, whichever process ran
+    them."""
     reports = [report for group in terminalreporter.stats.values() for report in group]
     recorded = [item for report in reports for item in getattr(report, "user_properties", ())]
     for kind, title, heads in (

@@ -1,4 +1,5 @@
-"""A copy of the project, to be changed by a test: what make sets up counts as set up, and is the environment of now."""
+"""A copy of the project, to be changed by a test: what make sets up counts as set up, and is the
+environment of now."""
 
 import os
 import shutil
@@ -14,7 +15,8 @@ PYTHONPATH='{folder}' exec '{python}' "$@"
 
 
 def copied(folder, *parts, notebooks="*"):
-    """Copy course_lib, the notebooks whose names match, and further parts into a folder; return it."""
+    """Copy course_lib, the notebooks whose names match, and further parts into a folder; return
+    it."""
     books = [path for path in (ROOT / "notebooks").glob("0*.ipynb") if not path.match(notebooks)]
     ignored = shutil.ignore_patterns(
         ".ipynb_checkpoints", *(path.name for path in books)
@@ -53,7 +55,8 @@ def count_as_set_up(folder):
 
 
 def run(folder, *command, **variables):
-    """Run a command in the copy, without the settings of the make and pytest that run now; return its process."""
+    """Run a command in the copy, without the settings of the make and pytest that run now; return
+    its process."""
     outside = {
         key: value
         for key, value in os.environ.items()

@@ -1,4 +1,5 @@
-"""Whether a mutant of a notebook's solution answers as the solution does, on more inputs than its check asks.
+"""Whether a mutant of a notebook's solution answers as the solution does, on more inputs than its
+check asks.
 
 The inputs are the exercise's cases with other seeds, and these cases with an argument changed,
 wherever the solution is right on them: the exercise's properties hold, and its library answers the
@@ -31,7 +32,8 @@ SEVERAL += " split_branches read_ur5e"
 
 
 class Solution:
-    """The solution of an exercise: its source, among the names of a notebook and the sources of its other solutions."""
+    """The solution of an exercise: its source, among the names of a notebook and the sources of its
+    other solutions."""
 
     def __init__(self, exercise, space, sources):
         mistakes = type(
@@ -67,7 +69,8 @@ class Solution:
         return expected is not None and self._is_right(self.own, [case], [expected])
 
     def _is_right(self, source, cases, expected):
-        """Return whether the function with this source is right in each case and, if one answer is, gives it."""
+        """Return whether the function with this source is right in each case and, if one answer is,
+        gives it."""
         alone = tuple(wanted for wanted in self.exercise.properties if not wanted.across)
         got = self._answers(source, cases, *alone)
         if len(got) != len(cases) or self.exercise.name in SEVERAL.split():
@@ -75,7 +78,8 @@ class Solution:
         return all(map(self.exercise.alike, got, expected, *zip(*cases, strict=True)))
 
     def _answers(self, source, cases, *properties):
-        """Return the answers of the function with this source; none if one is missing or lacks a property."""
+        """Return the answers of the function with this source; none if one is missing or lacks a
+        property."""
         found = []
         record = Property("", lambda values, cases: found.extend(values), across=True)
         asked = replace(self.exercise, cases=lambda rng: cases, properties=(*properties, record))
@@ -87,7 +91,8 @@ class Solution:
 
     @cached_property
     def _versions(self):
-        """The candidates that a test is asked to judge, each as right or wrong as the solution says."""
+        """The candidates that a test is asked to judge, each as right or wrong as the solution
+        says."""
         tested = self.exercise.name.removeprefix("test_")
         others = spread(mutants(self.sources[tested]), MOST) if tested in self.sources else []
         functions = [made(other.source, tested, self.space) for other in others]
@@ -100,7 +105,8 @@ class Solution:
         )
 
     def _judges(self, student, versions):
-        """Return whether a student's test accepts the right versions, of which it needs one, and refuses the wrong."""
+        """Return whether a student's test accepts the right versions, of which it needs one, and
+        refuses the wrong."""
         either = [
             next(v for v in self.exercise.versions if v.right is right) for right in (True, False)
         ]
@@ -111,7 +117,8 @@ class Solution:
 
 
 def _varied(case, other, rng):
-    """Return a case with one argument of another case, or with the numbers of one argument changed."""
+    """Return a case with one argument of another case, or with the numbers of one argument
+    changed."""
     case, k, how = list(case), rng.integers(len(case)), rng.integers(3)
     if how == 0 or not (
         isinstance(case[k], float | np.ndarray) and np.asarray(case[k]).dtype.kind == "f"

@@ -1,4 +1,5 @@
-"""Stored films and stills of rigid bodies, read for the tests: poses and vertices of each body, in metres."""
+"""Stored films and stills of rigid bodies, read for the tests: poses and vertices of each body, in
+metres."""
 
 import base64
 

@@ -53,7 +53,8 @@ def dask_setup(worker):
 
 
 def result(points=(), texts=(), notebook="01_rotations", more=(), **changed):
-    """A result as grade gives it: an exercise of 2 points for each of `points`, a question for each of `texts`."""
+    """A result as grade gives it: an exercise of 2 points for each of `points`, a question for each
+    of `texts`."""
     exercises = [
         {"exercise": f"exercise_{i}", "points": p, "of": 2, "state": "right" if p else "wrong"}
         | {

@@ -12,7 +12,8 @@ from course_lib.figures.display import Picture
 
 
 def unavailable(reason):
-    """Skip a test because the machine lacks what it needs, or let it fail where all is to be tested."""
+    """Skip a test because the machine lacks what it needs, or let it fail where all is to be
+    tested."""
     pytest.fail(reason) if "CI" in os.environ else pytest.skip(reason)
 
 
@@ -63,7 +64,8 @@ ALT = "Words that say what the picture shows."
 
 
 def shown(fig):
-    """What show hands to the notebook of a figure or a Picture: an object with data and metadata."""
+    """What show hands to the notebook of a figure or a Picture: an object with data and
+    metadata."""
     with mock.patch("IPython.display.display") as display:
         show(fig, alt="" if isinstance(fig, Picture) else ALT)
     (data,), options = display.call_args_list[0]

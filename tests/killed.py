@@ -1,8 +1,9 @@
 """Kill a program with SIGKILL before each step in which it changes a file or folder.
 
-``python killed.py FOLDER COPIES PROGRAM [ARGUMENT ...]`` copies FOLDER to COPIES/1, COPIES/2, …, runs the
-program's `main` in each, and kills it in copy N before its change number N. The last copy is the first
-one in which it was not killed. PROGRAM is a module of the package, or a file in FOLDER.
+``python killed.py FOLDER COPIES PROGRAM [ARGUMENT ...]`` copies FOLDER to COPIES/1, COPIES/2, …,
+runs the program's `main` in each, and kills it in copy N before its change number N. The last copy
+is the first one in which it was not killed. PROGRAM is a module of the package, or a file in
+FOLDER.
 """
 
 import importlib

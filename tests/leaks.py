@@ -1,4 +1,5 @@
-"""What students are to find out themselves, and how a text is searched for it: for the zip and for the site.
+"""What students are to find out themselves, and how a text is searched for it: for the zip and for
+the site.
 
 Code is compared as ast.unparse writes it, so that comments, quotes and line breaks do not matter,
 and names do; text as it stands. A solution counts as found where three of its lines in a row are,
@@ -41,7 +42,8 @@ def code(text):
 
 
 def runs(written):
-    """What counts as a solution, or a part of it: `written` lines, three at a time, each as one text."""
+    """What counts as a solution, or a part of it: `written` lines, three at a time, each as one
+    text."""
     if len(written) == 1:
         return {written[0].removeprefix("return ")}
     return {"\n".join(written[i : i + RUN]) for i in range(max(1, len(written) - RUN + 1))}
@@ -62,7 +64,8 @@ def secrets(words=str.strip):
 
 @cache
 def texts(name, content):
-    """What one file says: its lines, its code's lines as ast.unparse has them, and its words in one line."""
+    """What one file says: its lines, its code's lines as ast.unparse has them, and its words in one
+    line."""
     text = content.decode()
     sources = [text]
     if name.endswith(".ipynb"):

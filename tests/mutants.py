@@ -38,7 +38,8 @@ MOST_ENTRIES = 10**6  # of an answer
 
 @dataclass(frozen=True)
 class Mutant:
-    """A solution with one change: its kind, the changed line (numbered where two look alike), and the whole source."""
+    """A solution with one change: its kind, the changed line (numbered where two look alike), and
+    the whole source."""
 
     kind: str
     line: str
@@ -69,13 +70,15 @@ def mutants(source):
 
 
 def _reached(statements):
-    """The statements up to the first return: below it, an exercise on finding a bug keeps its broken code."""
+    """The statements up to the first return: below it, an exercise on finding a bug keeps its
+    broken code."""
     ends = (k for k, statement in enumerate(statements) if isinstance(statement, ast.Return))
     return statements[: next(ends, len(statements)) + 1]
 
 
 def spread(found, most):
-    """Return at most so many of the mutants, taken in turn from each kind, and from everywhere in the function."""
+    """Return at most so many of the mutants, taken in turn from each kind, and from everywhere in
+    the function."""
     kinds = {}
     for mutant in found:
         kinds.setdefault(mutant.kind, []).append(mutant)
@@ -106,7 +109,8 @@ def _first_difference(original, text):
 
 
 def _places(parent, in_index=False):
-    """Each (holder, key, parent, in_index): holder[key] is a node below the parent, within an index or not."""
+    """Each (holder, key, parent, in_index): holder[key] is a node below the parent, within an index
+    or not."""
     for field, value in ast.iter_fields(parent):
         holder, keys = (
             (value, range(len(value))) if isinstance(value, list) else (vars(parent), [field])
@@ -166,7 +170,8 @@ def _sets_entries(node):
 
 
 def _has_sign(parent, key):
-    """Whether the sign of what stands here matters: a value, an item of a list, a first argument or a first term."""
+    """Whether the sign of what stands here matters: a value, an item of a list, a first argument or
+    a first term."""
     if isinstance(parent, ast.Return | ast.Assign):
         return key == "value"
     if isinstance(parent, ast.BinOp):
@@ -183,7 +188,8 @@ def _called(node):
 
 @cache
 def solved(name):
-    """What a notebook's solutions are called in, as {name: value}, and their sources, as {exercise: source}.
+    """What a notebook's solutions are called in, as {name: value}, and their sources, as {exercise:
+    source}.
 
     A solution that calls another one gets the library's function instead, which is faster.
     """
@@ -216,7 +222,8 @@ def solved(name):
 
 
 def _needed(statements, wanted, known):
-    """Those statements of the cells that are given which define a name that is wanted, and what they want in turn."""
+    """Those statements of the cells that are given which define a name that is wanted, and what
+    they want in turn."""
     chosen = []
     for statement in reversed(statements):
         if _defined(statement) & wanted:

@@ -1,4 +1,5 @@
-"""What each public function of the library takes: one table for the tests that run over all of them."""
+"""What each public function of the library takes: one table for the tests that run over all of
+them."""
 
 import inspect
 from collections.abc import Callable
@@ -13,7 +14,8 @@ from course_lib.arms import planar_arm
 
 @dataclass(frozen=True)
 class Numbers:
-    """An argument that is an array: the shape of one item, a maker of valid ones, and changes that make one invalid."""
+    """An argument that is an array: the shape of one item, a maker of valid ones, and changes that
+    make one invalid."""
 
     core: tuple
     sample: Callable = field(repr=False)  # (rng, batch) -> (*batch, *core)
@@ -266,7 +268,8 @@ def valid_arguments(arguments, rng, batch=()):
 
 
 def parts(answer):
-    """Return the arrays that an answer consists of, by name: the fields of a RotationAngles, or the one array."""
+    """Return the arrays that an answer consists of, by name: the fields of a RotationAngles, or the
+    one array."""
     return (
         vars(answer)
         if isinstance(answer, subproblems.RotationAngles)

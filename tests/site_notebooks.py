@@ -1,4 +1,5 @@
-"""Small notebooks for the tests of the site: formulas, tables, live figures, pictures, things that need escaping."""
+"""Small notebooks for the tests of the site: formulas, tables, live figures, pictures, things that
+need escaping."""
 
 import base64
 import io
@@ -38,7 +39,7 @@ T &= \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}
 # Tests look for its word in whole files: no random id of a cell holds it by chance.
 SOLUTION = (
     f"def turn():\n    ### BEGIN SOLUTION\n    return 'gooseberry'  # {'and on ' * 40}\n    ### "
-    f"END SOLUTION"
+    "END SOLUTION"
 )
 NBGRADER = {
     "schema_version": 3,
@@ -57,8 +58,14 @@ EXPLAINED = {
     "grade": True,
     "locked": False,
 }
-CHECK = '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right: $R$</div>'
-TABLE = f'<table class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
+CHECK = (
+    '<div role="status" style="border-left: 0.3em solid #1a7f37; padding: 0.2em 0.8em">Right:'
+    " $R$</div>"
+)
+TABLE = (
+    "<table"
+    f' class="dataframe"><tr>{"<th>column</th>" * 20}</tr><tr>{"<td>1.2345</td>" * 20}</tr></table>'
+)
 MATRIX = r"$\displaystyle \left[\begin{matrix}\cos{\theta} & 0\\0 & 1\end{matrix}\right]$"
 
 TURNING, SLIDING = (toy().stored() for toy in (circles_toy, two_poses_toy))

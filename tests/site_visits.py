@@ -13,7 +13,8 @@ from course_lib.figures.stills import TOY
 
 
 def be_patient(browser):
-    """Let what fails wait two minutes for each process that wants to run: a busy machine takes so many times longer."""
+    """Let what fails wait two minutes for each process that wants to run: a busy machine takes so
+    many times longer."""
     milliseconds = 120_000 * max((1, *getattr(os, "getloadavg", tuple)()))
     expect.set_options(timeout=milliseconds)
     for context in browser.contexts:
@@ -176,7 +177,8 @@ FACTS = r"""() => {
 
 
 def assert_readable(visit, notebook, width, rules=None):
-    """Assert what holds for every page, and draw its live figures: those of the notebook, if there is one.
+    """Assert what holds for every page, and draw its live figures: those of the notebook, if there
+    is one.
 
     rules: as `violations` takes them.
     """
@@ -238,7 +240,8 @@ LOOKS_AT_THESE = (
 
 
 def violations(visit, within=None, rules=None):
-    """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within a selector.
+    """Return the barriers that axe-core finds on a page, all that is folded shut opened, or within
+    a selector.
 
     rules: the names of the rules to apply, or None for all. A whole page serves only for other
     searches afterwards.

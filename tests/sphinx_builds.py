@@ -1,4 +1,5 @@
-"""Builds of small sites that share one Sphinx: forks of a process that has imported it, which takes longest."""
+"""Builds of small sites that share one Sphinx: forks of a process that has imported it, which takes
+longest."""
 
 import os
 import subprocess

@@ -1,4 +1,5 @@
-"""Each notebook runs on with answers in whatever form its checks accept: columns, lists, complex numbers.
+"""Each notebook runs on with answers in whatever form its checks accept: columns, lists, complex
+numbers.
 
 The cells run in this process, without pictures. What they print has to be what the notebook holds.
 """
@@ -22,7 +23,8 @@ NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("0[1-6]_*.ipyn
 
 
 def in_another_form(value):
-    """Return an answer in a form that checks read as the same: a column, or a matrix, of complex numbers."""
+    """Return an answer in a form that checks read as the same: a column, or a matrix, of complex
+    numbers."""
     array = np.asarray(value)
     if array.dtype.kind not in "fi" or array.size == 0:
         return value

@@ -1,4 +1,5 @@
-"""Moving pictures written to files: what notebooks store becomes one GIF each, at twenty pictures a second."""
+"""Moving pictures written to files: what notebooks store becomes one GIF each, at twenty pictures a
+second."""
 
 import shutil
 

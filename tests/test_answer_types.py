@@ -1,4 +1,5 @@
-"""How answers are read: in any form that is as good, and with the mistake that shows in another form."""
+"""How answers are read: in any form that is as good, and with the mistake that shows in another
+form."""
 
 from dataclasses import replace
 

@@ -12,7 +12,8 @@ PI = np.pi
 
 
 def six_joints():
-    """Return what an arm of six random joints is made from: directions (of any length), points and the end's home."""
+    """Return what an arm of six random joints is made from: directions (of any length), points and
+    the end's home."""
     rng = np.random.default_rng(0)
     return {
         "omega": rng.normal(size=(6, 3)),
@@ -31,7 +32,8 @@ def angles(n, *batch, seed=1):
 
 
 def exponential(omega, point, angle):
-    """Return the motion of a turn about an axis through a point, by scipy's matrix exponential of its twist."""
+    """Return the motion of a turn about an axis through a point, by scipy's matrix exponential of
+    its twist."""
     omega = omega / np.linalg.norm(omega)
     return scipy.linalg.expm(angle * twist_matrix(np.concatenate([omega, -np.cross(omega, point)])))
 

@@ -1,4 +1,5 @@
-"""The guide for authors, followed to the letter on a copy of the course: a new exercise, then a new notebook."""
+"""The guide for authors, followed to the letter on a copy of the course: a new exercise, then a new
+notebook."""
 
 import re
 import shutil
@@ -27,7 +28,8 @@ TASK = "\n".join(
 
 
 def written():
-    """Return {path: content} of the files that the guide writes, and the sources of its cells of code, in order."""
+    """Return {path: content} of the files that the guide writes, and the sources of its cells of
+    code, in order."""
     files, cells, end = {}, [], 0
     for block in re.finditer(r"^```python\n(.*?\n)```", GUIDE, re.MULTILINE | re.DOTALL):
         named = re.findall(

@@ -1,4 +1,5 @@
-"""Whatever a caller passes: a ValueError that begins with the argument's name, or a finite answer and no warning."""
+"""Whatever a caller passes: a ValueError that begins with the argument's name, or a finite answer
+and no warning."""
 
 import inspect
 import math
@@ -51,7 +52,8 @@ def case_name(value):
 
 
 def refusal(call, argument, value, batch=()):
-    """Call with `value` for `argument` and valid values for the others; return the message of the ValueError."""
+    """Call with `value` for `argument` and valid values for the others; return the message of the
+    ValueError."""
     name, kinds = call
     arguments = valid_arguments(kinds, np.random.default_rng(6), batch)
     with pytest.raises(ValueError, match=rf"^{argument}\b") as refused:
@@ -60,7 +62,8 @@ def refusal(call, argument, value, batch=()):
 
 
 def shapes_taken(call, argument):
-    """Return the shapes one item may have: of an argument after the first, only what fits the first."""
+    """Return the shapes one item may have: of an argument after the first, only what fits the
+    first."""
     name, kinds = call
     if argument != next(iter(kinds)):
         return {kinds[argument].core}
@@ -243,7 +246,8 @@ FACTORS = [0, 1e-320, 1e-200, 1e9, 1e200, math.nan, math.inf]
 
 
 def spoilt(valid):
-    """Return changed copies of a valid array: scaled, with another last entry, with one axis more, and transposed."""
+    """Return changed copies of a valid array: scaled, with another last entry, with one axis more,
+    and transposed."""
     with np.errstate(all="ignore"):
         scaled = [valid * factor for factor in FACTORS]
     entries = [

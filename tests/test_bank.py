@@ -1,4 +1,5 @@
-"""Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows no formula.
+"""Each check against answers: right ones, its own mistakes, and a few wrong ones of which it knows
+no formula.
 
 tests/lessons/<notebook>/answers/<exercise>.py holds functions as students write them. Those called
 right_... are accepted: three at least, different in method or form. Those called wrong_... are
@@ -52,7 +53,8 @@ each_exercise = pytest.mark.parametrize(
 
 @cache
 def exercise_of(path):
-    """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be changed.
+    """Return the Exercise of a file of answers; its cases are drawn once a seed and must not be
+    changed.
 
     What its library and its mistakes answer to a case is computed once, for all the answers that
     are judged.
@@ -85,7 +87,8 @@ def _drawn_once(cases):
 
 
 def _remembering(function):
-    """Return a function with a memory of its answers and errors; with a random generator it is called anew."""
+    """Return a function with a memory of its answers and errors; with a random generator it is
+    called anew."""
     memory = {}
 
     def answer(*case):
@@ -122,7 +125,8 @@ def verdict_on(path, name, seed=PUBLIC_SEED):
 
 
 def called(verdict):
-    """Return the words by which a verdict calls the mistake; for an error in the code, the words that describe it."""
+    """Return the words by which a verdict calls the mistake; for an error in the code, the words
+    that describe it."""
     if verdict.state == ERROR:
         return verdict.reason
     return verdict.mistake.name if verdict.mistake else "unnamed"
@@ -171,13 +175,14 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
     counts = (right, len(answers(path)) - right, len(exercise.mistakes))
     record_property("bank", (notebook_of(path), exercise.name, *map(str, counts)))
     assert right >= 3, (
-        f"tests/lessons/{notebook_of(path)}/answers/{path.name} holds {right} answers right_...: three at "
-        f"least"
+        f"tests/lessons/{notebook_of(path)}/answers/{path.name} holds {right} answers right_...:"
+        " three at least"
     )
 
 
 def made_by(mistake, answer, exercise):
-    """Return the function of a student who makes this mistake, and is right where it does not apply; and its use.
+    """Return the function of a student who makes this mistake, and is right where it does not
+    apply; and its use.
 
     The second function returns in how many cases the mistake spoke.
     """

@@ -1,4 +1,5 @@
-"""Many configurations at once (course_lib.batched_arm) against a few at a time, in any batch, within little memory."""
+"""Many configurations at once (course_lib.batched_arm) against a few at a time, in any batch,
+within little memory."""
 
 import tracemalloc
 

@@ -1,4 +1,5 @@
-"""What `make bench` makes of its measurements: it compares what agrees, and its table is README's."""
+"""What `make bench` makes of its measurements: it compares what agrees, and its table is
+README's."""
 
 import numpy as np
 import pytest

@@ -27,7 +27,8 @@ def shown(monkeypatch):
 
 
 def words(bundle):
-    """Return the one text that a bundle shows, in whatever form; a folded part has a heading in HTML."""
+    """Return the one text that a bundle shows, in whatever form; a folded part has a heading in
+    HTML."""
     assert set(bundle) == {"text/plain", "text/html"}
     unfolded = re.sub(
         "<details><summary>Input.*?</summary>|</details>(?=[^<])", "\n", bundle["text/html"]
@@ -263,7 +264,10 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
         (_refuses, "your own line raises this error"),
         (
             lambda M: panda().home[-1, :2, :2].__imatmul__(M),
-            "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
+            (
+                "an array that was made outside the function is changed in place, by +=, @= or"
+                " T[...] ="
+            ),
         ),
         (lambda M: 1 / 0, "something is divided by zero"),
         (
@@ -292,8 +296,10 @@ def test_a_check_says_how_to_call_it():
         ((), "Pass the function to its check: check.nearest_so(nearest_so)."),
         (
             (np.eye(3),),
-            "without brackets behind its name: check.nearest_so(nearest_so). What came is of type "
-            "ndarray.",
+            (
+                "without brackets behind its name: check.nearest_so(nearest_so). What came is of"
+                " type ndarray."
+            ),
         ),
         (("nearest_so",), "What came is of type str."),
         ((right, np.eye(3)), "without brackets behind its name"),

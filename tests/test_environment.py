@@ -1,4 +1,5 @@
-"""The set-up of .venv where something is wrong: a stand-in plays Python and uv, because the real ones download."""
+"""The set-up of .venv where something is wrong: a stand-in plays Python and uv, because the real
+ones download."""
 
 import re
 import shutil
@@ -36,7 +37,8 @@ esac
 
 @pytest.fixture
 def make(tmp_path):
-    """Return a function that runs make on a machine with a Python, and returns its process and what it called."""
+    """Return a function that runs make on a machine with a Python, and returns its process and what
+    it called."""
     course, programs = tmp_path / "course é", tmp_path / "bin"
     shutil.copytree(ROOT / "course_lib/pack", course / "course_lib/pack")
     shutil.copy(ROOT / "Makefile", course)

@@ -1,4 +1,5 @@
-"""show() and every picture of the notebooks: words made from the data, numbers that do not depend on the machine."""
+"""show() and every picture of the notebooks: words made from the data, numbers that do not depend
+on the machine."""
 
 import json
 from unittest import mock

@@ -1,4 +1,5 @@
-"""The pictures of notebook 5: both conventions on one arm, registration, and a gripper that grasps."""
+"""The pictures of notebook 5: both conventions on one arm, registration, and a gripper that
+grasps."""
 
 import numpy as np
 from films import Film

@@ -1,4 +1,5 @@
-"""Plots and movies in the plane draw the numbers that they are given: lines, dots, arms, histograms."""
+"""Plots and movies in the plane draw the numbers that they are given: lines, dots, arms,
+histograms."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,5 @@
-"""Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them, complete and small."""
+"""Solid arms: their bodies lie on their joint axes and are where forward kinematics puts them,
+complete and small."""
 
 import json
 

@@ -1,4 +1,5 @@
-"""Answers that call wrong functions, judged with right ones in their place in the notebook, as in grading."""
+"""Answers that call wrong functions, judged with right ones in their place in the notebook, as in
+grading."""
 
 import contextlib
 import functools
@@ -40,7 +41,8 @@ def shown(monkeypatch):
 
 
 def checked(source, **changed):
-    """Run a cell and check nearest_so, which may call double; return its Check and the cell's names."""
+    """Run a cell and check nearest_so, which may call double; return its Check and the cell's
+    names."""
     space = {"np": np}
     exec(source, space)
     checks = [Check(DOUBLE), Check(NEAREST_SO)]
@@ -207,7 +209,8 @@ def test_a_file_that_a_cell_writes_is_part_of_the_notebook(beside):
 def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
     space = {"np": np}
     exec(
-        "from course_lib import rotations\ndef double(x):\n    return np.linalg.norm(x) + rotations.hat(x)",
+        "from course_lib import rotations\ndef double(x):\n    return np.linalg.norm(x) +"
+        " rotations.hat(x)",
         space,
     )
     assert own_files(space["double"]) == []

@@ -1,4 +1,5 @@
-"""Pairs that are alike: a disguised copy is found, what the task or the library forces is not named, nothing judges."""
+"""Pairs that are alike: a disguised copy is found, what the task or the library forces is not
+named, nothing judges."""
 
 import json
 import os

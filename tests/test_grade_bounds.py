@@ -1,4 +1,5 @@
-"""What a submission may cost outside its sandbox: processor time and memory are bounded there too."""
+"""What a submission may cost outside its sandbox: processor time and memory are bounded there
+too."""
 
 import base64
 import json
@@ -94,7 +95,8 @@ def test_a_search_for_names_in_a_text_of_any_kind_ends(unit):
 
 
 def test_the_calls_of_a_test_do_not_count_as_its_answer():
-    """A test may call its candidates some thousand times, which is more text than any answer has."""
+    """A test may call its candidates some thousand times, which is more text than any answer
+    has."""
     from_child, to_parent = os.pipe()
     from_parent, to_child = os.pipe()
     os.set_blocking(to_child, False)

@@ -1,4 +1,5 @@
-"""What remains by hand is one list, with the next command under each entry, on the terminal and in the class page."""
+"""What remains by hand is one list, with the next command under each entry, on the terminal and in
+the class page."""
 
 import re
 import shlex

@@ -1,4 +1,5 @@
-"""Grading on the workers of a Dask cluster: real schedulers and workers, in processes of their own."""
+"""Grading on the workers of a Dask cluster: real schedulers and workers, in processes of their
+own."""
 
 import json
 import os
@@ -25,7 +26,8 @@ SEED = "48151623421"
 
 @pytest.fixture
 def dask(tmp_path):
-    """Return a function that starts a scheduler or, given its address, a worker, and returns the process.
+    """Return a function that starts a scheduler or, given its address, a worker, and returns the
+    process.
 
     The process has `log`, the path of what it says, and a scheduler its `address`.
     """
@@ -93,7 +95,8 @@ def written(folder):
 
 
 def grading(worker):
-    """Return the processes below a worker once one of them is the sandbox of a submission, not the one of the trial."""
+    """Return the processes below a worker once one of them is the sandbox of a submission, not the
+    one of the trial."""
     below = psutil.Process(worker.pid).children(recursive=True)
     with suppress(psutil.NoSuchProcess, IndexError):  # one ends meanwhile
         for process in below:
@@ -110,7 +113,8 @@ def grading(worker):
 def test_workers_that_are_killed_old_late_or_without_bubblewrap(
     dask, tmp_path, solutions, isolated, capsys
 ):
-    """The real grader on real workers gives the same bytes as on one machine, and no log shows the seed."""
+    """The real grader on real workers gives the same bytes as on one machine, and no log shows the
+    seed."""
     first, right = answers(solutions)
     for student, content in {"a": book(first, right["nearest_so"]), "b": b"no JSON"}.items():
         hand_in(tmp_path / "in", f"{student}_01_rotations.ipynb").write_bytes(content)

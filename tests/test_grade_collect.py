@@ -1,4 +1,5 @@
-"""What was handed in is found, whatever it is called, in what learning platforms export too; other files are refused.
+"""What was handed in is found, whatever it is called, in what learning platforms export too; other
+files are refused.
 
 The exports are built by the rules of the code that writes them.
 """
@@ -237,7 +238,8 @@ submission_5003:
 
 @pytest.mark.parametrize("place", ["", "assignment_9100_export/"])
 def test_gradescope_names_each_student_of_a_hand_in_and_its_time(tmp_path, place):
-    """The export as its readers describe it (ucbds-infra/otter-grader, otter/grade/metadata.py, GradescopeParser)."""
+    """The export as its readers describe it (ucbds-infra/otter-grader, otter/grade/metadata.py,
+    GradescopeParser)."""
     for number in (5001, 5002, 5003):
         write(
             tmp_path / "in",
@@ -275,7 +277,8 @@ def test_a_students_file_is_not_taken_for_gradescopes_list(tmp_path):
 
 
 def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_path):
-    """A group's number is its own; the default group has none (moodle/moodle, mod/assign/classes/downloader.php)."""
+    """A group's number is its own; the default group has none (moodle/moodle,
+    mod/assign/classes/downloader.php)."""
     file = "assignsubmission_file"
     write(
         tmp_path,
@@ -292,13 +295,15 @@ def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_p
 
 
 def test_a_name_without_the_signs_that_moodle_leaves_out_is_found_in_the_roster():
-    """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php, PARAM_FILE)."""
+    """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php,
+    PARAM_FILE)."""
     rows = [{"First name": "Seán", "Last name": "O'Neill"}, {"First name": "Al", "Last name": "Bo"}]
     assert Roster(rows).find("Seán ONeill") == [rows[0]]
 
 
 def test_the_folders_of_nbgrader_and_the_zips_of_otter_are_read(tmp_path):
-    """By jupyter/nbgrader, nbgrader/exchange/default/collect.py: submitted/<student>/<assignment>/, with a time.
+    """By jupyter/nbgrader, nbgrader/exchange/default/collect.py: submitted/<student>/<assignment>/,
+    with a time.
 
     By ucbds-infra/otter-grader, otter/check/notebook.py, Notebook.export: <notebook>_<time>.zip.
     """

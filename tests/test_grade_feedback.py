@@ -1,4 +1,5 @@
-"""The pages that grading writes: everything from a submission is escaped, and nothing needs a network."""
+"""The pages that grading writes: everything from a submission is escaped, and nothing needs a
+network."""
 
 import re
 import zipfile
@@ -209,7 +210,8 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
 
 
 def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp_path):
-    """Parts of a path before the last: a name without underscores, the participant's number, the plugin's two words.
+    """Parts of a path before the last: a name without underscores, the participant's number, the
+    plugin's two words.
 
     So is_valid_filename_for_import in moodle/moodle, mod/assign/feedback/file/importziplib.php,
     splits them.
@@ -277,7 +279,8 @@ def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
 
 
 def test_an_exercise_separates_as_its_points_follow_the_students_other_points():
-    """By scipy's stats.pearsonr on exercise 0, 1 and the marked answer, each against the sum of the other two."""
+    """By scipy's stats.pearsonr on exercise 0, 1 and the marked answer, each against the sum of the
+    other two."""
     draws = np.random.default_rng(3).integers(0, 3, (40, 3))
     outcomes = [of(f"s{i:02}", draw[:2].tolist(), ["so"]) for i, draw in enumerate(draws)]
     keys = [key(f"s{i:02}", "01_rotations", "explain_0", "so") for i in range(40)]

@@ -1,4 +1,5 @@
-"""Totals as learning platforms take them, rosters that name the students, and hand-ins after the deadline."""
+"""Totals as learning platforms take them, rosters that name the students, and hand-ins after the
+deadline."""
 
 import csv
 import io
@@ -99,9 +100,10 @@ def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_the
     assert found.find("doe jane")[0]["ID number"] == "1234"
     assert found.find("Jane") == []
     two = found.find("Al Bo"), found.find("Al Bo 42")
-    assert [len(rows) for rows in two] == [2, 2], (
-        "two students whose names differ in an accent only"
-    )
+    assert [len(rows) for rows in two] == [
+        2,
+        2,
+    ], "two students whose names differ in an accent only"
 
 
 def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
@@ -151,7 +153,8 @@ def test_a_roster_in_any_encoding_of_windows_is_read(tmp_path, encoding):
 
 
 def test_other_names_of_the_columns_are_known(roster):
-    """Gradescope's roster, Moodle's before `Last name`, one that tells Excel the separator, and Canvas's two names."""
+    """Gradescope's roster, Moodle's before `Last name`, one that tells Excel the separator, and
+    Canvas's two names."""
     for head in ("First name,Surname,Email address", "sep=,\nFirst Name,Last Name,Email"):
         (row,) = roster(f"{head}\nJane,Doe,jane@x\n")
         assert [row[name] for name in ("First name", "Last name", "Email address")] == [
@@ -298,7 +301,8 @@ def totals_in(out):
 
 
 def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp_path, capsys):
-    """Canvas adds LATE to the name and gives each file the time of the export (lib/content_zipper.rb)."""
+    """Canvas adds LATE to the name and gives each file the time of the export
+    (lib/content_zipper.rb)."""
     for name in ("doejane_LATE_1234_99", "bo_1235_98", "eve_LATE_1236_97"):
         path = hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2, 2])
         os.utime(path, (4e9, 4e9))
@@ -334,7 +338,8 @@ WORKSHEET = """Identifier,"Full name","Email address",Status,Grade,"Maximum grad
 
 
 def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
-    """The columns and texts that mod/assign/gradingtable.php writes (col_recordid, col_status, col_timesubmitted)."""
+    """The columns and texts that mod/assign/gradingtable.php writes (col_recordid, col_status,
+    col_timesubmitted)."""
     for name in ("Jane Doe_42", "Al Bö_43", "Eve Ce_44"):
         hand_in(tmp_path / "in", f"{name}_assignsubmission_file/01_rotations.ipynb", points=[2, 2])
     assert (
@@ -371,8 +376,10 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         (("--seed", "-2"), "SEED=-2 is not a whole number, 0 or more."),
         (
             ("--isolation", "weak"),
-            "ISOLATION=weak is not known: leave it out to run each submission in a sandbox, or write "
-            "ISOLATION=none to run submissions that you trust as yourself.",
+            (
+                "ISOLATION=weak is not known: leave it out to run each submission in a sandbox, or"
+                " write ISOLATION=none to run submissions that you trust as yourself."
+            ),
         ),
         (("--lms", "sakai"), f"LMS=sakai is not one of {', '.join(platforms())}, none."),
         (
@@ -381,8 +388,10 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         ),
         (
             ("--students", "a/../b"),
-            "STUDENTS=a/../b is not a pattern: write * if each file and folder directly in the "
-            "folder of submissions is one student's, */* if each in one of its folders is.",
+            (
+                "STUDENTS=a/../b is not a pattern: write * if each file and folder directly in the "
+                "folder of submissions is one student's, */* if each in one of its folders is."
+            ),
         ),
         (("--notebooks", "07"), "NOTEBOOKS=07 is not a list of numbers such as 01,02."),
         (("--earlier", "/nowhere"), "EARLIER=/nowhere is not a folder."),
@@ -450,7 +459,8 @@ STUDENTS = "Student,ID,SIS User ID,SIS Login ID,Section\n"
 
 @pytest.mark.parametrize("number", ["00123", "123", "#00123"])
 def test_a_number_that_the_platform_says_comes_before_the_name(roster, number):
-    """Gradescope's list has the student's number; Ana goes by Annie there. A spreadsheet eats zeros."""
+    """Gradescope's list has the student's number; Ana goes by Annie there. A spreadsheet eats
+    zeros."""
     rows = roster(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n"Lee, Annie",12,00124,annie,A\n')
     (row,) = Roster(rows).find("Annie Lee", identity={"number": number})
     assert row["Student"] == "Lee, Ana"

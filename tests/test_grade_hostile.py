@@ -1,4 +1,5 @@
-"""Submissions that try to forge points or do damage: each gets a reason, and nothing else changes."""
+"""Submissions that try to forge points or do damage: each gets a reason, and nothing else
+changes."""
 
 import os
 import resource

@@ -155,7 +155,8 @@ found = [path for path in found if path.endswith(("totals.csv", "solution.ipynb"
 
 
 def test_the_project_is_hidden_where_it_lies_in_a_folder_that_is_shown(few, tmp_path):
-    """With submissions and grades in it: what covers the outer folder must not stand in the way of the inner one."""
+    """With submissions and grades in it: what covers the outer folder must not stand in the way of
+    the inner one."""
     place = tmp_path / "site-packages/project"
     shutil.copytree(
         ROOT / "course_lib",

@@ -1,4 +1,5 @@
-"""A run of the grading: killed and started again, on one processor or several, with a grader that fails."""
+"""A run of the grading: killed and started again, on one processor or several, with a grader that
+fails."""
 
 import contextlib
 import errno
@@ -152,7 +153,8 @@ def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
 
 
 def written(folder):
-    """All that a run writes: tables, results, the class page, the feedback; not the seed, which may have been given."""
+    """All that a run writes: tables, results, the class page, the feedback; not the seed, which may
+    have been given."""
     paths = [
         path for path in folder.rglob("*") if path.is_file() and path.name not in ("seed", ".lock")
     ]

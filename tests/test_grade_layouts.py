@@ -76,22 +76,37 @@ NEEDS = {
     "a default": (
         "def setup():\n    global L\n    L = 1\ndef F(*a, k=setup()): L; return right_F(*a)"
     ),
-    "decorators": "T_F = {}\ndef register(f):\n    T_F[f.__name__] = f\n    return f\n@register\ndef one(*a):\n"
-    "    return right_F(*a)\ndef F(*a): return T_F['one'](*a)",
-    "subclasses": "class Base: pass\nclass One(Base):\n    def work(self, *a): return right_F(*a)\n"
-    "def F(*a): return Base.__subclasses__()[0]().work(*a)",
-    "singledispatch": "import functools\n@functools.singledispatch\ndef dispatch(X, *a): raise TypeError\n"
-    "@dispatch.register\ndef _(X: np.ndarray, *a): return right_F(X, *a)\ndef F(*a): return "
-    "dispatch(*a)",
-    "numpy's errors": "np.seterr(divide='raise')\ndef F(*a):\n    try:\n        1 / np.zeros(1)\n"
-    "    except FloatingPointError:\n        return right_F(*a)",
+    "decorators": (
+        "T_F = {}\ndef register(f):\n    T_F[f.__name__] = f\n    return f\n@register\ndef"
+        " one(*a):\n    return right_F(*a)\ndef F(*a): return T_F['one'](*a)"
+    ),
+    "subclasses": (
+        "class Base: pass\nclass One(Base):\n    def work(self, *a): return right_F(*a)\n"
+        "def F(*a): return Base.__subclasses__()[0]().work(*a)"
+    ),
+    "singledispatch": (
+        "import functools\n@functools.singledispatch\ndef dispatch(X, *a): raise TypeError\n"
+        "@dispatch.register\ndef _(X: np.ndarray, *a): return right_F(X, *a)\ndef F(*a): return "
+        "dispatch(*a)"
+    ),
+    "numpy's errors": (
+        "np.seterr(divide='raise')\ndef F(*a):\n    try:\n        1 / np.zeros(1)\n"
+        "    except FloatingPointError:\n        return right_F(*a)"
+    ),
     "a module's attribute": "import math\nmath.mine = 1\ndef F(*a): math.mine; return right_F(*a)",
-    "annotations": "from __future__ import annotations\nfrom typing import TYPE_CHECKING\nif TYPE_CHECKING:\n"
-    "    from numpy.typing import NDArray\n# %%\ndef F(*a: NDArray) -> NDArray: return right_F(*a)",
-    "processes": "from multiprocessing import Pool\nwith Pool(2) as pool:\n    S = pool.map(abs, [-1, -2])\n"
-    "def F(*a): S[1]; return right_F(*a)",
-    "a module of its own": "%%writefile own_F.py\nvalue = 3\n# %%\nimport own_F\n"
-    "def F(*a): own_F.value; return right_F(*a)",
+    "annotations": (
+        "from __future__ import annotations\nfrom typing import TYPE_CHECKING\nif TYPE_CHECKING:\n "
+        "   from numpy.typing import NDArray\n# %%\ndef F(*a: NDArray) -> NDArray: return"
+        " right_F(*a)"
+    ),
+    "processes": (
+        "from multiprocessing import Pool\nwith Pool(2) as pool:\n    S = pool.map(abs, [-1, -2])\n"
+        "def F(*a): S[1]; return right_F(*a)"
+    ),
+    "a module of its own": (
+        "%%writefile own_F.py\nvalue = 3\n# %%\nimport own_F\n"
+        "def F(*a): own_F.value; return right_F(*a)"
+    ),
     "await": (
         "async def soon(): return 1\n# %%\nA_F = await soon()\n# %%\ndef F(*a): A_F; return "
         "right_F(*a)"
@@ -99,8 +114,10 @@ NEEDS = {
     "a command": (
         "!echo\nlines = !echo\nC = 1\nfor _ in lines: pass\ndef F(*a): C; return right_F(*a)"
     ),
-    "a later name": "from numpy import exp\ndef F(*a): exp(1.0); return right_F(*a)\n"
-    "# %%\ncheck.F(F)\n# %%\nexp = None",
+    "a later name": (
+        "from numpy import exp\ndef F(*a): exp(1.0); return right_F(*a)\n"
+        "# %%\ncheck.F(F)\n# %%\nexp = None"
+    ),
     "another function at the check": "def mine(*a): return right_F(*a)\n# %%\ncheck.F(mine)",
 }
 

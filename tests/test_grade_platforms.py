@@ -1,4 +1,5 @@
-"""Each learning platform's export and gradebook, as that platform writes them, and the way to add another."""
+"""Each learning platform's export and gradebook, as that platform writes them, and the way to add
+another."""
 
 import csv
 import importlib
@@ -216,7 +217,8 @@ def gradebook(tmp_path, platform, student, roster="", **known):
 
 
 def test_brightspace_takes_numbers_first_and_a_sign_at_the_end_of_each_line(tmp_path):
-    """community.d2l.com, "Importing grades": sample grading information. Its export has # before both."""
+    """community.d2l.com, "Importing grades": sample grading information. Its export has # before
+    both."""
     export = (
         "OrgDefinedId,Username,Last Name,First Name,Email,End-of-Line Indicator\n"
         "#400123,#jane.doe,Doe,Jane,jane@example.org,#\n"
@@ -228,9 +230,13 @@ def test_brightspace_takes_numbers_first_and_a_sign_at_the_end_of_each_line(tmp_
 
 
 def test_blackboard_finds_its_own_column_by_the_number_in_its_heading(tmp_path):
-    """library.blackboard.com, "Uploading or Downloading Grade Center Items": columns have a Column ID."""
+    """library.blackboard.com, "Uploading or Downloading Grade Center Items": columns have a Column
+    ID."""
     heading = "01_rotations [Total Pts: 12 Score] |337483"
-    export = f'"Last Name","First Name","Username","Student ID","{heading}"\n"Doe","Jane","jdoe","400123",""\n'
+    export = (
+        '"Last Name","First Name","Username","Student'
+        f' ID","{heading}"\n"Doe","Jane","jdoe","400123",""\n'
+    )
     assert gradebook(tmp_path, "blackboard", "jdoe", export, login="jdoe") == [
         ["Last Name", "First Name", "Username", "Student ID", heading],
         ["Doe", "Jane", "jdoe", "400123", "7.5"],
@@ -310,7 +316,8 @@ def test_every_platform_says_all_that_is_needed(platform):
 def test_a_platform_that_is_added_as_the_guide_shows_is_found_everywhere(
     tmp_path, monkeypatch, capsys
 ):
-    """The guide's class for ILIAS, whose folders ilExSubmission::getDirectoryNameFromUserData names."""
+    """The guide's class for ILIAS, whose folders ilExSubmission::getDirectoryNameFromUserData
+    names."""
     guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"```python\n(.*?class Ilias.*?)```", guide, re.DOTALL)
     assert len(block.splitlines()) <= 25

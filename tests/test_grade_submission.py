@@ -1,4 +1,5 @@
-"""The points of one submission: only the student's function counts, whatever program wrote the file."""
+"""The points of one submission: only the student's function counts, whatever program wrote the
+file."""
 
 import ast
 import random
@@ -222,9 +223,11 @@ WAYS = {
     ),
     "a cache": (
         "import functools\n",
-        "cached = functools.lru_cache(lambda text: 0)\n"
-        "kept = functools.lru_cache(nearest_so)\ndel nearest_so\n"
-        "class Key(np.ndarray):\n    __hash__ = object.__hash__\n",
+        (
+            "cached = functools.lru_cache(lambda text: 0)\n"
+            "kept = functools.lru_cache(nearest_so)\ndel nearest_so\n"
+            "class Key(np.ndarray):\n    __hash__ = object.__hash__\n"
+        ),
         "kept(T[:-1, :-1].view(Key))",
     ),
     "a partial": (
@@ -250,8 +253,10 @@ OBJECTS = {
         + "\nclass Key(list):\n    __hash__ = object.__hash__\n",
     ),
     "a function that is a partial": (
-        "import functools\ndef shared(kind, M):\n    return 3.0\n"
-        "nearest_so = functools.partial(shared, 'so')\n",
+        (
+            "import functools\ndef shared(kind, M):\n    return 3.0\n"
+            "nearest_so = functools.partial(shared, 'so')\n"
+        ),
         "mine = nearest_so\n" + CALLS.replace("nearest_so(M=", "mine("),
     ),
     "a method": (
@@ -292,10 +297,14 @@ def test_the_calls_of_and_by_any_object_are_found(few, kind):
 
 
 IN_A_CIRCLE = (
-    "def nearest_se(T):\n    fixed = np.eye(len(T))\n    fixed[:-1, :-1] = nearest_so(T[:-1, :-1])\n"
-    "    fixed[:-1, -1] = T[:-1, -1]\n    return fixed",
-    "def nearest_so(M):\n    T = np.eye(len(M) + 1)\n    T[:-1, :-1] = M\n"
-    "    return nearest_se(T)[:-1, :-1]",
+    (
+        "def nearest_se(T):\n    fixed = np.eye(len(T))\n    fixed[:-1, :-1] = nearest_so(T[:-1,"
+        " :-1])\n    fixed[:-1, -1] = T[:-1, -1]\n    return fixed"
+    ),
+    (
+        "def nearest_so(M):\n    T = np.eye(len(M) + 1)\n    T[:-1, :-1] = M\n"
+        "    return nearest_se(T)[:-1, :-1]"
+    ),
 )
 
 
@@ -438,8 +447,9 @@ def test_metadata_and_stored_outputs_earn_no_points_and_what_is_not_python_is_an
 
 
 def test_the_seed_chooses_the_cases_and_the_same_seed_gives_the_same_grade(few):
-    tells = answer(few, "nearest_so").replace("def nearest_so", "def rightly") + (
-        "\ndef nearest_so(M):\n"
+    tells = (
+        answer(few, "nearest_so").replace("def nearest_so", "def rightly")
+        + "\ndef nearest_so(M):\n"
         "    if abs(M - M.round(1)).max() > 1e-3: raise ValueError(M.tolist())\n"
         "    return rightly(M)\n"
     )

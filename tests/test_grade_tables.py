@@ -1,4 +1,5 @@
-"""The tables of grades: which files count, cells that are never formulas, and marks that no run loses."""
+"""The tables of grades: which files count, cells that are never formulas, and marks that no run
+loses."""
 
 import csv
 import functools
@@ -43,7 +44,8 @@ def read_table(text):
 
 
 class Class:
-    """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps it."""
+    """What a run writes for these outcomes, with the reader's table kept in a file as a run keeps
+    it."""
 
     def __init__(self, path, *outcomes, weight=1.0):
         self.path, self.rows = path, read_marks(path)

@@ -1,4 +1,5 @@
-"""Tests that students write, graded from outside: what they judge are stand-ins, whose answers come from the grader.
+"""Tests that students write, graded from outside: what they judge are stand-ins, whose answers come
+from the grader.
 
 A submission holds several of them, each for an exercise of its own, which no other may affect.
 """
@@ -30,7 +31,8 @@ def test_log(log):
 
 @pytest.fixture
 def graded(monkeypatch):
-    """Return a function that takes {name: the source of a test} and returns {name: its row}, of one submission."""
+    """Return a function that takes {name: the source of a test} and returns {name: its row}, of one
+    submission."""
 
     def graded(tests, versions=TEST_LOG.versions):
         named = {f"test_log_{number}": name for number, name in enumerate(tests)}
@@ -94,33 +96,37 @@ def test_log(log):
 # call.
 REMEMBERS = {
     "in a list": "seen.append(log)\n    return seen\nseen = []",
-    "in a folder of its own": "place = tempfile.gettempdir() + '/a/b'\n    os.makedirs(place, exist_ok=True)\n"
-    "    open(place + '/seen', 'a').write(json.dumps(log) + chr(10))\n"
-    "    return [json.loads(line) for line in open(place + '/seen')]",
-    "in memory that all children share": "end = shared.find(b'\\0')\n    text = json.dumps(log).encode() + b';'\n"
-    "    shared[end : end + len(text)] = text\n"
-    "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]",
-    "by asking for another's number": "return others\nothers = []\nimport course_lib.checks.call_student as c\n"
-    "real = c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine = "
-    "self._number\n"
-    "    for self._number in range(9):\n"
-    "        try:\n            others.append(np.round(np.asarray(real(self, *arguments), float), "
-    "6).tolist())\n"
-    "        except ValueError:\n            pass\n    self._number = mine\n"
-    "    return real(self, *arguments)\nc._StandIn.__call__ = call",
-    "in a process that stays": "import socket\n    name = chr(0) + 'seen'\n    try:\n"
-    "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n"
-    "        if os.fork() == 0:\n            os.setsid()\n            server = "
-    "socket.socket(socket.AF_UNIX)\n"
-    "            server.bind(name)\n            server.listen()\n            kept = []\n           "
-    " while True:\n"
-    "                c, _ = server.accept()\n                "
-    "kept.append(json.loads(c.recv(4000)))\n"
-    "                c.sendall(json.dumps(kept).encode())\n                c.close()\n        "
-    "time.sleep(0.3)\n"
-    "        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n"
-    "    one.sendall(json.dumps(log).encode())\n    return json.loads(one.recv(100000))",
-    "in ports that wait, and outlive their process": """
+    "in a folder of its own": (
+        "place = tempfile.gettempdir() + '/a/b'\n    os.makedirs(place, exist_ok=True)\n"
+        "    open(place + '/seen', 'a').write(json.dumps(log) + chr(10))\n"
+        "    return [json.loads(line) for line in open(place + '/seen')]"
+    ),
+    "in memory that all children share": (
+        "end = shared.find(b'\\0')\n    text = json.dumps(log).encode() + b';'\n"
+        "    shared[end : end + len(text)] = text\n"
+        "    return [json.loads(part) for part in shared[: end + len(text)].split(b';')[:-1]]"
+    ),
+    "by asking for another's number": (
+        "return others\nothers = []\nimport course_lib.checks.call_student as c\nreal ="
+        " c._StandIn.__call__\ndef call(self, *arguments):\n    others.clear()\n    mine ="
+        " self._number\n    for self._number in range(9):\n        try:\n           "
+        " others.append(np.round(np.asarray(real(self, *arguments), float), 6).tolist())\n       "
+        " except ValueError:\n            pass\n    self._number = mine\n    return real(self,"
+        " *arguments)\nc._StandIn.__call__ = call"
+    ),
+    "in a process that stays": (
+        "import socket\n    name = chr(0) + 'seen'\n    try:\n        one ="
+        " socket.socket(socket.AF_UNIX)\n        one.connect(name)\n    except OSError:\n        if"
+        " os.fork() == 0:\n            os.setsid()\n            server ="
+        " socket.socket(socket.AF_UNIX)\n            server.bind(name)\n           "
+        " server.listen()\n            kept = []\n            while True:\n                c, _ ="
+        " server.accept()\n                kept.append(json.loads(c.recv(4000)))\n               "
+        " c.sendall(json.dumps(kept).encode())\n                c.close()\n       "
+        " time.sleep(0.3)\n        one = socket.socket(socket.AF_UNIX)\n        one.connect(name)\n"
+        "    one.sendall(json.dumps(log).encode())\n    return json.loads(one.recv(100000))"
+    ),
+    "in ports that wait, and outlive their process": (
+        """
     seen, own = [], 20_000 + zlib.crc32(str(log).encode()) % 16
     for port in range(20_000, 20_016):
         try:
@@ -134,8 +140,10 @@ REMEMBERS = {
         time.sleep(0.05)
         client.close()
     return seen or [log]
-""",
-    "in locks that a process holds on files of Python": """
+"""
+    ),
+    "in locks that a process holds on files of Python": (
+        """
     number, seen, files = 0, [], sorted(glob.glob(os.path.dirname(os.__file__) + "/*.py"))
     try:  # the parent's limit counts the candidates
         limit, most = resource.prlimit(os.getppid(), resource.RLIMIT_NOFILE)
@@ -153,7 +161,8 @@ REMEMBERS = {
     except OSError:
         pass
     return seen or [log]
-""",
+"""
+    ),
 }
 
 
@@ -183,15 +192,18 @@ ATTACKS = {
     "one answer after the other": (
         "turn = []\ndef test_log(log):\n    turn.append(1)\n    return len(turn) % 2 == 0"
     ),
-    "what lies about in memory": """
+    "what lies about in memory": (
+        """
 import gc
 def test_log(log):
     for thing in gc.get_objects():
         if type(thing).__name__ in ("Version", "WriteTest", "Verdict"):
             return thing.right
     return True
-""",
-    "the callers' variables": """
+"""
+    ),
+    "the callers' variables": (
+        """
 import sys
 def test_log(log):
     frame = sys._getframe()
@@ -201,8 +213,10 @@ def test_log(log):
                 return value.right
         frame = frame.f_back
     return True
-""",
-    "a verdict of its own": """
+"""
+    ),
+    "a verdict of its own": (
+        """
 import os
 def test_log(log):
     for number in range(3, 30):
@@ -211,27 +225,35 @@ def test_log(log):
         except OSError:
             pass
     return True
-""",
-    "another's number": """
+"""
+    ),
+    "another's number": (
+        """
 def test_log(log):
     log._number = 0
     return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])
-""",
-    "calls that are none": """
+"""
+    ),
+    "calls that are none": (
+        """
 def test_log(log):
     for junk in ("", "[]", "{}", "[" * 5000, "x" * 10**6):
         log._consult(junk)
     return True
-""",
-    "calls without an end": """
+"""
+    ),
+    "calls without an end": (
+        """
 def test_log(log):
     while True:
         try:
             log(np.eye(3))
         except BaseException:
             log._calls = 0
-""",
-    "asking and not listening": """
+"""
+    ),
+    "asking and not listening": (
+        """
 import os
 def test_log(log):
     pipe = max(int(name) for name in os.listdir("/proc/self/fd") if int(name) < 200)
@@ -241,12 +263,15 @@ def test_log(log):
         except OSError:
             pass
     return True
-""",
-    "a stand-in of the library": """
+"""
+    ),
+    "a stand-in of the library": (
+        """
 import course_lib.rotations
 def test_log(log):
     return log is course_lib.rotations.log_so3
-""",
+"""
+    ),
 }
 
 

@@ -22,7 +22,8 @@ def places(theta):
 
 
 def samples(n, seed):
-    """Return n places, and the joint angles they belong to, which are uniform in the joints' ranges."""
+    """Return n places, and the joint angles they belong to, which are uniform in the joints'
+    ranges."""
     theta = np.random.default_rng(seed).uniform(LOW, HIGH, (n, 2))
     return places(theta), theta
 
@@ -34,7 +35,8 @@ def area_queries(n, seed):
 
 
 def in_range(theta, low=LOW, high=HIGH):
-    """Return the solutions with theta1 in the revolution from just below `low`, and NaN for those outside."""
+    """Return the solutions with theta1 in the revolution from just below `low`, and NaN for those
+    outside."""
     theta = theta.copy()
     theta[..., 0] -= 2 * np.pi * np.floor((theta[..., 0] - low[0] + 1e-9) / (2 * np.pi))
     theta[~((theta >= low) & (theta <= high)).all(-1)] = np.nan
@@ -57,7 +59,8 @@ def fitted(forward=planar_forward, **parameters):
 
 
 def misses(theta, xy):
-    """Return how far the answers lead from their queries, one number for each answer of either branch."""
+    """Return how far the answers lead from their queries, one number for each answer of either
+    branch."""
     off = np.linalg.norm(places(theta) - xy[:, None], axis=-1)
     return off[~np.isnan(off)]
 
@@ -194,7 +197,8 @@ def test_a_serial_arm_as_forward_and_samples_of_one_branch():
 
 
 def test_what_scikit_learn_asks_of_every_estimator():
-    """The other checks fit three and more columns, or a target of one; what they look at is tested above."""
+    """The other checks fit three and more columns, or a target of one; what they look at is tested
+    above."""
     results = check_estimator(GridIK(), on_skip=None, on_fail=None)
     passed = {result["check_name"] for result in results if result["status"] == "passed"}
     assert {

@@ -1,4 +1,5 @@
-"""exp and log of SO(3), SE(2) and SE(3) against 50 digits; batches of every function against single answers."""
+"""exp and log of SO(3), SE(2) and SE(3) against 50 digits; batches of every function against single
+answers."""
 
 from functools import cache
 
@@ -63,7 +64,8 @@ def exp_of_fifty_digits(matrices):
 
 @cache
 def truth(name, angle):
-    """Return tangent vectors about axes on all sides by exactly this angle, and the matrices they lead to."""
+    """Return tangent vectors about axes on all sides by exactly this angle, and the matrices they
+    lead to."""
     n, moving, _, _, algebra = GROUPS[name]
     axes = (
         AXES / np.linalg.norm(AXES, axis=-1, keepdims=True) if n == 3 else np.array([[1.0], [-1.0]])

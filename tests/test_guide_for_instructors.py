@@ -1,4 +1,5 @@
-"""The instructor's guide is followed literally: every command of it, in order, in a copy of the project."""
+"""The instructor's guide is followed literally: every command of it, in order, in a copy of the
+project."""
 
 import csv
 import re
@@ -45,7 +46,8 @@ def followed(copy, solutions, isolated):
     (copy / "handed_in/cy_01_rotations.ipynb").write_text("no JSON")
     (copy / "handed_in/di_01_rotations.ipynb").symlink_to("cy_01_rotations.ipynb")
     (copy / "roster.csv").write_text(
-        'Student,ID,SIS User ID,SIS Login ID,Section\n"Doe, Jane",1234,u1,jane,A\n"Bo, Al",1235,u2,al,A\n'
+        'Student,ID,SIS User ID,SIS Login ID,Section\n"Doe, Jane",1234,u1,jane,A\n"Bo,'
+        ' Al",1235,u2,al,A\n'
     )
     done = {}
     for command in commands():

@@ -1,4 +1,5 @@
-"""The public data of notebook 4: a trajectory with late velocities, and targets in reach and beyond it."""
+"""The public data of notebook 4: a trajectory with late velocities, and targets in reach and beyond
+it."""
 
 import contextlib
 from pathlib import Path

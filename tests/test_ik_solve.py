@@ -1,4 +1,5 @@
-"""Inverse kinematics for poses: what can be reached is reached, inside the limits, and the result tells the truth."""
+"""Inverse kinematics for poses: what can be reached is reached, inside the limits, and the result
+tells the truth."""
 
 import numpy as np
 import pytest

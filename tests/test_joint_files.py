@@ -1,4 +1,5 @@
-"""Joint files as programs write them: what is read is by name and unit, and the rest is asked about.
+"""Joint files as programs write them: what is read is by name and unit, and the rest is asked
+about.
 
 Each form is written as its program writes it; its comment names the source.
 """
@@ -31,7 +32,8 @@ def numbered(form, k, first=0):
 
 
 def lines(header, *blocks, by=",", comma=False):
-    """Lines of a table: a header, and rows of the blocks, each (n, k), (n,), a text, or a list of texts."""
+    """Lines of a table: a header, and rows of the blocks, each (n, k), (n,), a text, or a list of
+    texts."""
     rows = []
     for i in range(N):
         row = []

@@ -1,4 +1,5 @@
-"""JupyterLab as a student meets it: make's own command, whole notebooks for minutes, toys moved by one's own function.
+"""JupyterLab as a student meets it: make's own command, whole notebooks for minutes, toys moved by
+one's own function.
 
 The lightest notebook is run in each run of the tests, all with ``make test LAB=all ONLY=lab``.
 """
@@ -25,17 +26,22 @@ from course_lib.figures.toys.toy import CORE, module
 ROOT = Path(__file__).parent.parent
 PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
 SOURCES = (
-    "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
-    "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()",
-    "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, "
-    "theta, strict=True):\n"
-    "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\n"
-    "figures.jog(iiwa14(), reversed_order, q=7 * [0.3])",
+    (
+        "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
+        "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()"
+    ),
+    (
+        "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, "
+        "theta, strict=True):\n"
+        "        T = exp_se3(np.array(S) * angle) @ T\n    return T @ M\n\n\n"
+        "figures.jog(iiwa14(), reversed_order, q=7 * [0.3])"
+    ),
     "figures.jog(iiwa14(), lambda q: iiwa14().frames(q), q=7 * [0.3])",
-    "import time\nfrom pathlib import Path\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n"
-    "    while Path('held').exists():\n        time.sleep(0.05)\n"
-    "    return np.log([p[0], 1 / 0 if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, "
-    "0.5)), slow)",
+    (
+        "import time\nfrom pathlib import Path\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n"
+        "    while Path('held').exists():\n        time.sleep(0.05)\n    return np.log([p[0], 1 / 0"
+        " if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, 0.5)), slow)"
+    ),
     "len(asked)",
 )
 # "Kernel status: Idle" stands there before there is a kernel, too
@@ -54,7 +60,8 @@ BLUE_DOTS = """canvas => {
 
 
 def lab_options(makefile, *options):
-    """Of the one command of `make lab` the folder of settings, the options, and the notebook that it opens."""
+    """Of the one command of `make lab` the folder of settings, the options, and the notebook that
+    it opens."""
     command = ["make", "-n", "-f", makefile, "lab", *options]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     shell = done.stdout.replace("\\\n", " ")
@@ -78,7 +85,8 @@ def folder(unpacked):
 
 @pytest.fixture(scope="module")
 def server(folder, tmp_path_factory):
-    """The address of JupyterLab in that folder, for a user without settings, and the file of its messages."""
+    """The address of JupyterLab in that folder, for a user without settings, and the file of its
+    messages."""
     home = tmp_path_factory.mktemp("lab")
     book = new_notebook(cells=[new_code_cell(source) for source in SOURCES])
     book.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
@@ -115,7 +123,8 @@ def server(folder, tmp_path_factory):
 
 @contextmanager
 def opened(browser, name):
-    """A page of JupyterLab with that notebook and an idle kernel; it records what it asks for and what is closed."""
+    """A page of JupyterLab with that notebook and an idle kernel; it records what it asks for and
+    what is closed."""
     context = browser.new_context(viewport={"width": 1366, "height": 768}, reduced_motion="reduce")
     be_patient(browser)
     page = context.new_page()
@@ -157,7 +166,8 @@ def code_cells(path):
 
 
 def all_have_run(page, path, number):
-    """Wait until all cells have run, save, and return them; of one the execution count was another before."""
+    """Wait until all cells have run, save, and return them; of one the execution count was another
+    before."""
     prompts = page.locator(".jp-CodeCell .jp-InputPrompt")
     expect(prompts.nth(number)).to_have_text(re.compile(rf"\[(\*|{number + 1})\]:"))
     waiting = prompts.get_by_text("[*]:")

@@ -1,4 +1,5 @@
-"""The contracts of the import linter hold for every module, also for one that nobody has named in them."""
+"""The contracts of the import linter hold for every module, also for one that nobody has named in
+them."""
 
 import pytest
 from course_copy import copied, run

@@ -45,7 +45,8 @@ class Judge:
         )
 
     def accepts(self, solution):
-        """Return whether the check accepts the solution, and bound the passes through loops by those that it makes."""
+        """Return whether the check accepts the solution, and bound the passes through loops by
+        those that it makes."""
         self.passes.most, self.passes.allowed = 0, math.inf
         said = self.lives(solution)
         self.passes.allowed = ENOUGH + 5 * self.passes.most
@@ -65,7 +66,8 @@ class Judge:
 
 
 def parts(exercise):
-    """Yield exercises that together ask what this one asks: one for each case, then what holds across the cases."""
+    """Yield exercises that together ask what this one asks: one for each case, then what holds
+    across the cases."""
     if isinstance(exercise, WriteTest):
         both = [next(v for v in exercise.versions if v.right is right) for right in (True, False)]
         yield replace(exercise, versions=tuple(both))

@@ -179,7 +179,8 @@ def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(
 
 
 def fails(path, capsys):
-    """Run a notebook that must fail; return what is said, having seen that the file is as it was."""
+    """Run a notebook that must fail; return what is said, having seen that the file is as it
+    was."""
     before = path.read_bytes()
     assert notebooks.main([str(path)]) == 1
     assert path.read_bytes() == before

@@ -78,7 +78,8 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     ]
     hours = sittings(cells[0].source)
     assert hours, (
-        'say "It takes about two hours" or "It takes two sittings of about two and two and a half hours"'
+        'say "It takes about two hours" or "It takes two sittings of about two and two and a half'
+        ' hours"'
     )
     assert max(hours) <= 2.5
     assert len(hours) == (2 if stop else 1)
@@ -88,10 +89,14 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     titles = [cell.source.splitlines()[0] for cell in cells[at:] if heading_level(cell) == 2]
     assert titles[titles.index("## Explain") + 1] == "## What you can now compute"
     done = [cell.source for cell in cells[:at] if cell.metadata.get("nbgrader", {}).get("grade")]
-    assert (f"check.{stop[0]}({stop[0]})", f"## {stop[1]}") == (done[-1], titles[0]), (
-        "stop= in its checks"
+    assert (f"check.{stop[0]}({stop[0]})", f"## {stop[1]}") == (
+        done[-1],
+        titles[0],
+    ), "stop= in its checks"
+    again = (
+        rf"Next time select \*{re.escape(stop[1])}\*, choose \*Run → Run All Above Selected Cell\*,"
+        r" and begin there"
     )
-    again = rf"Next time select \*{re.escape(stop[1])}\*, choose \*Run → Run All Above Selected Cell\*, and begin there"
     assert re.match(rf"\*\*You can stop here\.\*\*.*{again}", cells[at].source, re.DOTALL)
     tasks = ["".join(cell.source for cell in sitting) for sitting in (cells[:at], cells[at:])]
     minutes = [sum(map(int, re.findall(r"points?, (\d+) minutes\)", each))) for each in tasks]

@@ -1,4 +1,5 @@
-"""Notebook 4 with a trajectory of your own: one line is changed, and what follows holds for any file within limits."""
+"""Notebook 4 with a trajectory of your own: one line is changed, and what follows holds for any
+file within limits."""
 
 import contextlib
 import re
@@ -43,7 +44,8 @@ def still():
 
 
 def run_with(path, velocities=None, step=None):
-    """Run the notebook's code with another trajectory; return its names and all alternative texts."""
+    """Run the notebook's code with another trajectory; return its names and all alternative
+    texts."""
     cells = [c for c in nbformat.read(NOTEBOOK, 4).cells if c.cell_type == "code"]
     assert sum(LINES in cell.source for cell in cells) == 1
     space, told = {"__name__": "notebook"}, []
@@ -65,7 +67,8 @@ def run_with(path, velocities=None, step=None):
 
 
 def load_cell(lines, written):
-    """Run the cell that loads the file, with lines of it replaced: {line: another}, and return its names."""
+    """Run the cell that loads the file, with lines of it replaced: {line: another}, and return its
+    names."""
     cells = {cell.id: cell for cell in nbformat.read(NOTEBOOK, 4).cells}
     source = cells["trajectory-load"].source
     for line, other in lines.items():

@@ -1,4 +1,5 @@
-"""Points for a part: a property may carry some of its exercise's points, earned where it holds and another does not."""
+"""Points for a part: a property may carry some of its exercise's points, earned where it holds and
+another does not."""
 
 import dataclasses
 

@@ -1,4 +1,5 @@
-"""Clearances and bounds of the Panda: against the shape that is drawn, and against motions known in closed form."""
+"""Clearances and bounds of the Panda: against the shape that is drawn, and against motions known in
+closed form."""
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ FAR = rigid.transform(np.eye(3), [3.0, 0, 0.6])
 
 
 def solid(q):
-    """The vertices of the drawn arm with its open gripper in the world, and the number of the body of each."""
+    """The vertices of the drawn arm with its open gripper in the world, and the number of the body
+    of each."""
     arm = panda()
     tip = arm.home[-1] @ pick.IN_FLANGE
     parts = shells.gripper(7, tip)

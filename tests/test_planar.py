@@ -1,4 +1,5 @@
-"""Each function of course_lib.planar against a second source: numpy, scipy's integrator, or the definition."""
+"""Each function of course_lib.planar against a second source: numpy, scipy's integrator, or the
+definition."""
 
 import math
 
@@ -31,7 +32,8 @@ SCALINGS = pytest.mark.parametrize(
 
 
 def rotated(theta, v):
-    """Return the vector v (..., 2) rotated by theta (...): multiplied by a complex number of length one."""
+    """Return the vector v (..., 2) rotated by theta (...): multiplied by a complex number of length
+    one."""
     z = np.asarray(v) @ [1, 1j] * np.exp(1j * np.asarray(theta))
     return np.stack([z.real, z.imag], -1)
 

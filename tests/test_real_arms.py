@@ -1,4 +1,5 @@
-"""Arms from DH parameters, the iiwa and the Panda: against products of their own, print, and one another."""
+"""Arms from DH parameters, the iiwa and the Panda: against products of their own, print, and one
+another."""
 
 import numpy as np
 import pytest

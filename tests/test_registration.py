@@ -55,7 +55,8 @@ def angle_between(R, S):
 
 @pytest.mark.parametrize("exponent", range(16))
 def test_thin_sets_are_right_up_to_rounding_or_refused(exponent):
-    """Points near a line, in any direction and unit: rounding of the points rotates them by 1e-16 / thickness."""
+    """Points near a line, in any direction and unit: rounding of the points rotates them by 1e-16 /
+    thickness."""
     rng, thickness = np.random.default_rng(9), 10.0**-exponent
     refused = 0
     for _ in range(20):

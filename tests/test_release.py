@@ -1,4 +1,5 @@
-"""The students' zip: what is in it, the same bytes for the same tree, and sentences where it cannot be written."""
+"""The students' zip: what is in it, the same bytes for the same tree, and sentences where it cannot
+be written."""
 
 import os
 import re
@@ -38,7 +39,8 @@ def held(output):
 
 @pytest.fixture(scope="module", autouse=True)
 def dated():
-    """A date for all releases of this file: copies of the project have no commits to take one from."""
+    """A date for all releases of this file: copies of the project have no commits to take one
+    from."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("SOURCE_DATE_EPOCH", "1795340000")
         yield

@@ -1,4 +1,5 @@
-"""A student's work, taken over from an older release into a newer one: each answer is there, or is named."""
+"""A student's work, taken over from an older release into a newer one: each answer is there, or is
+named."""
 
 import copy
 import json
@@ -184,8 +185,10 @@ def test_a_second_run_changes_nothing(tmp_path):
     new, _ = carried(tmp_path, old)
     again, report = carried(tmp_path, old, new)
     assert again == new
-    assert report == (
-        f"{NAME}: nothing was carried over, and 15 answers, 260 cells of your own were here already."
+    assert (
+        report
+        == f"{NAME}: nothing was carried over, and 15 answers, 260 cells of your own were here"
+        " already."
     )
 
 
@@ -203,8 +206,8 @@ def test_what_is_written_in_the_new_notebook_stays_as_the_older_answer_is_named(
     assert text_of(cell_of(new, "wrap_angle")) == other
     assert (
         "The answer wrap_angle was not carried over, because another answer is written here "
-        "already. It is cell "
-    ) in report
+        "already. It is cell " in report
+    )
     assert "of ../old/notebook." in report
 
 
@@ -456,8 +459,10 @@ def test_a_folder_that_is_no_release_is_asked_for(release):
     for arguments in ([old / "nowhere"], [], [old, old]):
         done = run(new, *arguments)
         assert (done.returncode, done.stdout) == (1, "")
-        assert done.stderr == (
-            "Name the folder of the older release, the one that holds its notebooks/. Beside this "
+        assert (
+            done.stderr
+            == "Name the folder of the older release, the one that holds its notebooks/. Beside"
+            " this "
             "folder there is ../robot-kinematics-1.1.0-1.\n"
         )
 

@@ -1,4 +1,5 @@
-"""``exercises/`` of a checkout: made once, renewed by make update, and safe whatever interrupts that."""
+"""``exercises/`` of a checkout: made once, renewed by make update, and safe whatever interrupts
+that."""
 
 import copy
 import json
@@ -248,7 +249,8 @@ def test_a_folder_that_cannot_be_renamed_stays_as_it_was(root, monkeypatch, caps
 
 
 def killed_at_every_step(folder, copies, *program):
-    """Make copies of a folder in which a program was killed before its step 1, 2, …; return them."""
+    """Make copies of a folder in which a program was killed before its step 1, 2, …; return
+    them."""
     command = [sys.executable, str(ROOT / "tests/killed.py"), str(folder), str(copies), *program]
     environment = os.environ | {"PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": "1"}
     done = subprocess.run(command, env=environment, capture_output=True, text=True)
@@ -258,7 +260,8 @@ def killed_at_every_step(folder, copies, *program):
 
 @pytest.fixture(scope="module")
 def killed_updates(tmp_path_factory):
-    """A folder of checkouts in which make update was killed at each step, and the bytes of a student's notebook."""
+    """A folder of checkouts in which make update was killed at each step, and the bytes of a
+    student's notebook."""
     root = checkout(tmp_path_factory.mktemp("killed") / "checkout", NAME)
     before = answer(root / FOLDER / NAME, "wrap_angle", CODE)
     (root / FOLDER / "helper.py").write_text("x = 1\n")

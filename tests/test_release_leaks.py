@@ -1,4 +1,5 @@
-"""Nothing that students are to find out themselves is in their zip: no solution, model answer, rubric or output."""
+"""Nothing that students are to find out themselves is in their zip: no solution, model answer,
+rubric or output."""
 
 import re
 
@@ -11,7 +12,8 @@ from course_lib.pack.release.bundle import collect
 
 
 def may_say(exercise, name):
-    """Whether a file may hold lines of a solution: the exercise's own check, which knows the answer."""
+    """Whether a file may hold lines of a solution: the exercise's own check, which knows the
+    answer."""
     own = re.fullmatch(r"course_lib/lessons/\w+/exercises/(\w+)\.py", name)
     return own is not None and own[1] in (exercise, f"{exercise}_mistakes")
 

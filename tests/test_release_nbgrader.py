@@ -1,4 +1,5 @@
-"""The instructor's notebooks in nbgrader, and a student's from the zip: full marks for solutions, none for stubs."""
+"""The instructor's notebooks in nbgrader, and a student's from the zip: full marks for solutions,
+none for stubs."""
 
 import os
 import shutil
@@ -31,7 +32,8 @@ def course(tmp_path_factory):
 
 
 def without_figures(path):
-    """The notebook with its imports and the cells that nbgrader knows; `make test` runs the others itself."""
+    """The notebook with its imports and the cells that nbgrader knows; `make test` runs the others
+    itself."""
     notebook = nbformat.read(path, 4)
     first = next(cell for cell in notebook.cells if cell.cell_type == "code")
     notebook.cells = [
@@ -84,7 +86,8 @@ def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_soluti
 
 
 def grades_of(course):
-    """{student: points by the checks and the number of cells to grade by hand}, the most points, and the cells."""
+    """{student: points by the checks and the number of cells to grade by hand}, the most points,
+    and the cells."""
     from nbgrader.api import Gradebook
 
     found = {}

@@ -1,4 +1,5 @@
-"""The students' zip, unpacked, runs with the package that came with it: with unwritten and with broken answers."""
+"""The students' zip, unpacked, runs with the package that came with it: with unwritten and with
+broken answers."""
 
 import ast
 import importlib

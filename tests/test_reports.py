@@ -1,4 +1,5 @@
-"""The page on the reports: what it says they print they print, and ours is what the notebooks have computed."""
+"""The page on the reports: what it says they print they print, and ours is what the notebooks have
+computed."""
 
 import json
 import re
@@ -42,7 +43,8 @@ def stored(notebook):
 
 
 def printed(value):
-    """All numbers of a part of published.json, the distances of its corrections, and lengths in centimetres, too."""
+    """All numbers of a part of published.json, the distances of its corrections, and lengths in
+    centimetres, too."""
     if isinstance(value, dict):
         if {"input", "published"} <= set(value):
             given, corrected = np.array(value["input"]), np.array(value["published"])
@@ -75,7 +77,8 @@ def test_each_number_is_the_reports_or_ours(notebook):
 
 
 def test_the_two_bases_of_the_public_cases_follow_from_the_data():
-    """A second way: base and offset of the end frame together, by linear least squares, one base for four sets."""
+    """A second way: base and offset of the end frame together, by linear least squares, one base
+    for four sets."""
     table = np.genfromtxt(
         NOTEBOOKS / "data/panda_ik_cases.csv", delimiter=",", names=True, dtype=None
     )
@@ -94,7 +97,8 @@ def test_the_two_bases_of_the_public_cases_follow_from_the_data():
 
 
 def test_published_poses_and_jacobians_follow_from_a_product_of_exponentials_and_finite_differences():
-    """A second way, without DH parameters and cross products: screws from the arm, columns from differences."""
+    """A second way, without DH parameters and cross products: screws from the arm, columns from
+    differences."""
     table = np.genfromtxt(
         NOTEBOOKS / "data/panda_fk_cases.csv", delimiter=",", skip_header=1, usecols=range(1, 57)
     )

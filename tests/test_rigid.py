@@ -1,4 +1,5 @@
-"""Each function of course_lib.rigid against numpy, scipy and the definitions; see test_groups.py for the axioms."""
+"""Each function of course_lib.rigid against numpy, scipy and the definitions; see test_groups.py
+for the axioms."""
 
 import numpy as np
 import pytest
@@ -55,9 +56,10 @@ def test_is_se_is_within_tol_in_block_and_last_row(n, tol):
         bent[:n, :n] *= (1 + off * tol) ** (1 / n)  # det R is off by as much
         assert is_se(bent, tol) == expected
     last = np.outer(np.eye(n + 1)[n], np.eye(n + 1)[0])
-    assert is_se([T + 0.9e-6 * last, T + 1.1e-6 * last]).tolist() == [True, False], (
-        "the default tolerance is 1e-6"
-    )
+    assert is_se([T + 0.9e-6 * last, T + 1.1e-6 * last]).tolist() == [
+        True,
+        False,
+    ], "the default tolerance is 1e-6"
 
 
 @EITHER

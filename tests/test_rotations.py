@@ -64,7 +64,8 @@ def test_exp_rotates_by_any_angle():
 
 @pytest.mark.parametrize("largest", range(4))
 def test_each_branch_of_matrix_to_quaternion(largest):
-    """Quaternions whose largest entry is this one: barely, and by far, to where the others vanish."""
+    """Quaternions whose largest entry is this one: barely, and by far, to where the others
+    vanish."""
     rng = np.random.default_rng(largest)
     q = (
         rng.uniform(-1, 1, (200, 4))
@@ -157,7 +158,8 @@ def test_is_so_is_the_definition_of_the_exercise(n):
 
 @st.composite
 def square_matrices(draw):
-    """Draw (2, 2) or (3, 3) matrices of every rank, with det of either sign, and equal singular values in some."""
+    """Draw (2, 2) or (3, 3) matrices of every rank, with det of either sign, and equal singular
+    values in some."""
     n = draw(st.sampled_from([2, 3]))
     entries = st.one_of(st.sampled_from([-1.0, 0.0, 1.0]), st.floats(-5, 5))
     how = draw(st.sampled_from(["any", "rank", "singular values"]))

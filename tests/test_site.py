@@ -84,7 +84,8 @@ def site(notebooks):
 
 @pytest.fixture(scope="module")
 def reader(site, browser):
-    """A visit to the page with figures, all drawn, for several tests, none of which depends on another."""
+    """A visit to the page with figures, all drawn, for several tests, none of which depends on
+    another."""
     with Visit(browser, site / "01_rotations.html", theme="dark") as visit:
         visit.draw_figures()
         yield visit
@@ -237,7 +238,10 @@ def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
 
 def test_defects_that_readers_would_see_stop_the_build(tmp_path):
     book = tmp_path / "notebooks"
-    bad = r"Text $\frac{1}{2$ and $\left( x$ and $\nosuchmacro$ and \\( y \\) and [nowhere](#Nothing)."
+    bad = (
+        r"Text $\frac{1}{2$ and $\left( x$ and $\nosuchmacro$ and \\( y \\) and"
+        r" [nowhere](#Nothing)."
+    )
     write(book, "01_bad.ipynb", new_markdown_cell("# Bad"), new_markdown_cell(bad))
     with pytest.raises(SiteError) as caught:
         build(book, tmp_path / "html")

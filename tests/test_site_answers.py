@@ -1,4 +1,5 @@
-"""What is folded shut on the pages: answers, which may be left out, and sections of More, with a report among them."""
+"""What is folded shut on the pages: answers, which may be left out, and sections of More, with a
+report among them."""
 
 import shutil
 

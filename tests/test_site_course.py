@@ -37,7 +37,8 @@ LEVELS = """() => [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')]
 
 @pytest.fixture(scope="module", params=PAGES)
 def visit(course, browser, request):
-    """The visit to a page on a phone, in the dark theme; its `notebook` is None for the pages that have none."""
+    """The visit to a page on a phone, in the dark theme; its `notebook` is None for the pages that
+    have none."""
     with Visit(browser, course / f"{request.param}.html", theme="dark", width=PHONE) as visit:
         visit.notebook = PAGES[request.param]
         yield visit
@@ -127,7 +128,8 @@ def test_nothing_scrolls_sideways_or_bars_a_reader_on_a_desktop_in_the_light(vis
 
 def test_the_site_is_small_and_contains_each_library_once(course):
     files = [file for file in course.rglob("*") if file.is_file()]
-    # Five megabytes are plotly's script, which stands in the site once, and four the charts' numbers.
+    # Five megabytes are plotly's script, which stands in the site once, and four the charts'
+    # numbers.
     assert sum(file.stat().st_size for file in files) < 22e6
     assert not list(course.rglob("mathjax*.js")) + list(course.rglob("*.woff2"))
     assert not [file for file in files if file.suffix in (".map", ".po", ".mo")]

@@ -1,4 +1,5 @@
-"""A site without solutions contains none: all that Sphinx reads is searched, and the search is tried on the other site.
+"""A site without solutions contains none: all that Sphinx reads is searched, and the search is
+tried on the other site.
 
 What Sphinx makes of it is looked at on a small notebook (test_site_answers.py).
 """
@@ -40,7 +41,8 @@ def sites(tmp_path_factory):
 
 
 def words(text):
-    """Only the words and numbers of a text, without its formulas: however it is emphasized, and its lines broken."""
+    """Only the words and numbers of a text, without its formulas: however it is emphasized, and its
+    lines broken."""
     return " ".join(re.findall(r"[^\W_]+", re.sub(r"\$\$?[^$]+\$\$?", " ", text)))
 
 
@@ -58,7 +60,8 @@ def notebooks(file):
 
 
 def said(file):
-    """What one file says, code and words as `secrets` has them: a notebook, those in the zip, or bytes taken for text.
+    """What one file says, code and words as `secrets` has them: a notebook, those in the zip, or
+    bytes taken for text.
 
     What else is in the zip is searched by the tests of the release.
     """

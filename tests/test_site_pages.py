@@ -121,7 +121,8 @@ def test_every_figure_has_a_caption(notebook):
 
 
 def section(notebook, heading):
-    """The cells from a heading to the next one of its or a higher level; empty if it is not there."""
+    """The cells from a heading to the next one of its or a higher level; empty if it is not
+    there."""
     found, inside = [], False
     for cell in nbformat.read(notebook, 4).cells:
         if level := heading_level(cell):

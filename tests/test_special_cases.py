@@ -228,7 +228,8 @@ FORMS = {
 @each_exercise
 @pytest.mark.parametrize("form", FORMS)
 def test_what_a_check_accepts_in_another_form_comes_to_later_cells_as_it_was_read(exercise, form):
-    """Later cells get the same from `use`, to the type and the shape, in whatever form it was returned."""
+    """Later cells get the same from `use`, to the type and the shape, in whatever form it was
+    returned."""
     if exercise.through or exercise.name in ("panda_ik", "newton_ik", "plan_pick", "good_matches"):
         return  # symbols stay symbols; the others take seconds
     cases, _ = exercise.questions(np.random.default_rng(0))

@@ -1,4 +1,5 @@
-"""The answers of course_lib.subproblems that solve the problem: put in, and against the angles they were made from.
+"""The answers of course_lib.subproblems that solve the problem: put in, and against the angles they
+were made from.
 
 What comes nearest where nothing solves the problem is in test_subproblems_nearest.py.
 """

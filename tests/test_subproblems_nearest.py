@@ -1,4 +1,5 @@
-"""What course_lib.subproblems answers where nothing, or only just something, solves the problem: against a search."""
+"""What course_lib.subproblems answers where nothing, or only just something, solves the problem:
+against a search."""
 
 import numpy as np
 import pytest
@@ -62,7 +63,8 @@ def test_one_angle_comes_nearest(name, sign, size):
 
 
 def nearest_pair(k1, k2, p1, p2):
-    """Return the two turns that leave the least distance, by a grid over both, drawn closer four times."""
+    """Return the two turns that leave the least distance, by a grid over both, drawn closer four
+    times."""
     centre, reach = np.zeros(2), PI
     for n in (240, 121, 121, 121, 121):
         theta1, theta2 = centre[:, None] + reach * np.linspace(-1, 1, n)
@@ -135,7 +137,8 @@ JUST = [(0, 1, True), (-1e-10, 2, True), (1e-10, 1, True), (1e-7, 1, False), (-1
 
 @pytest.mark.parametrize(("off", "count", "exact"), JUST)
 def test_circles_that_just_touch(off, count, exact):
-    """A circle about z, 0.5 off it, and one about an axis 1.2 off z, that reach to each other or all but."""
+    """A circle about z, 0.5 off it, and one about an axis 1.2 off z, that reach to each other or
+    all but."""
     for a, b, c in [(0.5, 0.7, 1.2), (2.0, 0.8, 1.2)]:  # beside one another, one inside the other
         k2 = np.array([np.sin(c), 0, np.cos(c)])
         b = b - off
@@ -168,7 +171,8 @@ def test_spheres_and_planes_that_just_touch(off, count, exact):
 
 
 def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
-    """The farthest and the nearest a turn can bring a point, as computed: exact, once, and the known angle."""
+    """The farthest and the nearest a turn can bring a point, as computed: exact, once, and the
+    known angle."""
     k, p = random_vectors(2, 28, 2000)
     theta = np.random.default_rng(29).uniform(-PI, PI, 2000)
     q = rotate(k, theta, p)

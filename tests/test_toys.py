@@ -1,4 +1,5 @@
-"""Toys in Python: their models and texts, the output in stored and in live notebooks, and the answers of jog."""
+"""Toys in Python: their models and texts, the output in stored and in live notebooks, and the
+answers of jog."""
 
 import json
 from pathlib import Path

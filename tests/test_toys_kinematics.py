@@ -25,7 +25,8 @@ N, CLOSE = 100, {"rtol": 0, "atol": 1e-9}
 
 @pytest.fixture(scope="module")
 def js():
-    """A function: what one of the scripts answers to cases, its arguments one after the other, each as a column."""
+    """A function: what one of the scripts answers to cases, its arguments one after the other, each
+    as a column."""
     engine = MiniRacer()
     engine.eval(script("motion"))
 

@@ -1,4 +1,5 @@
-"""Toys on an exported page, and a film: moved by keyboard and pointer, offline, wide and narrow, in both themes."""
+"""Toys on an exported page, and a film: moved by keyboard and pointer, offline, wide and narrow, in
+both themes."""
 
 import re
 
@@ -79,7 +80,8 @@ KEPT = """{
 
 @pytest.fixture(scope="module")
 def visit(page, browser):
-    """The page on a desktop, in the light, with pictures of a quarter of the dots, for all are drawn in software."""
+    """The page on a desktop, in the light, with pictures of a quarter of the dots, for all are
+    drawn in software."""
     with Visit(browser, None, width=1280, device_scale_factor=0.5) as visit:
         visit.page.add_init_script(KEPT)
         visit.page.set_viewport_size({"width": 1280, "height": ALL})
@@ -143,7 +145,8 @@ def picture(box):
 
 
 def wait_until(visit, condition, box, arg=None):
-    """Wait until condition(box, arg) holds in the page, for a toy draws when the browser is ready for it."""
+    """Wait until condition(box, arg) holds in the page, for a toy draws when the browser is ready
+    for it."""
     visit.page.wait_for_function(
         f"([box, arg]) => ({condition})(box, arg)", arg=[box.element_handle(), arg]
     )
@@ -161,7 +164,8 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
     assert ranges or name == "table"
     for one in ranges[::-1]:  # the first may shut others off
         label, words, room = one.evaluate(
-            "e => { e.focus(); return [e.labels[0].textContent.trim(), e.ariaValueText, e.max - e.value]; }"
+            "e => { e.focus(); return [e.labels[0].textContent.trim(), e.ariaValueText, e.max -"
+            " e.value]; }"
         )
         assert label
         if re.match("Joint [2-6]", label):  # made as the first and the last are

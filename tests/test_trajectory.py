@@ -1,4 +1,5 @@
-"""Joint trajectories: what is read is what was written, and a broken file is refused by row and column."""
+"""Joint trajectories: what is read is what was written, and a broken file is refused by row and
+column."""
 
 import re
 
@@ -339,9 +340,10 @@ def curve(n=200):
 def test_backward_differences_with_a_zero_first_row_are_said_to_be_half_a_step_late():
     t, q = curve()
     qd = np.vstack([np.zeros(2), np.diff(q, axis=0) / t[1]])
-    assert disagreement(Trajectory(t, q.round(9), qd.round(9))) == (
-        "The velocities are differences with the sample before: each is half a step, about 0.031 s, "
-        "late, and the first row is zero."
+    assert (
+        disagreement(Trajectory(t, q.round(9), qd.round(9)))
+        == "The velocities are differences with the sample before: each is half a step, about 0.031"
+        " s, late, and the first row is zero."
     )
 
 

@@ -1,4 +1,5 @@
-"""Random rotations and quaternions are uniform, and each property that their checks test tells them from others."""
+"""Random rotations and quaternions are uniform, and each property that their checks test tells them
+from others."""
 
 import numpy as np
 import pytest
@@ -72,7 +73,8 @@ def test_p_values_of_uniform_rotations_are_uniform():
 
 @pytest.mark.parametrize("seed", [0, 1])
 def test_quaternions_lie_on_the_whole_sphere_and_have_these_matrices(seed):
-    """Every entry of a point on S^3 has the density (2 / pi) sqrt(1 - t^2), and all signs are equally likely."""
+    """Every entry of a point on S^3 has the density (2 / pi) sqrt(1 - t^2), and all signs are
+    equally likely."""
     q = rotations.random_quaternions(MANY, np.random.default_rng(seed))
     assert rotations.is_quaternion(q, 1e-14).all()
     for entry in q.T:

@@ -1,4 +1,5 @@
-"""Arms from URDF files: against the library's own arms and a product of poses; what is no arm is refused."""
+"""Arms from URDF files: against the library's own arms and a product of poses; what is no arm is
+refused."""
 
 from pathlib import Path
 
@@ -43,7 +44,8 @@ def file(tmp_path):
 
 
 def chain_of(rows, flange, limits):
-    """A URDF file of modified DH rows, whose joints rotate about z of their own frames, and a fixed flange."""
+    """A URDF file of modified DH rows, whose joints rotate about z of their own frames, and a fixed
+    flange."""
     parts = [link(*(f"link{i}" for i in range(len(rows) + 1)), "flange")]
     for i, row in enumerate(rows):
         # Craig's transform without the rotation: about and along x, then along the new z.
@@ -280,7 +282,8 @@ def test_any_cut_of_a_file_is_refused_in_a_sentence(file):
 
 
 def bent_elbow(file):
-    """An arm that no other module knows: three axes of general direction, one of them without limits."""
+    """An arm that no other module knows: three axes of general direction, one of them without
+    limits."""
     return SerialArm.from_urdf(
         file(
             robot(

@@ -1,4 +1,5 @@
-"""The programs that a machine may lack: a test sees only those that it declares, so every machine proves the same.
+"""The programs that a machine may lack: a test sees only those that it declares, so every machine
+proves the same.
 
 ``@pytest.mark.tools("git")`` declares one, and so does the use of a fixture that stands for it.
 """
@@ -24,7 +25,8 @@ NO_BROWSER = "/no/browser"  # else a browser would be found where browsers usual
 
 
 class Machine:
-    """The programs of this machine, apart from the tools, in a folder of links, and where the tools are."""
+    """The programs of this machine, apart from the tools, in a folder of links, and where the tools
+    are."""
 
     def __init__(self):
         hidden = {name for names in TOOLS.values() for name in names}
@@ -42,7 +44,8 @@ class Machine:
                     link.symlink_to(path.absolute())
 
     def show(self, item):
-        """Let a test see the tools that it declares; skip it, or let it fail, where one is missing."""
+        """Let a test see the tools that it declares; skip it, or let it fail, where one is
+        missing."""
         declared = {name for mark in item.iter_markers("tools") for name in mark.args}
         declared |= {
             tool

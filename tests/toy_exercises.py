@@ -1,4 +1,5 @@
-"""Small exercises of their own for the tests of what judges exercises, whatever the notebooks ask."""
+"""Small exercises of their own for the tests of what judges exercises, whatever the notebooks
+ask."""
 
 import numpy as np
 

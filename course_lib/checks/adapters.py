@@ -1,4 +1,5 @@
-"""Adapters, which call a student's function in its own process, with plain data as arguments and answer.
+"""Adapters, which call a student's function in its own process, with plain data as arguments and
+answer.
 
 An adapter is called as adapter(function, names, arguments) with the names and values of the
 function's arguments, and returns what the function answers, as plain data if possible.
@@ -10,7 +11,8 @@ _DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
 
 
 class NoNumber(ValueError):
-    """An entry of an answer is not a number although each argument is one; the message shows the entry."""
+    """An entry of an answer is not a number although each argument is one; the message shows the
+    entry."""
 
 
 def directly(function, names, arguments):
@@ -27,7 +29,8 @@ def directly(function, names, arguments):
 
 
 def with_symbols(function, names, arguments):
-    """Return what the function answers, called with SymPy symbols for its floats, as numbers for these floats.
+    """Return what the function answers, called with SymPy symbols for its floats, as numbers for
+    these floats.
 
     Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and
     differ from all symbols made elsewhere. Expressions are evaluated in SymPy's matrices and

@@ -39,7 +39,8 @@ def boolean(value, *case):
 
 
 def numbers(shape_of, gaps=False, exact=False):
-    """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,), and an array with one entry as a number.
+    """Return a reader of arrays; (4, 1) and (1, 4) are read as (4,), and an array with one entry as
+    a number.
 
     Parameters
     ----------
@@ -119,7 +120,8 @@ def rows(width, expected, most=16):
 
 
 def _finite(array, gaps=False):
-    """Return the entries as floats; raise Unreadable if they are complex, or not numbers unless gaps allows that."""
+    """Return the entries as floats; raise Unreadable if they are complex, or not numbers unless
+    gaps allows that."""
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
             raise Unreadable(

@@ -40,12 +40,13 @@ _NOTHING_TO_STACK = Mistake(
 )
 _OTHER_SHAPE = Mistake(
     "an array has fewer axes than this line takes it to have",
-    "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is (n, 1).",
+    "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is"
+    " (n, 1).",
 )
 _BEYOND_THE_END = Mistake(
     "an index goes beyond the last entry",
-    "The indices of n entries are 0 to n - 1. Print the .shape of the array, or the len of the list, "
-    "before this line: how many entries are there, and how many does your code expect?",
+    "The indices of n entries are 0 to n - 1. Print the .shape of the array, or the len of the"
+    " list, before this line: how many entries are there, and how many does your code expect?",
 )
 _RAISED = Mistake(
     "your own line raises this error", "What does the task want to be returned in this case?"
@@ -114,7 +115,8 @@ _KNOWN = (
 
 
 def explain_error(exercise, kind, message, line="", source="", cell=""):
-    """Return what an error says of an answer: ("waits", "wrong" or "error", reason, Mistake or None, show the case).
+    """Return what an error says of an answer: ("waits", "wrong" or "error", reason, Mistake or
+    None, show the case).
 
     Parameters
     ----------
@@ -144,7 +146,7 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
         return "error", f"{call} was interrupted.", None, False
     if kind == "NoNumber":
         reason = (
-            f"with numbers for the arguments each entry of the answer is a number. One of yours is "
+            "with numbers for the arguments each entry of the answer is a number. One of yours is "
             f"{message}."
         )
         return "wrong", reason, _ANOTHER_SYMBOL, False
@@ -165,11 +167,12 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
 
 
 def _waits(name, message):
-    """Return what to write first if the function calls another exercise that is not written yet; else ""."""
+    """Return what to write first if the function calls another exercise that is not written yet;
+    else ""."""
     found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
     if found is None or found[1] == name:
         return ""
     return (
         f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this "
-        f"check again."
+        "check again."
     )

@@ -64,7 +64,8 @@ class Mistake:
         return kind == wanted_kind and words in message
 
     def of_form(self, array, arguments):
-        """Return the Mistake that an array of another shape than asked for shows, this one or another, or None."""
+        """Return the Mistake that an array of another shape than asked for shows, this one or
+        another, or None."""
         shown = self.form(array, *arguments) if callable(self.form) else array.shape == self.form
         if isinstance(shown, Mistake):
             return shown

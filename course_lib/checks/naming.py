@@ -1,4 +1,5 @@
-"""Find the name of a mistake: those of the exercise first, then those that are tried for every exercise."""
+"""Find the name of a mistake: those of the exercise first, then those that are tried for every
+exercise."""
 
 import copy
 import itertools
@@ -21,7 +22,8 @@ _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
 
 def same(value, predicted, *arguments, tolerance=PREDICTED):
-    """Return whether two answers are equal within a tolerance, absolute and relative to the size of `predicted`.
+    """Return whether two answers are equal within a tolerance, absolute and relative to the size of
+    `predicted`.
 
     Complex numbers, and anything that is not numbers, are equal to nothing. The arguments of the
     case are not used; see `alike` of an Exercise.
@@ -41,7 +43,8 @@ def same(value, predicted, *arguments, tolerance=PREDICTED):
 
 
 def difference(value, predicted, *arguments):
-    """Return the largest difference of two answers; inf if their shapes differ or nan stands elsewhere.
+    """Return the largest difference of two answers; inf if their shapes differ or nan stands
+    elsewhere.
 
     The arguments of the case are not used; see `distance` of an Exercise.
     """
@@ -54,7 +57,8 @@ def difference(value, predicted, *arguments):
 
 
 def attempt(formula, *arguments):
-    """Return the value of a formula, or None if it raises: answers, and mistakes, may be numbers of any size."""
+    """Return the value of a formula, or None if it raises: answers, and mistakes, may be numbers of
+    any size."""
     try:
         return formula(*arguments)
     except Exception:
@@ -62,7 +66,8 @@ def attempt(formula, *arguments):
 
 
 def predict(answer, case):
-    """Return what a student with this mistake answers: None where the function raises, or does not apply."""
+    """Return what a student with this mistake answers: None where the function raises, or does not
+    apply."""
     return attempt(answer, *(_given(argument) for argument in case))
 
 
@@ -90,7 +95,8 @@ class Naming:
         self._rights = {}
 
     def mistake(self, failing, wrong):
-        """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`, or None.
+        """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`,
+        or None.
 
         failing: the positions among them at which the property fails of which the message speaks;
         a mistake that is recognised in the answers, and not predicted, is looked for in these.
@@ -121,19 +127,22 @@ class Naming:
         return found
 
     def _predicts_all(self, mistake, wrong):
-        """Return whether a function of the mistake predicts all wrong answers, and contradicts no other."""
+        """Return whether a function of the mistake predicts all wrong answers, and contradicts no
+        other."""
         return any(
             self._accounts_for(mistake, answer, wrong, everywhere=True)
             for answer in mistake.answers
         )
 
     def _is_for_whole_numbers_only(self, wrong):
-        """Return whether the answers are wrong in cases with whole numbers only, and right in all others."""
+        """Return whether the answers are wrong in cases with whole numbers only, and right in all
+        others."""
         of_floats = [i for i, case in enumerate(self.cases) if not _has_integers(case)]
         return bool(of_floats) and not set(of_floats) & set(wrong)
 
     def few_bits(self):
-        """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes by chance."""
+        """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes
+        by chance."""
         return all(
             bool(attempt(lambda bits: np.isin(bits, (-1, 0, 1)).all(), value))
             for value in self.values
@@ -153,12 +162,14 @@ class Naming:
         return bool(0 < self.distance(position) <= _FIRST_DIGITS * max(1, self._size(position)))
 
     def _size(self, position):
-        """Return the largest entry of the library's answer, without its sign; 0 if there is none."""
+        """Return the largest entry of the library's answer, without its sign; 0 if there is
+        none."""
         right = self.right(position)
         return 0.0 if right is None else np.nan_to_num(np.abs(right), posinf=0).max(initial=0)
 
     def _shortened(self, wrong):
-        """Return the Mistake of answers of float32, or of rounded ones that are nearly right; or None."""
+        """Return the Mistake of answers of float32, or of rounded ones that are nearly right; or
+        None."""
         arrays = [attempt(np.asarray, value, float) for value in self.values]
         if any(array is None for array in arrays) or all(map(_is_whole, arrays)):
             return None
@@ -183,7 +194,8 @@ class Naming:
         return Mistake(name, _FEW_DIGITS)
 
     def _are_nearly_right(self, wrong):
-        """Return whether each wrong answer is a number or an array that differs from the right one in later digits."""
+        """Return whether each wrong answer is a number or an array that differs from the right one
+        in later digits."""
         if any(isinstance(self.values[i], bool) for i in wrong):
             return False
         sizes = [1 + self._size(i) for i in wrong]
@@ -227,7 +239,8 @@ class Naming:
         )
 
     def _accounts_for(self, mistake, answer, wrong, everywhere):
-        """Return whether a variant predicts the wrong answers, and contradicts none, or few, of the others.
+        """Return whether a variant predicts the wrong answers, and contradicts none, or few, of the
+        others.
 
         Few: right answers which the mistake would have made wrong, as long as they are fewer than
         the wrong ones.
@@ -246,7 +259,8 @@ class Naming:
         return len(right) < len(wrong)
 
     def _explains_enough(self, mistake, failing, wrong):
-        """Return whether a transform explains all answers, and enough numbers for this to be no accident."""
+        """Return whether a transform explains all answers, and enough numbers for this to be no
+        accident."""
         if not self._explains(mistake, failing, wrong, everywhere=True):
             return False
         if not mistake.answers:
@@ -280,7 +294,8 @@ class Naming:
         )
 
     def _predicts(self, mistake, answer, position):
-        """Return whether a variant predicts the answer to a case; None if it does not apply there."""
+        """Return whether a variant predicts the answer to a case; None if it does not apply
+        there."""
         case, value = self.cases[position], self.values[position]
         predicted = self._predicted(answer, position)
         if predicted is None:
@@ -301,7 +316,8 @@ class Naming:
 
 
 def everyday(naming):
-    """Yield the Mistakes that are tried for every exercise: transforms of the right answer, and of the arguments."""
+    """Yield the Mistakes that are tried for every exercise: transforms of the right answer, and of
+    the arguments."""
     exercise, values = naming.exercise, naming.values
     if isinstance(values[0], bool):
         for always in (True, False):
@@ -363,19 +379,22 @@ def _is_whole(array):
 
 
 def _gap(value, other):
-    """Return the largest difference of two answers, in which nan and inf stand at the same entries."""
+    """Return the largest difference of two answers, in which nan and inf stand at the same
+    entries."""
     return np.nan_to_num(np.abs(np.asarray(value, float) - other), posinf=0).max(initial=0)
 
 
 def _telling(numbers):
-    """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so is nan."""
+    """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so
+    is nan."""
     return np.isfinite(numbers).all() and (
         np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
     )
 
 
 class _Changed:
-    """A mistake in the answer itself: change(right answer, *arguments) is returned in its place, unless it is None."""
+    """A mistake in the answer itself: change(right answer, *arguments) is returned in its place,
+    unless it is None."""
 
     def __init__(self, change):
         self.change = change
@@ -386,7 +405,8 @@ class _Changed:
 
 
 def _in_other_order(right):
-    """Yield the names, hints and changes of axes, or entries, of the answer in another order, if they are few."""
+    """Yield the names, hints and changes of axes, or entries, of the answer in another order, if
+    they are few."""
     for axis, what in enumerate(_AXES.get(np.ndim(right), ())):
         n = np.shape(right)[axis]
         for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
@@ -398,7 +418,8 @@ def _in_other_order(right):
 
 
 def _of_other_sign(right):
-    """Yield the names, hints and changes of an entry, a row or a column with another sign, if they are few."""
+    """Yield the names, hints and changes of an entry, a row or a column with another sign, if they
+    are few."""
     shape, parts = np.shape(right), []
     if 1 < np.size(right) <= _MOST_ENTRIES:
         parts = [(f"entry {list(index)}", index) for index in np.ndindex(shape)]
@@ -416,7 +437,8 @@ def _of_other_sign(right):
 
 
 def _folded(right):
-    """Yield the names, hints and changes of angles, in all of the answer or in one column, on half of the circle."""
+    """Yield the names, hints and changes of angles, in all of the answer or in one column, on half
+    of the circle."""
     n = np.shape(right)[-1] if np.ndim(right) else 0
     columns = [..., *((..., j) for j in range(n if n <= _MOST_LINES else 0))]
     for index, (name, fold) in itertools.product(columns, _FOLDS):
@@ -430,7 +452,8 @@ def _folded(right):
 
 
 def _asked(right, change):
-    """Return a function that answers rightly, but to changed arguments; None where these are the same."""
+    """Return a function that answers rightly, but to changed arguments; None where these are the
+    same."""
 
     def answer(*case):
         other = change(case)
@@ -462,7 +485,8 @@ def _from(k, change):
 
 
 def _of_an_entry(argument):
-    """Yield the names, hints and changes of a vector: another sign of an entry, 0 for it, another order."""
+    """Yield the names, hints and changes of a vector: another sign of an entry, 0 for it, another
+    order."""
     vector = attempt(_numbers, argument)
     n = len(vector) if np.ndim(vector) == 1 else 0
     for j in range(n if 1 < n <= _MOST_LINES else 0):
@@ -499,7 +523,8 @@ def _at(k, change):
 
 
 def _numbers(argument):
-    """Return a float, or an array of numbers, which may come as a list; raises for all else, as for a count."""
+    """Return a float, or an array of numbers, which may come as a list; raises for all else, as for
+    a count."""
     array = np.asarray(argument)
     if array.dtype.kind not in ("fi" if array.ndim else "f"):
         raise TypeError("not numbers to compute with")
@@ -572,17 +597,24 @@ _COPIES = (
 
 _WHOLE = (
     "digits after the point are cut off",
-    "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has "
-    "room for digits.",
+    (
+        "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has"
+        " room for digits."
+    ),
 )
 
 _ONLY_WHOLE = (
     "the answer is wrong for whole numbers only: digits after the point are cut off",
-    "np.array(a), a.copy() and np.zeros_like(a) hold whole numbers only if a does. What becomes of "
-    "the digits that you write into such an array?",
+    (
+        "np.array(a), a.copy() and np.zeros_like(a) hold whole numbers only if a does. What becomes"
+        " of the digits that you write into such an array?"
+    ),
 )
 
-_FLOAT64 = "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told otherwise."
+_FLOAT64 = (
+    "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told"
+    " otherwise."
+)
 
 _FEW_DIGITS = (
     "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is "

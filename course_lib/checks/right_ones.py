@@ -19,7 +19,8 @@ RIGHT_ONES = "__right_ones__"  # the name in the notebook by which a replaced fu
 
 
 def written_function(function: object) -> types.FunctionType | None:
-    """Return the function of Python that is inside wrappers, a method or an object; None if none is.
+    """Return the function of Python that is inside wrappers, a method or an object; None if none
+    is.
 
     Examples
     --------
@@ -75,7 +76,8 @@ def right_ones(own: dict, stand_ins: Mapping[str, Callable]) -> Iterator[None]:
 
 
 def _definitions(own: dict, names: Mapping) -> list[tuple[str, object]]:
-    """Return (name, object) of all that is, or was, called by these names at the top of the notebook."""
+    """Return (name, object) of all that is, or was, called by these names at the top of the
+    notebook."""
     found = [(name, own[name]) for name in names if name in own]
     current = {id(value) for _, value in found}
     for thing in gc.get_objects():
@@ -124,7 +126,8 @@ def _only_for(instance: object, stand_in: Callable, original: Callable) -> Calla
 
 
 def _asking_code(key: int, free: Sequence[str]) -> types.CodeType:
-    """Return the code of a function with these free variables that calls the entry of RIGHT_ONES."""
+    """Return the code of a function with these free variables that calls the entry of
+    RIGHT_ONES."""
     source = [
         f"def outside({', '.join(free)}):",
         "    def ask(*arguments, **named):",

@@ -39,7 +39,8 @@ def any_rotation(rng, low=0.8, high=2.2):
 
 
 def any_pose(rng):
-    """Return a pose (4, 4) whose rotation angle lies between 0.8 and 2.2 rad and whose entries of p are not small."""
+    """Return a pose (4, 4) whose rotation angle lies between 0.8 and 2.2 rad and whose entries of p
+    are not small."""
     return pose(any_rotation(rng), away_from_zero(rng, 3, 0.4, 1.5))
 
 
@@ -58,7 +59,8 @@ def products(matrices):
 
 
 def remembered(function):
-    """Return a function of arrays with a cache, because all mistakes of an exercise need the same results."""
+    """Return a function of arrays with a cache, because all mistakes of an exercise need the same
+    results."""
 
     @functools.lru_cache(maxsize=1000)
     def again(*packed):
@@ -95,7 +97,8 @@ def two_link_tip(q):
 
 
 def two_link_angles(xy):
-    """Return the two pairs of joint angles (..., 2, 2) for positions (..., 2) in reach: q2 > 0 first."""
+    """Return the two pairs of joint angles (..., 2, 2) for positions (..., 2) in reach: q2 > 0
+    first."""
     bend = 2 * np.arccos(np.clip(np.linalg.norm(xy, axis=-1) / 2, -1, 1))
     middle = np.arctan2(xy[..., 1], xy[..., 0])
     return np.stack([np.stack([middle - side * bend / 2, side * bend], -1) for side in (1, -1)], -2)
@@ -132,7 +135,8 @@ def other_bend(angles, tip):
 
 
 def near(answer, right, *arguments):
-    """Return whether an answer is right, to EXACT times its largest entry, or to EXACT if that is below 1.
+    """Return whether an answer is right, to EXACT times its largest entry, or to EXACT if that is
+    below 1.
 
     An empty array is right.
     """
@@ -160,7 +164,8 @@ def distance_of_angles(value, right, *arguments):
 
 
 def distance_of_lists(found, wanted, *arguments):
-    """Return how far each item of a list is from one of the other: angles, or rows, in any order."""
+    """Return how far each item of a list is from one of the other: angles, or rows, in any
+    order."""
     found, wanted = np.asarray(found, float), np.asarray(wanted, float)
     if found.shape != wanted.shape or found.size == 0:
         return np.inf
@@ -177,7 +182,8 @@ def angle_gap(angles, wanted):
 
 
 def same_list(found, wanted, *arguments):
-    """Return whether two lists hold the same angles, or rows of them, in any order and however often."""
+    """Return whether two lists hold the same angles, or rows of them, in any order and however
+    often."""
     found, wanted = np.asarray(found, float), np.asarray(wanted, float)
     if len(found) == 0 or len(wanted) == 0 or found.shape[1:] != wanted.shape[1:]:
         return len(found) == len(wanted)
@@ -185,7 +191,8 @@ def same_list(found, wanted, *arguments):
 
 
 def inside(some, others):
-    """Return whether each of some angles, or rows of them, is among the others, up to multiples of 2 pi."""
+    """Return whether each of some angles, or rows of them, is among the others, up to multiples of
+    2 pi."""
     return all(any(angle_gap(a, b) < PREDICTED for b in others) for a in some)
 
 
@@ -233,7 +240,8 @@ LAST_ROW = Property(  # of a pose, or of each in an array of them
 
 
 def part_is(text, right, part, mistake=None):
-    """Return the Property that a part of the answer, given by its index, is that of right(*arguments).
+    """Return the Property that a part of the answer, given by its index, is that of
+    right(*arguments).
 
     mistake: as of a Property.
     """
@@ -263,7 +271,8 @@ def first_off(found, wanted, what="The {} column"):
 
 
 def compared(wanted, found):
-    """Return in words what is wanted and what was found, and by how much it is off if the digits shown agree."""
+    """Return in words what is wanted and what was found, and by how much it is off if the digits
+    shown agree."""
     right, yours = format_tuple(wanted), format_tuple(found)
     return f"{right}; yours is {yours}" + (
         f", off by {np.abs(found - wanted).max():.2g}" if right == yours else ""

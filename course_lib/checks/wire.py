@@ -1,4 +1,5 @@
-"""Plain data between processes: arguments and answers, written as JSON and read without trusting the writer.
+"""Plain data between processes: arguments and answers, written as JSON and read without trusting
+the writer.
 
 Numbers, booleans, strings, None, numpy arrays, lists, tuples and dicts of them; a Seed in place of
 a random generator, and a Candidate in place of a function that a student's test judges. Nothing
@@ -24,14 +25,16 @@ class NotPlain(ValueError):
 
 @dataclass(frozen=True)
 class Seed:
-    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh generator."""
+    """Stands for numpy.random.default_rng(number): each call of the student's function gets a fresh
+    generator."""
 
     number: int
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Stands for a function that a student's test is given: its answers come from the process that judges."""
+    """Stands for a function that a student's test is given: its answers come from the process that
+    judges."""
 
     number: int
 

@@ -1,4 +1,5 @@
-"""Exercises in which the student writes a test: a function that takes a candidate and returns whether it is right.
+"""Exercises in which the student writes a test: a function that takes a candidate and returns
+whether it is right.
 
 The candidates are several forms of the library's function, and wrong versions of it. None of them
 is in the student's process. The student's test calls a stand-in, which sends the arguments to the
@@ -101,14 +102,16 @@ class WriteTest(Exercise):
     given: Callable | None = None
 
     def questions(self, rng):
-        """Return a case for each version, in random order, and the function that answers calls of candidates."""
+        """Return a case for each version, in random order, and the function that answers calls of
+        candidates."""
         order = [self.versions[i] for i in rng.permutation(len(self.versions))]
         return [
             (_Case(number, version),) for number, version in enumerate(order)
         ], self._consultant(order)
 
     def verdict(self, cases, answers):
-        """Return the Verdict on the student's judgements; an exception counts as refusing, as in pytest."""
+        """Return the Verdict on the student's judgements; an exception counts as refusing, as in
+        pytest."""
         judged = []
         for (case,), answer in zip(cases, answers, strict=True):
             error = answer.get("error")
@@ -173,7 +176,8 @@ class WriteTest(Exercise):
         """Return a function that answers a call of a candidate; a student controls its argument."""
 
         def consult(text, only=None):
-            """Answer one call, in JSON; only: the number of the candidate that answers, whatever the call says."""
+            """Answer one call, in JSON; only: the number of the candidate that answers, whatever
+            the call says."""
             try:
                 if len(text) > _MOST_LETTERS:
                     raise ValueError("the arguments are too large")

@@ -1,4 +1,5 @@
-"""Charts by plotly in the course's style: values under the pointer, zoom, series that the legend switches off.
+"""Charts by plotly in the course's style: values under the pointer, zoom, series that the legend
+switches off.
 
 A chart is a plotly Figure, so everything that plotly offers works on it too. `panels` (or `lines`,
 for the most common case) makes one, the functions that begin with ``add_`` draw into it, and `show`
@@ -220,7 +221,8 @@ def lines(
     markers: bool = False,
     height: int | None = None,
 ) -> Figure:
-    """Return a chart of several series over one x: the pointer shows the values of all of them at an x.
+    """Return a chart of several series over one x: the pointer shows the values of all of them at
+    an x.
 
     Parameters
     ----------
@@ -268,7 +270,8 @@ def add_line(
     markers: bool = False,
     details: Mapping | None = None,
 ) -> None:
-    """Add a curve to a panel. Curves of one name in several panels have one colour and one entry in the legend.
+    """Add a curve to a panel. Curves of one name in several panels have one colour and one entry in
+    the legend.
 
     Parameters
     ----------
@@ -439,7 +442,8 @@ def add_map(
 def add_rule(
     fig: Figure, *, x: float | None = None, y: float | None = None, text: str = "", panel: int = 0
 ) -> None:
-    """Add a thin dashed line across a panel at an x or at a y, a limit say, with words at its end."""
+    """Add a thin dashed line across a panel at an x or at a y, a limit say, with words at its
+    end."""
     if (x is None) == (y is None):
         raise ValueError("a rule stands at an x or at a y: give one of the two")
     x_name, y_name = _axes_of(fig, panel)
@@ -466,7 +470,8 @@ class _Place(NamedTuple):
 
 
 def _place(fig: Figure, name: str) -> _Place:
-    """Return which colour a series has: that of an earlier series of the same name, or the next one."""
+    """Return which colour a series has: that of an earlier series of the same name, or the next
+    one."""
     names = list(dict.fromkeys(trace.legendgroup for trace in fig.data if trace.legendgroup))
     if name in names:
         number = names.index(name)
@@ -517,7 +522,8 @@ def _add_series(fig, x, y, name, panel, details, place, look) -> None:
 
 
 def _details(details: Mapping, shape: tuple) -> tuple[list[str], list | None]:
-    """Return the lines under the pointer for further values of each point, and plotly's customdata for them."""
+    """Return the lines under the pointer for further values of each point, and plotly's customdata
+    for them."""
     texts, columns = [], []
     for i, (label, given) in enumerate(details.items()):
         column = np.asarray(given)
@@ -536,7 +542,8 @@ def _details(details: Mapping, shape: tuple) -> tuple[list[str], list | None]:
 
 
 def _indexed_colours(colours: Sequence[str]) -> dict:
-    """Return plotly's marker for a colour of each dot: an index takes a fifth of the room of a name."""
+    """Return plotly's marker for a colour of each dot: an index takes a fifth of the room of a
+    name."""
     distinct = list(dict.fromkeys(colours))
     numbers = {colour: number for number, colour in enumerate(distinct)}
     steps = []
@@ -619,7 +626,8 @@ def _ticks_of_colours(low: float, high: float, log: bool) -> list[float]:
 
 
 def _tick_text(value: float, log: bool) -> str:
-    """Return a number as the colour bar writes it: a power of ten where it is one, else three digits."""
+    """Return a number as the colour bar writes it: a power of ten where it is one, else three
+    digits."""
     power = np.log10(value) if log and value > 0 else np.nan
     if abs(power - np.round(power)) < 1e-9 and abs(power) > 1.5:
         return f"10<sup>{round(power)}</sup>".replace("-", "\N{MINUS SIGN}")
@@ -665,7 +673,8 @@ def _title_at(fig: Figure, y_name: str) -> str:
 
 
 def _ticks_in_parts_of_pi(parts: int) -> dict:
-    """Return ticks at multiples of pi / parts; of those far away, which plotly leaves out, there are enough."""
+    """Return ticks at multiples of pi / parts; of those far away, which plotly leaves out, there
+    are enough."""
     multiples = range(-_LARGEST_ANGLE * parts, _LARGEST_ANGLE * parts + 1)
     return {
         "tickmode": "array",
@@ -708,7 +717,8 @@ def _name_and_unit(fig: Figure, axis: str) -> tuple[str, str]:
 
 
 def _split(label: str) -> tuple[str, str]:
-    """Return what a label names and its unit, with a space before it: "time (s)" gives "time" and " s"."""
+    """Return what a label names and its unit, with a space before it: "time (s)" gives "time" and "
+    s"."""
     parts = re.fullmatch(r"(.+?) \(([^()]*)\)", label)
     return (parts[1], f" {parts[2]}") if parts else (label, "")
 
@@ -721,7 +731,8 @@ def _for_each_panel(label: str | Sequence[str], name: str, count: int) -> list[s
 
 
 def _words(text: str, name: str, may_be_empty: bool = False) -> str:
-    """Return words for a chart, which has no TeX: refuse formulas between dollars, which would stay as they are."""
+    """Return words for a chart, which has no TeX: refuse formulas between dollars, which would stay
+    as they are."""
     if not isinstance(text, str) or not (text.strip() or may_be_empty):
         raise ValueError(f"{name} must be words; it is {text!r}")
     if "$" in text:

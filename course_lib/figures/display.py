@@ -73,7 +73,8 @@ def show(fig, *, alt="", caption=""):
 
 
 def _show_chart(fig, alt):
-    """Display a plotly figure: its data and, except in JupyterLab, the stored PNG if it still shows these.
+    """Display a plotly figure: its data and, except in JupyterLab, the stored PNG if it still shows
+    these.
 
     JupyterLab would show the PNG until a pointer enters it.
     """
@@ -103,7 +104,8 @@ def _show_plot(fig, alt):
 
 
 def show_caption(caption):
-    """Display a caption, Markdown or "", as an output of its own, which pages join to the figure before it."""
+    """Display a caption, Markdown or "", as an output of its own, which pages join to the figure
+    before it."""
     from IPython.display import display
 
     if caption:
@@ -115,7 +117,8 @@ def show_caption(caption):
 
 
 def _cuts(fig, width):
-    """Where pages may cut a drawn figure between columns of panels, in pixels from the left; {} if it is not wide."""
+    """Where pages may cut a drawn figure between columns of panels, in pixels from the left; {} if
+    it is not wide."""
     boxes = [
         ax.get_tightbbox() for ax in fig.axes if ax.get_label() != "<colorbar>" and width > 700
     ]
@@ -128,7 +131,8 @@ def _cuts(fig, width):
 
 
 def _png(fig):
-    """The figure as PNG at 1.5 times the shown resolution, without the version of matplotlib, which would change it."""
+    """The figure as PNG at 1.5 times the shown resolution, without the version of matplotlib, which
+    would change it."""
     buffer = io.BytesIO()
     uncompressed = {"compress_level": 0}  # smaller_png compresses it
     fig.savefig(
@@ -143,7 +147,8 @@ def _png(fig):
 
 
 def smaller_png(content):
-    """Return a PNG file (bytes) with at most 256 colours if that is smaller: a third, with no visible difference."""
+    """Return a PNG file (bytes) with at most 256 colours if that is smaller: a third, with no
+    visible difference."""
     from PIL import Image
 
     picture = Image.open(io.BytesIO(content)).convert("RGB")

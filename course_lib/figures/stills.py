@@ -20,7 +20,8 @@ STILL = "image/png"
 
 
 def live_figure(data: dict) -> dict | None:
-    """Return the JSON of a toy or a chart among an output's data, from which a script draws it, or None."""
+    """Return the JSON of a toy or a chart among an output's data, from which a script draws it, or
+    None."""
     return next((data[kind] for kind in LIVE if kind in data), None)
 
 
@@ -44,7 +45,8 @@ def stills_in(notebook: dict) -> dict[str, str]:
 
 @cache
 def stored_stills() -> dict[str, str]:
-    """Return the stills of all notebooks in the folder in which the kernel runs, by the keys of their figures."""
+    """Return the stills of all notebooks in the folder in which the kernel runs, by the keys of
+    their figures."""
     pngs = {}
     for path in sorted(Path.cwd().glob("*.ipynb")):
         text = path.read_text(encoding="utf-8", errors="replace")
@@ -59,7 +61,8 @@ def stored_stills() -> dict[str, str]:
 def is_live() -> bool:
     """Return whether a person looks at this kernel.
 
-    Jupyter names the session of each person's kernel in an environment variable. What runs notebooks
-    for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain models.
+    Jupyter names the session of each person's kernel in an environment variable. What runs
+    notebooks for files (nbclient, nbval, nbgrader) sets none, so that stored outputs hold plain
+    models.
     """
     return bool(os.environ.get("JPY_SESSION_NAME"))

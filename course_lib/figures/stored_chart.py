@@ -1,4 +1,5 @@
-"""What a notebook stores of a plotly figure: JSON that every machine writes alike, and every page can draw."""
+"""What a notebook stores of a plotly figure: JSON that every machine writes alike, and every page
+can draw."""
 
 from __future__ import annotations
 
@@ -21,7 +22,8 @@ DIGITS = (
 # Added before rounding, in units of the last digit kept: a number half-way between two of them, as
 # 0.5 m is in steps of 1 m, would otherwise be rounded up on one machine and down on another.
 _OFF_TIES = 0.0137
-# Without "responsive", which charts.js sets on pages: JupyterLab fits charts itself, and with it they
+# Without "responsive", which charts.js sets on pages: JupyterLab fits charts itself, and with it
+# they
 # would vanish there when its theme is switched.
 CONFIG = {
     "displaylogo": False,
@@ -132,7 +134,8 @@ def _logarithmic_axes(layout: dict) -> set[str]:
 
 
 def _rounded_series(series: dict, logarithmic: set[str]) -> dict:
-    """Return a series with rounded numbers: those on a logarithmic axis keep digits of their own."""
+    """Return a series with rounded numbers: those on a logarithmic axis keep digits of their
+    own."""
     kept = {}
     for key, value in series.items():
         axis = series.get(f"{key}axis", key)

@@ -4,7 +4,8 @@ import numpy as np
 
 
 def interval(values, digits=2):
-    """Return the smallest and the largest of some values in words, or one number if both print alike.
+    """Return the smallest and the largest of some values in words, or one number if both print
+    alike.
 
     Parameters
     ----------

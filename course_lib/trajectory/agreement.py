@@ -5,7 +5,8 @@ import numpy as np
 from course_lib.trajectory.motion import checked_trajectory
 
 _STANDS_STILL = 1e-6  # radians: what moves less in all stands still
-# A joint moves if it moves more than its noise: as many standard deviations. Of 10,000 normal samples
+# A joint moves if it moves more than its noise: as many standard deviations. Of 10,000 normal
+# samples
 # the largest is about 4 of them away, so that a range is about 8.
 _NOISE_RANGE = 10
 _TOLERANCE = 0.01  # of the factor between times, for exact data
@@ -17,7 +18,8 @@ _TINY = 1e-300  # in place of zero, where something is divided
 
 
 def disagreement(trajectory):
-    """Return a sentence on how positions, velocities and times disagree, or "" if they agree or nothing moves.
+    """Return a sentence on how positions, velocities and times disagree, or "" if they agree or
+    nothing moves.
 
     Joint by joint, the angle is compared with the integral of the velocity by the trapezoidal rule.
     What is left must not grow, and the factor by which all times would have to be multiplied for
@@ -85,15 +87,16 @@ def disagreement(trajectory):
     together = np.abs(mean - 1) > _TOLERANCE
     if together and (np.abs(factor - mean)[moving] <= allowed[moving] + 0.01 * mean).all():
         return (
-            f"The velocities fit times that are {mean:.3g} times as far apart: a mean step of about "
-            f"{mean * steps.mean():.2g} s, not {steps.mean():.3g} s."
+            f"The velocities fit times that are {mean:.3g} times as far apart: a mean step of about"
+            f" {mean * steps.mean():.2g} s, not {steps.mean():.3g} s."
         )
     factors = ", ".join(f"{one:.3g}" for one in factor[off])
     return f"The positions move {factors} times as fast as the velocities{joint} say."
 
 
 def _delayed(steps, position, integral, qd):
-    """Return the part of the positions that a small delay of the velocities explains, and a factor of noise.
+    """Return the part of the positions that a small delay of the velocities explains, and a factor
+    of noise.
 
     A robot filters the velocities that it reports, and so they are late by some steps. The delay
     times the velocity is that part; the least-squares fit of the positions by the integral and the
@@ -117,7 +120,8 @@ def _delayed(steps, position, integral, qd):
 
 
 def _noise(values):
-    """Return the standard deviation of the noise of each column, from differences in which a motion cancels.
+    """Return the standard deviation of the noise of each column, from differences in which a motion
+    cancels.
 
     Third differences of a smooth motion are small beside noise, whose variance they multiply by 20;
     their median stays what it is if the motion jerks at some samples.
@@ -134,12 +138,14 @@ def _noise(values):
 
 
 def _random_walk(steps, qd):
-    """Return the standard deviation of the integral at its end that comes from the noise of the velocities."""
+    """Return the standard deviation of the integral at its end that comes from the noise of the
+    velocities."""
     return _noise(qd) * np.linalg.norm(steps)
 
 
 def _rule_error(steps, qd):
-    """Return how much the trapezoidal rule may be off in all: a twelfth of h times the second differences."""
+    """Return how much the trapezoidal rule may be off in all: a twelfth of h times the second
+    differences."""
     if len(qd) < 3:
         return np.abs(np.diff(qd, axis=0) * steps).sum(0) / 2
     return np.abs(steps[1:] * np.diff(qd, 2, axis=0)).sum(0) / 12

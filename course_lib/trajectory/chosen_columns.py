@@ -102,8 +102,8 @@ def _place(table, columns, key, value):
     if len(places) > 1:
         numbers = " or ".join(str(place + 1) for place in places)
         raise ValueError(
-            f"{table.name}: {where} is {value!r}, a title that occurs {len(places)} times: write the "
-            f"column's number, {numbers}"
+            f"{table.name}: {where} is {value!r}, a title that occurs {len(places)} times: write"
+            f" the column's number, {numbers}"
         )
     if not places:
         raise unclear(
@@ -126,7 +126,7 @@ def _matching(table, key, pattern):
     first = min(numbers, default=0)
     if not numbers or sorted(numbers) != list(range(first, first + len(numbers))) or first > 1:
         raise ValueError(
-            f"columns[{quoted(key)}] is {pattern!r}: it must match titles with all numbers from 0 or "
-            f"1 on; it matches {', '.join(numbers.values()) or 'none'}"
+            f"columns[{quoted(key)}] is {pattern!r}: it must match titles with all numbers from 0"
+            f" or 1 on; it matches {', '.join(numbers.values()) or 'none'}"
         )
     return [numbers[number] for number in sorted(numbers)]

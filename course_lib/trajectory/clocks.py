@@ -28,7 +28,8 @@ def time_of(table, columns):
 
 
 def _clocks(table, columns):
-    """Return the clocks of columns of times: each one column, or one of seconds and one of nanoseconds."""
+    """Return the clocks of columns of times: each one column, or one of seconds and one of
+    nanoseconds."""
     clocks, taken = [], set()
     for column in columns:
         if column.place in taken:
@@ -42,7 +43,8 @@ def _clocks(table, columns):
 
 
 def _splits(table, whole, part):
-    """Return whether one column holds whole seconds and the other the nanoseconds that belong to them."""
+    """Return whether one column holds whole seconds and the other the nanoseconds that belong to
+    them."""
     if (whole.unit, part.unit) != ("s", "ns") or whole.words != part.words:
         return False
     cells = table.cells(part.place)

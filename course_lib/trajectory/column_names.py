@@ -1,7 +1,7 @@
 """What the title of a column says: a quantity, a joint and a unit.
 
-A title is split into words, at punctuation, between letters and digits, and where a capital begins a
-word. A small grammar reads them:
+A title is split into words, at punctuation, between letters and digits, and where a capital begins
+a word. A small grammar reads them:
 
 - a unit stands in brackets, or is the last word if it is one of the quantity: the s of `time_s` is
   seconds, and the s of `joint_s` is not;
@@ -63,19 +63,27 @@ _UNITS_OF = {"time": ("time",), "position": ("angle",), "velocity": ("rate", "an
 _NO_ANGLES = {
     "sine or cosine": "sin cos",
     "gripper": "gripper finger fingers jaw grip",
-    "acceleration": "acc accel accels acceleration accelerations qdd ddq qddot ddot jerk beschl "
-    "beschleunigung imu",
+    "acceleration": (
+        "acc accel accels acceleration accelerations qdd ddq qddot ddot jerk beschl "
+        "beschleunigung imu"
+    ),
     "torque": "eff effort efforts torque torques tau dtau trq moment moments drehmoment load mt",
     "force": "force forces wrench ft fx fy fz mx my mz kraft",
     "temperature": "temp temperature temperatures temperatur",
     "voltage or power": "voltage volt power energy pwm",
-    "setting": "stiffness damping friction gain gains kp kd ki limit limits min max std var lower upper",
+    "setting": (
+        "stiffness damping friction gain gains kp kd ki limit limits min max std var lower upper"
+    ),
     "error": "error errors err fehler deviation residual",
     "count": "count counts pulse pulses tick ticks raw encoder encoders pressure",
-    "pose": "x y z w rx ry rz tcp eef ee eff pose poses cartesian quat quaternion orientation qx qy qz qw "
-    "tx ty tz vx vy vz wx wy wz flange xyz rpy twist linear angular effector kartesisch",
-    "status": "mode status flag flags valid success done reward safety collision contact brake "
-    "running enabled rate",
+    "pose": (
+        "x y z w rx ry rz tcp eef ee eff pose poses cartesian quat quaternion orientation qx qy qz"
+        " qw tx ty tz vx vy vz wx wy wz flange xyz rpy twist linear angular effector kartesisch"
+    ),
+    "status": (
+        "mode status flag flags valid success done reward safety collision contact brake "
+        "running enabled rate"
+    ),
     "row number": "index idx seq sequence frame row sample episode iteration counter id",
 }
 _NO_ANGLE_OF = {word: kind for kind, words in _NO_ANGLES.items() for word in words.split()}
@@ -102,8 +110,8 @@ _JOINT = _words(
 _BEFORE_A_NUMBER = {"a": "joint", "j": "joint", "th": "angle", "v": "velocity"}
 _MEASURED = _words("meas measured msr actual act ist real fb feedback observation obs observed")
 _COMMANDED = _words(
-    "target targets desired des cmd cmds command commands commanded ref reference setpoint setpoints "
-    "goal soll action actions ipo planned"
+    "target targets desired des cmd cmds command commands commanded ref reference setpoint"
+    " setpoints goal soll action actions ipo planned"
 )
 _PLAIN = _MEASURED | _words("current state states field data msg value values list in of the")
 _MOTOMAN = set("slurbte")  # letters of Yaskawa Motoman's axes, which stand behind a joint's number
@@ -214,7 +222,8 @@ def understand(place, title):
 
 
 def only_quantity(column):
-    """Return whether a title names nothing: all its words say what is measured, such as "position"."""
+    """Return whether a title names nothing: all its words say what is measured, such as
+    "position"."""
     return set(column.words) <= _ANGLE | _VELOCITY | _JOINT | _PLAIN | _COMMANDED
 
 
@@ -236,7 +245,8 @@ def _without_bracket(title):
 
 
 def _with_unit(quantity, kind, unit, words):
-    """Return the quantity and its unit in brackets; the unit decides where the words leave it open."""
+    """Return the quantity and its unit in brackets; the unit decides where the words leave it
+    open."""
     if kind in _UNITS_OF.get(quantity, ()):
         return quantity, unit
     if kind == "rate" and quantity == "position" and not _ANGLE & set(words):
@@ -290,7 +300,8 @@ def _is_time(words):
 
 
 def _quantity(words, present):
-    """Return position, velocity, unclear or unknown, and whether a word says so rather than "joint" alone."""
+    """Return position, velocity, unclear or unknown, and whether a word says so rather than "joint"
+    alone."""
     before_number = {
         _BEFORE_A_NUMBER[word]
         for word, after in pairwise(words)

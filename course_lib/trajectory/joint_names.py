@@ -1,4 +1,5 @@
-"""Joints with names: those of known arms, those that the user gives, and those in rows of a recording."""
+"""Joints with names: those of known arms, those that the user gives, and those in rows of a
+recording."""
 
 from dataclasses import replace
 
@@ -6,7 +7,8 @@ from course_lib.trajectory.column_names import quantity_beside, understand, word
 from course_lib.trajectory.refusals import unclear
 
 # Names of joints from the base to the end-effector, as these arms' makers give them: Universal
-# Robots' ROS description and teach pendant; Yaskawa Motoman; Rethink's Baxter; Hugging Face's SO-101;
+# Robots' ROS description and teach pendant; Yaskawa Motoman; Rethink's Baxter; Hugging Face's
+# SO-101;
 # Fetch Robotics.
 NAMED_ARMS = (
     ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"),
@@ -28,7 +30,8 @@ NAMED_ARMS = (
 
 
 def _matches(names, columns):
-    """Return {(quantity, commanded, words beside the name): {joint: columns}} for names of joints."""
+    """Return {(quantity, commanded, words beside the name): {joint: columns}} for names of
+    joints."""
     matches = {}
     wanted = [tuple(words_of(name)) for name in names]
     for column in columns:
@@ -57,7 +60,8 @@ def _at(name, column):
 
 
 def known_arm(columns):
-    """Return the columns of an arm whose joints have the names of NAMED_ARMS, if all and no others are there."""
+    """Return the columns of an arm whose joints have the names of NAMED_ARMS, if all and no others
+    are there."""
     for names in NAMED_ARMS:
         matches = _matches(names, columns)
         positions = [found for (quantity, *_), found in matches.items() if quantity == "position"]
@@ -109,7 +113,8 @@ def by_names(table, columns, joints):
         if missing:
             raise unclear(
                 table,
-                f"joints names {', '.join(map(repr, missing))}, and no column is this joint's angle.",
+                f"joints names {', '.join(map(repr, missing))}, and no column is this joint's"
+                " angle.",
                 columns,
                 "Write the names as they stand in the file, from the base to the end-effector.",
             )

@@ -36,13 +36,15 @@ def joints_of(table, columns, joints, want_velocities):
 
 
 def _usable(table, column):
-    """Return whether a column holds numbers; a joint angle without them is kept, to be refused by its cell."""
+    """Return whether a column holds numbers; a joint angle without them is kept, to be refused by
+    its cell."""
     numbered = column.quantity == "position" and column.number is not None
     return numbered or table.numeric(column.place)
 
 
 def _sets(columns, quantity):
-    """Return the sets of columns of a quantity: {number: columns} of each, None for columns without number.
+    """Return the sets of columns of a quantity: {number: columns} of each, None for columns without
+    number.
 
     Columns with the same words but for the number are one set. So are columns that differ in words
     if each number occurs once, such as joint_1_s, joint_2_l, joint_3_u.
@@ -117,7 +119,8 @@ def _numbered(table, columns, q, qd):
                     table,
                     f"{joint} occurs twice: columns {' and '.join(places)} have this title.",
                     columns,
-                    f'Write the numbers of the right ones: columns={{"{name}1": {places[0]}, ...}}.',
+                    f'Write the numbers of the right ones: columns={{"{name}1": {places[0]},'
+                    " ...}.",
                 )
     q, qd = (tuple(numbers[i][0] for i in sorted(numbers)) for numbers in (q, qd))
     if qd and {c.commanded for c in qd} != {c.commanded for c in q}:

@@ -63,7 +63,8 @@ def pivoted(table, columns, label):
 
 
 def without_header(table, columns, joint_count, has_step):
-    """Return the Plan of a table without header: t, q1 ... qk, and perhaps qd1 ... qdk, if k is known."""
+    """Return the Plan of a table without header: t, q1 ... qk, and perhaps qd1 ... qdk, if k is
+    known."""
     values = np.column_stack([table.values(i, f"column {i + 1}") for i in range(table.width)])
     _refuse_poses(table, values)
     if has_step:
@@ -88,7 +89,8 @@ def without_header(table, columns, joint_count, has_step):
 
 
 def _second_half_are_velocities(values):
-    """Return whether columns t, a1 ... ak, b1 ... bk have b for the derivatives of a, where they move."""
+    """Return whether columns t, a1 ... ak, b1 ... bk have b for the derivatives of a, where they
+    move."""
     t, k = values[:, 0], values.shape[1] // 2
     q, qd = values[:, 1 : k + 1], values[:, k + 1 :]
     if len(t) < 3 or not np.isfinite(values).all() or (np.diff(t) <= 0).any():
@@ -100,7 +102,8 @@ def _second_half_are_velocities(values):
 
 
 def _refuse_poses(table, values):
-    """Refuse tables that hold poses: t and a quaternion (TUM), or the first rows of matrices (KITTI)."""
+    """Refuse tables that hold poses: t and a quaternion (TUM), or the first rows of matrices
+    (KITTI)."""
     if not np.isfinite(values).all():
         return
     what = ""
@@ -123,7 +126,8 @@ def _refuse_poses(table, values):
 
 
 def with_ros2_titles(table, columns):
-    """Return titles for what `ros2 topic echo --csv` writes of sensor_msgs/JointState, which has no header.
+    """Return titles for what `ros2 topic echo --csv` writes of sensor_msgs/JointState, which has no
+    header.
 
     The fields stand in the message's order: sec, nanosec, frame_id, names, positions, and, where
     they are filled, velocities and efforts.

@@ -26,12 +26,14 @@ _FILE_UNITS = {"t": ("time",), "q": ("angle",), "qd": ("rate", "angle")}
 
 
 def load(path, limits=None, velocities=None, step=None, units=None, joints=None, columns=None):
-    """Return the Trajectory in a file of another program, or in one of positions and one of velocities.
+    """Return the Trajectory in a file of another program, or in one of positions and one of
+    velocities.
 
     A column is used if its title says what it is: time, or the angle or velocity of a numbered
     joint, such as `t`, `q1`, `joint_2_pos [deg]`. Joints with names are put in order by these names
     where the names are those of a known arm, such as `shoulder_pan_joint`. In all other cases the
-    error shows the header, says what was understood of each column, and names the argument to write.
+    error shows the header, says what was understood of each column, and names the argument to
+    write.
 
     Parameters
     ----------
@@ -95,7 +97,8 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     joints = _checked_joints(joints)
     if columns is not None and not (isinstance(columns, dict) and columns):
         raise ValueError(
-            f'columns must be a dict such as {{"t": "time", "q1": "a title"}}; it is {columns!r:.60}'
+            'columns must be a dict such as {"t": "time", "q1": "a title"}; it is'
+            f" {columns!r:.60}"
         )
     path = _table_file(path, "path")
     if limits is not None:
@@ -205,7 +208,8 @@ def _checked_joints(joints):
 
 
 def _with_units(table, plan, columns, kind, units, chosen=False):
-    """Return the columns of angles, "q", or velocities, "qd", with the units that the user or the header says."""
+    """Return the columns of angles, "q", or velocities, "qd", with the units that the user or the
+    header says."""
     numbered = []
     for i, column in enumerate(columns, 1):
         key = f"{kind}{i}" if f"{kind}{i}" in units else kind
@@ -259,7 +263,8 @@ def _refuse_wrong_units(table, columns, kind):
 
 
 def _values(table, columns, kind):
-    """Return the columns as an array (n, k), as they stand in the file; refuse what is not finite."""
+    """Return the columns as an array (n, k), as they stand in the file; refuse what is not
+    finite."""
     labels = [_label(f"{kind}{i}", column) for i, column in enumerate(columns, 1)]
     values = [
         table.values(column.place, label) for column, label in zip(columns, labels, strict=True)
@@ -281,7 +286,8 @@ def _sizes(columns):
 
 
 def _refuse(table, columns, labels, bad, reason, *arrays):
-    """Raise ValueError for the first True in bad (n, k), with the entries of arrays in its reason."""
+    """Raise ValueError for the first True in bad (n, k), with the entries of arrays in its
+    reason."""
     if bad.any():
         row, column = np.argwhere(bad)[0]
         where = table.where(row, columns[column].place, labels[column])
@@ -309,13 +315,14 @@ def _ask_for_degrees(table, columns, q):
     reach = np.abs(q).max()
     if reach > _MAX_RADIANS and all(column.unit is None for column in columns):
         raise UnclearFileError(
-            f"{table.name}: angles reach {reach:.4g}, and the header has no unit. Are they degrees? "
-            'Then add units={"q": "deg"}; if they are radians, units={"q": "rad"}'
+            f"{table.name}: angles reach {reach:.4g}, and the header has no unit. Are they degrees?"
+            ' Then add units={"q": "deg"}; if they are radians, units={"q": "rad"}'
         )
 
 
 def _times(table, columns, unit, chosen, q, qd):
-    """Return times (n,) in seconds, the same less the first, exact to the last digit, and their unit."""
+    """Return times (n,) in seconds, the same less the first, exact to the last digit, and their
+    unit."""
     if len(columns) == 1:
         columns = [_with_unit(table, columns[0], "t", unit, chosen)]
     _refuse_wrong_units(table, columns, "t")
@@ -332,14 +339,15 @@ def _times(table, columns, unit, chosen, q, qd):
         now, before = (float(ticks[i] * size - offset) for i in (row, row - 1))
         since = "" if offset == 0 else f" (since {float(offset):.0f} s)"
         raise ValueError(
-            f"{table.name}: row {row + 1}, {_label('t', columns[0])} is {now:g} s, after {before:g} s"
-            f"{since}: time must increase"
+            f"{table.name}: row {row + 1}, {_label('t', columns[0])} is {now:g} s, after {before:g}"
+            f" s{since}: time must increase"
         )
     return t, elapsed, unit
 
 
 def _ticks(table, columns):
-    """Return the times as they stand in the file, as decimals without rounding, and their unit, or None."""
+    """Return the times as they stand in the file, as decimals without rounding, and their unit, or
+    None."""
     label = _label("t", columns[0])
     texts = _clock_readings(table, columns[0].place)
     if texts is not None:
@@ -363,7 +371,8 @@ def _decimals(table, place):
 
 
 def _clock_readings(table, place):
-    """Return times that are no plain numbers, in seconds, or None: "0.1 sec", 00:01:02.5, dates of ISO 8601.
+    """Return times that are no plain numbers, in seconds, or None: "0.1 sec", 00:01:02.5, dates of
+    ISO 8601.
 
     MATLAB writes the first two for a duration.
     """
@@ -392,7 +401,8 @@ def _seconds_between(first, moment):
 
 
 def _unit_of_times(table, column, ticks, q, qd):
-    """Return the unit of times without one: seconds, or what is certain from the numbers; else ask."""
+    """Return the unit of times without one: seconds, or what is certain from the numbers; else
+    ask."""
     first = float(ticks[0])
     for unit in ("ns", "us", "ms", "s"):
         if _SINCE_1970[0] < first * UNITS[unit][1] < _SINCE_1970[1]:

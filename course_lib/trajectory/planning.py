@@ -1,4 +1,5 @@
-"""Which columns of a table are times, joint angles and velocities: as their titles or the user say, or a question."""
+"""Which columns of a table are times, joint angles and velocities: as their titles or the user say,
+or a question."""
 
 from dataclasses import replace
 
@@ -46,8 +47,8 @@ def plan_of(table, joint_count, has_step, joints, chosen, want_velocities=False)
                 table,
                 "column t is missing: no title says that a column holds times.",
                 columns,
-                'If one does, write columns={"t": "its title"}, or its number from 1; if samples are '
-                "evenly spaced, write the time between two of them in seconds, step=0.01.",
+                'If one does, write columns={"t": "its title"}, or its number from 1; if samples'
+                " are evenly spaced, write the time between two of them in seconds, step=0.01.",
             )
         plan = Plan(time, q, qd)
     used = {column.place for column in (*plan.time, *plan.q, *plan.qd)}

@@ -17,9 +17,10 @@ def no_joints(table, columns):
         patterns = ", ".join(quoted(pattern) for pattern in families)
         return unclear(
             table,
-            f"no title says that a column holds the angle of a joint. Numbered columns: {patterns}.",
+            "no title says that a column holds the angle of a joint. Numbered columns:"
+            f" {patterns}.",
             columns,
-            f'If some are joint angles, write them, for example columns={{"q": '
+            'If some are joint angles, write them, for example columns={"q": '
             f"{quoted(families[0])}}}; * is for the numbers.",
         )
     if unknown:

@@ -1,4 +1,5 @@
-"""The errors that `course_lib.trajectory.load` raises beside plain ValueError; each of them is one."""
+"""The errors that `course_lib.trajectory.load` raises beside plain ValueError; each of them is
+one."""
 
 import json
 

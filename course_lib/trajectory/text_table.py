@@ -1,7 +1,8 @@
-"""Tables in text and NPY files: which rows hold numbers, which one is the header, what separates columns.
+"""Tables in text and NPY files: which rows hold numbers, which one is the header, what separates
+columns.
 
-The standard library's csv module reads cells and quotes. Its Sniffer is not used: it prefers a comma
-over a semicolon, and so it splits the decimal commas of a German spreadsheet.
+The standard library's csv module reads cells and quotes. Its Sniffer is not used: it prefers a
+comma over a semicolon, and so it splits the decimal commas of a German spreadsheet.
 """
 
 import codecs
@@ -67,17 +68,20 @@ class Table:
         )
 
     def title(self, place):
-        """Return the title of a column, or its number, which counts from 1, if there is no header."""
+        """Return the title of a column, or its number, which counts from 1, if there is no
+        header."""
         return self.header[place] if self.header else str(place + 1)
 
     def where(self, row, place, label):
-        """Return where a cell stands in the file, for messages; label: what its column is called."""
+        """Return where a cell stands in the file, for messages; label: what its column is
+        called."""
         if self.transposed:
             return f"row {place + 1}, column {row + 1}"
         return f"row {row + 1}, {label}"
 
     def with_samples_as_rows(self, k):
-        """Return the table of k joints with samples as rows; they may be columns if it has no header.
+        """Return the table of k joints with samples as rows; they may be columns if it has no
+        header.
 
         With k = None, or if columns fit as well, the table stays.
         """
@@ -127,9 +131,9 @@ class Table:
         commas = ((i, cell) for i, row in enumerate(self.rows) for cell in row)
         comma = next((i, cell) for i, cell in commas if _DECIMAL_COMMA.fullmatch(cell))
         raise ValueError(
-            f"{self.name}: row {point + 1}, {label} is {self.rows[point][place]!r:.40}, with a point, "
-            f"and row {comma[0] + 1} has {comma[1]!r:.40}, with a comma. Write all decimals "
-            "in one way, and no separators of thousands"
+            f"{self.name}: row {point + 1}, {label} is {self.rows[point][place]!r:.40}, with a"
+            f" point, and row {comma[0] + 1} has {comma[1]!r:.40}, with a comma. Write all decimals"
+            " in one way, and no separators of thousands"
         )
 
 
@@ -173,7 +177,8 @@ def _read_npy(path):
 
 
 def _decoded(data):
-    """Return the text of a file: by its byte order mark, else UTF-8, UTF-16 or Windows' Western code page."""
+    """Return the text of a file: by its byte order mark, else UTF-8, UTF-16 or Windows' Western
+    code page."""
     for mark, encoding in _BYTE_ORDER_MARKS.items():
         if data.startswith(mark):
             return data.decode(encoding, "replace")
@@ -204,7 +209,8 @@ def _split(lines, separator):
 
 
 def _share_of_numbers(lines, separator):
-    """Return how well a separator fits: the share of cells that are numbers, in rows of the commonest width."""
+    """Return how well a separator fits: the share of cells that are numbers, in rows of the
+    commonest width."""
     try:
         rows = _split(lines, separator)
     except ValueError:
@@ -221,7 +227,8 @@ def _share_of_numbers(lines, separator):
 
 
 def _separator(lines):
-    """Return the separator of columns that fits best; of equals the one least likely to be part of a number."""
+    """Return the separator of columns that fits best; of equals the one least likely to be part of
+    a number."""
     sample = lines[: _SAMPLE // 2] + lines[-_SAMPLE // 2 :]
     return max(_SEPARATORS, key=lambda separator: _share_of_numbers(sample, separator))
 
@@ -258,7 +265,8 @@ def _holds_numbers(row):
 
 
 def _counts_columns(row):
-    """Return whether a row is the header of a table without titles, as pandas writes it: 0, 1, 2, 3 ..."""
+    """Return whether a row is the header of a table without titles, as pandas writes it: 0, 1, 2, 3
+    ..."""
     counted = [str(i) for i in range(len(row))]
     return (len(row) > 3 and row == counted) or (len(row) > 1 and row == ["", *counted[:-1]])
 

@@ -1,4 +1,5 @@
-"""Notebooks as students hand them in, made from the course's own and from the sources in this folder.
+"""Notebooks as students hand them in, made from the course's own and from the sources in this
+folder.
 
 Each text beside this file holds the code cells of a submission, between lines of "# %%". Its head
 tells what the message to its student is to say, or "earns" where the answer is right, which problem
@@ -39,7 +40,8 @@ def book(*sources, **about):
 
 
 def sources(name, project=PROJECT):
-    """Return the code cells of a hostile submission; project: the folder of the grader's that it looks for."""
+    """Return the code cells of a hostile submission; project: the folder of the grader's that it
+    looks for."""
     text = (HERE / f"{name}.txt").read_text(encoding="utf-8")
     text = "\n".join(
         line
@@ -55,7 +57,8 @@ def sources(name, project=PROJECT):
 
 
 def said(name, key):
-    """Return what the head of a hostile submission says: what the message is to hold, which problem is told."""
+    """Return what the head of a hostile submission says: what the message is to hold, which problem
+    is told."""
     lines = (HERE / f"{name}.txt").read_text(encoding="utf-8").splitlines()[:2]
     return next((line.partition(": ")[2] for line in lines if line.startswith(f"# {key}:")), "")
 
@@ -77,7 +80,8 @@ def processes():
 
 
 def left_over(before):
-    """The processes of sandboxes beyond those before, once those that were killed have had time to end."""
+    """The processes of sandboxes beyond those before, once those that were killed have had time to
+    end."""
     for _ in range(600):
         found = processes() - before
         if not found:

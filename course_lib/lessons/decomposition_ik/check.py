@@ -1,4 +1,5 @@
-"""Checks of notebook 6, inverse kinematics by cells: ``from course_lib.lessons.decomposition_ik import check``."""
+"""Checks of notebook 6, inverse kinematics by cells: ``from course_lib.lessons.decomposition_ik
+import check``."""
 
 from course_lib.checks.notebook import namespace
 from course_lib.checks.prediction import Prediction
@@ -40,8 +41,10 @@ PREDICTIONS = (
                 "The curvature that a model leaves out falls like that. Which error was not there "
                 "on the rigid arm?"
             ),
-            "b": "A cell has fewer samples, so that less of their noise is averaged. What the noise adds grows as "
-            "the cells shrink, and here it is the larger part.",
+            "b": (
+                "A cell has fewer samples, so that less of their noise is averaged. What the noise"
+                " adds grows as the cells shrink, and here it is the larger part."
+            ),
             "c": (
                 "The noise of a sample stays at 1 mm. What a model makes of it depends on how many "
                 "samples it has."
@@ -56,10 +59,14 @@ PREDICTIONS = (
                 "That holds inside, where the inverse has a Taylor series. At the edge its "
                 "derivative is infinite."
             ),
-            "b": "That is how the error of q2 falls. The position suffers less, because a stretched arm moves "
-            "outwards in second order only.",
-            "c": "The error of q2 falls like the root of h only, and near the stretched arm the position follows "
-            "with the square of that: like h.",
+            "b": (
+                "That is how the error of q2 falls. The position suffers less, because a stretched"
+                " arm moves outwards in second order only."
+            ),
+            "c": (
+                "The error of q2 falls like the root of h only, and near the stretched arm the"
+                " position follows with the square of that: like h."
+            ),
         },
         more=True,
     ),
@@ -89,8 +96,10 @@ PREDICTIONS = (
                 "A method that converges linearly would do that. Newton's method uses the "
                 "derivative."
             ),
-            "b": "The error after the step is about the square of the error before it, here up to a factor near 1: "
-            "0.003 squared is about 1e-5 m.",
+            "b": (
+                "The error after the step is about the square of the error before it, here up to a"
+                " factor near 1: 0.003 squared is about 1e-5 m."
+            ),
             "c": (
                 "One step inverts a linear function exactly, and the forward kinematics is not "
                 "linear."

@@ -1,4 +1,5 @@
-"""Checks of notebook 5, inverse kinematics by DH parameters: ``from course_lib.lessons.panda_dh_ik import check``."""
+"""Checks of notebook 5, inverse kinematics by DH parameters: ``from course_lib.lessons.panda_dh_ik
+import check``."""
 
 from course_lib.checks.notebook import namespace
 from course_lib.checks.prediction import Prediction
@@ -39,8 +40,9 @@ PREDICTIONS = (
             ),
             "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
             "c": (
-                "Yes: the arm beyond joint 1 is rotated by 180 degrees about a horizontal line through "
-                "the shoulder. A flange that should be 47 cm above the shoulder is 47 cm below it."
+                "Yes: the arm beyond joint 1 is rotated by 180 degrees about a horizontal line"
+                " through the shoulder. A flange that should be 47 cm above the shoulder is 47 cm"
+                " below it."
             ),
         },
     ),
@@ -52,8 +54,10 @@ PREDICTIONS = (
                 "Axes 1 and 2 meet: where is their perpendicular, of length 0? And may x2 lie "
                 "along z2?"
             ),
-            "b": "Yes. Axes 1 and 2 meet: row 2 has a = 0, and alpha = 90 or -90 degrees, because x1 may point either "
-            "way. Row 3 has a = 0.425.",
+            "b": (
+                "Yes. Axes 1 and 2 meet: row 2 has a = 0, and alpha = 90 or -90 degrees, because x1"
+                " may point either way. Row 3 has a = 0.425."
+            ),
             "c": "That is the standard convention, with frame i on the axis of joint i + 1.",
         },
     ),
@@ -100,8 +104,10 @@ PREDICTIONS = (
                 "At the target both errors are 0, so it can stop there. Before that, they differ "
                 "in direction."
             ),
-            "b": "Yes: near the target the wrong error still leads downhill often enough, if the steps are tiny. Long "
-            "steps follow the wrong direction far.",
+            "b": (
+                "Yes: near the target the wrong error still leads downhill often enough, if the"
+                " steps are tiny. Long steps follow the wrong direction far."
+            ),
             "c": (
                 "Both methods use the error as a direction. Which of them trusts it over a longer "
                 "distance?"
@@ -152,8 +158,10 @@ PREDICTIONS = (
                 "With one wrong match that works. Two that agree with each other pull the fit to "
                 "their side."
             ),
-            "b": "Yes: the largest residual belongs to whoever disagrees with the fit, and two wrong matches shape the "
-            "fit.",
+            "b": (
+                "Yes: the largest residual belongs to whoever disagrees with the fit, and two wrong"
+                " matches shape the fit."
+            ),
             "c": (
                 "Least squares weighs large residuals most: it does not average wrong matches away."
             ),

@@ -1,4 +1,5 @@
-"""The figures of notebook 5: DH parameters, the Panda's frames by both conventions, the pick of a mug, methods.
+"""The figures of notebook 5: DH parameters, the Panda's frames by both conventions, the pick of a
+mug, methods.
 
 Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in
 radians.
@@ -58,7 +59,8 @@ def through_the_table(q):
 
 
 def _panda(q, further_parts, alt, caption, **options):
-    """Return the Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base frame at q = 0."""
+    """Return the Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base
+    frame at q = 0."""
     poses = link_poses(panda(), np.asarray(q, float))[None]
     return film(
         [*shell(panda()), *further_parts], poses, [0.0], alt, caption, ground=0.0, **options
@@ -69,7 +71,8 @@ def _panda(q, further_parts, alt, caption, **options):
 
 
 def four_parameters(a, alpha, d, theta):
-    """Return two joint axes and the two perpendiculars, with the four parameters of a modified DH table.
+    """Return two joint axes and the two perpendiculars, with the four parameters of a modified DH
+    table.
 
     Parameters
     ----------
@@ -116,10 +119,11 @@ def four_parameters(a, alpha, d, theta):
     ]
     return still(
         parts,
-        f"Two joint axes, z1 and z2, that do not meet. Their common perpendicular, along x1, has a "
-        f"right angle with each of them and the length a = {a:g} m; about it, z2 is rotated against z1 by alpha = "
-        f"{np.rad2deg(alpha):.0f} degrees. Along z2, the next perpendicular x2 is d = {d:g} m "
-        f"further on, and about z2 it is rotated by theta = {np.rad2deg(theta):.0f} degrees.",
+        "Two joint axes, z1 and z2, that do not meet. Their common perpendicular, along x1, has a"
+        f" right angle with each of them and the length a = {a:g} m; about it, z2 is rotated"
+        f" against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, the next perpendicular"
+        f" x2 is d = {d:g} m further on, and about z2 it is rotated by theta ="
+        f" {np.rad2deg(theta):.0f} degrees.",
         "$x_1$ is perpendicular to both axes. Two numbers belong to $x$, the length $a$ and the "
         "angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. Only $\\theta$ changes when the "
         "joint rotates.",
@@ -193,7 +197,8 @@ def conventions(modified, standard, base):
 
 
 def _numbers(frames):
-    """Return the numbers of the frames (n, 4, 4) with their origins: frames of one origin are named together."""
+    """Return the numbers of the frames (n, 4, 4) with their origins: frames of one origin are named
+    together."""
     names = {}
     for i, origin in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(origin), []).append(str(i))
@@ -239,7 +244,7 @@ def pose_errors(T, T_target):
         lengths.append(f"{title} {length} long")
     return Picture(
         fig,
-        f"A base, a current pose, blue, and a target, green, rotated by "
+        "A base, a current pose, blue, and a target, green, rotated by "
         f"{np.rad2deg(space[2]):.0f} degrees against it. Three panels show the linear part of one "
         f"error each as a red arrow: {', '.join(lengths)}.",
         "The same motion is described by three arrows; their components are dotted. Only the last "
@@ -257,7 +262,8 @@ def _draw_plane_frame(ax, T, colour, name, align="right"):
 
 
 def _draw_arrow_with_components(ax, start, arrow, directions):
-    """Draw an arrow (2,) from a start (2,), and dotted its components along the columns of directions (2, 2)."""
+    """Draw an arrow (2,) from a start (2,), and dotted its components along the columns of
+    directions (2, 2)."""
     for direction in directions.T:
         component = direction * (direction @ arrow)
         ends = np.transpose([start, start + component])
@@ -270,7 +276,8 @@ def _draw_arrow_with_components(ax, start, arrow, directions):
 
 
 def pinhole(K, T_cm, key_points):
-    """Return a pinhole camera from the side, with the ray to the key point that is farthest from its axis.
+    """Return a pinhole camera from the side, with the ray to the key point that is farthest from
+    its axis.
 
     Parameters
     ----------
@@ -322,7 +329,8 @@ def pinhole(K, T_cm, key_points):
 
 
 def motion(times, clearances, trajectory_times, speeds, accelerations):
-    """Return how near a motion comes to its surroundings, and what share of their bounds the motors use.
+    """Return how near a motion comes to its surroundings, and what share of their bounds the motors
+    use.
 
     The three panels have one time axis: the pointer shows the values of all of them at a time.
 
@@ -466,9 +474,9 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         poses,
         times,
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on "
-        f"the table, comes down with open fingers on both sides of it, closes them, lifts it by "
+        "the table, comes down with open fingers on both sides of it, closes them, lifts it by "
         f"{100 * lifted:.0f} cm, carries it {100 * carried:.0f} cm across the table, sets it down, "
-        f"opens and rises. A camera hangs above the table and looks down.",
+        "opens and rises. A camera hangs above the table and looks down.",
         "The blue line is the path between the fingertips, which close on both sides of the mug.",
         view=(1.2, 1.2, 0.7),
         name="pick",
@@ -513,7 +521,7 @@ def matches(template, scene_points, T, wrong):
         groups,
         0.13,
         f"Left the template, a mug with {len(template)} numbered key points on it. Right the "
-        f"scene, with the same mug placed by the good matches. "
+        "scene, with the same mug placed by the good matches. "
         f"{int((distances < 0.005).sum())} points of the scene are within 5 mm of their places; "
         f"dashes lead to their places from {gaps}.",
         "Both wrong matches are shifted by the same vector, so they agree with each other.",
@@ -560,7 +568,7 @@ def descents(errors):
     ends = [_end_of_descent(name, lengths) for name, lengths in drawn.items()]
     return Picture(
         fig,
-        f"The length of the pose error after each step, on a logarithmic axis. At the end: "
+        "The length of the pose error after each step, on a logarithmic axis. At the end: "
         f"{'; '.join(ends)}.",
         "A straight line means that each step divides the error by the same factor. A line that "
         "bends down gains more and more digits with each step, as Newton's method does. Lengths "
@@ -684,5 +692,5 @@ def iterations(counts, most):
         fig,
         f"Histograms: how many iterations the reached targets took. {'; '.join(in_words)}.",
         f"Each panel has its own scale. The last bar counts all targets that took {first[-1]} "
-        f"iterations or more.",
+        "iterations or more.",
     )

@@ -24,7 +24,8 @@ SPOTS = np.array(
 
 
 def click(K, T_mc, T_wc, T_wm):
-    """Return a figure for `alive`: a mug in two pictures, f(pixels, depths) answers with its pose from what is clicked.
+    """Return a figure for `alive`: a mug in two pictures, f(pixels, depths) answers with its pose
+    from what is clicked.
 
     The first picture shows the template, the mug in its own frame; the second one the scene. Points
     that nobody has clicked come from a list: whole pixels near the spots, off by about a pixel as
@@ -73,7 +74,10 @@ def click(K, T_mc, T_wc, T_wm):
         "Two pictures of a mug with seven white spots, from its side and on a table from above. In "
         "each, the spots can "
     )
-    alt += "be clicked; the mug and the gripper's grasp are drawn over the second picture where the clicks place them."
+    alt += (
+        "be clicked; the mug and the gripper's grasp are drawn over the second picture where the"
+        " clicks place them."
+    )
     return Figure(
         model,
         alt,

@@ -103,7 +103,8 @@ def _capital(words):
 
 
 def arc_of_a_twist(a):
-    """Return the arc of an origin that moves with |v| = a m/s and rotates by a rad in a second, and its two legs."""
+    """Return the arc of an origin that moves with |v| = a m/s and rotates by a rad in a second, and
+    its two legs."""
     fig, (ax,) = plane_figure(5.2, 3.6)
     t, (x, y) = np.linspace(0, a, 60), (np.sin(a), 1 - np.cos(a))
     ax.plot(np.sin(t), 1 - np.cos(t), color=GREY, linewidth=3)
@@ -128,7 +129,8 @@ def arc_of_a_twist(a):
 
 
 def digits_lost(formula):
-    """Return the relative error of a formula for (1 - cos a)/a over the angle, both axes logarithmic.
+    """Return the relative error of a formula for (1 - cos a)/a over the angle, both axes
+    logarithmic.
 
     Rounding decides each dot, and rounding differs between machines. The figure is therefore a
     plot by matplotlib, which the notebook's test does not compare.
@@ -214,7 +216,8 @@ def arm_movie(arm, motion):
 
 
 def plane_projections(t, path):
-    """Return a path in space, projected onto the three coordinate planes, with the time under the pointer.
+    """Return a path in space, projected onto the three coordinate planes, with the time under the
+    pointer.
 
     Parameters
     ----------
@@ -377,7 +380,8 @@ def velocities_against_each_other(t, v):
 
 
 def singular_values(arm, generic, straight):
-    """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends, and joint 5 rotates.
+    """Return the smallest singular value of the Jacobian while the elbow bends, the wrist bends,
+    and joint 5 rotates.
 
     Parameters
     ----------
@@ -419,7 +423,8 @@ def singular_values(arm, generic, straight):
 
 
 def near_its_bounds(t, manipulability, q, limits):
-    """Return over time how near an arm comes to a singular configuration, and how near its joints to their limits.
+    """Return over time how near an arm comes to a singular configuration, and how near its joints
+    to their limits.
 
     Parameters
     ----------

@@ -24,10 +24,14 @@ PREDICTIONS = (
                 "It would, if the program knew that angles are periodic. It subtracts two numbers: "
                 "-2.2 - 2.6 = -4.8."
             ),
-            "b": "Both names of a direction are the same pose, so the motion ends where it should. The question is "
-            "how it gets there.",
-            "c": "The difference of the numbers is -4.8 rad, so the body rotates clockwise, along the longer arc, and "
-            "arrives at the very same pose.",
+            "b": (
+                "Both names of a direction are the same pose, so the motion ends where it should."
+                " The question is how it gets there."
+            ),
+            "c": (
+                "The difference of the numbers is -4.8 rad, so the body rotates clockwise, along"
+                " the longer arc, and arrives at the very same pose."
+            ),
         },
     ),
     Prediction(
@@ -38,8 +42,10 @@ PREDICTIONS = (
                 "A rotation about that point may lead to the goal's position, but it changes the "
                 "direction."
             ),
-            "b": "The angle would be 0, and a rotation by 0 moves nothing, whatever the point. So the arc becomes a "
-            "straight line.",
+            "b": (
+                "The angle would be 0, and a rotation by 0 moves nothing, whatever the point. So"
+                " the arc becomes a straight line."
+            ),
             "c": "The start moves. The point that we look for stays where it is.",
         },
     ),
@@ -52,16 +58,20 @@ PREDICTIONS = (
                 "remains."
             ),
             "b": "That holds for the error of one step, and there are twice as many of them.",
-            "c": "That holds for random errors, which partly cancel each other. In a bend every step errs to the same "
-            "side.",
+            "c": (
+                "That holds for random errors, which partly cancel each other. In a bend every step"
+                " errs to the same side."
+            ),
         },
     ),
     Prediction(
         "joint_line",
         "c",
         {
-            "a": "Straight in joint space is not straight in the plane: the tip's position depends on the angles by "
-            "sines and cosines.",
+            "a": (
+                "Straight in joint space is not straight in the plane: the tip's position depends"
+                " on the angles by sines and cosines."
+            ),
             "b": (
                 "Joint 1 alone rotates by 2.8 rad. How far does it carry a tip that is nearly 2 m "
                 "away?"

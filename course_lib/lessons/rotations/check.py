@@ -30,8 +30,10 @@ PREDICTIONS = (
         "drift",
         "c",
         {
-            "a": "A thousand errors of half a percent do not stay half a percent: each product stretches what the one "
-            "before has stretched.",
+            "a": (
+                "A thousand errors of half a percent do not stay half a percent: each product"
+                " stretches what the one before has stretched."
+            ),
             "b": (
                 "That adds the errors up, 1 + 1000 * 0.0049. But each factor multiplies the length "
                 "reached so far."
@@ -44,8 +46,10 @@ PREDICTIONS = (
         "order",
         "a",
         {
-            "a": "In Rz Rx, the factor Rx stands next to the point and acts first, about the fixed x axis, which "
-            "leaves x alone. Rz then takes x to y.",
+            "a": (
+                "In Rz Rx, the factor Rx stands next to the point and acts first, about the fixed x"
+                " axis, which leaves x alone. Rz then takes x to y."
+            ),
             "b": (
                 "That is the other product, Rx Rz: there z acts first and takes x to y, and x "
                 "takes that y to z."
@@ -57,10 +61,14 @@ PREDICTIONS = (
         "gyro",
         "b",
         {
-            "a": "These are its coordinates in the room, omega_s. The gyroscope is carried along: which of its axes "
-            "points up?",
-            "b": "Banked by 90 degrees, the drone's own y axis points up, and does so all the way round. So omega_b = "
-            "R^T omega_s is (0, 1, 0) at every time.",
+            "a": (
+                "These are its coordinates in the room, omega_s. The gyroscope is carried along:"
+                " which of its axes points up?"
+            ),
+            "b": (
+                "Banked by 90 degrees, the drone's own y axis points up, and does so all the way"
+                " round. So omega_b = R^T omega_s is (0, 1, 0) at every time."
+            ),
             "c": (
                 "The drone's x and z axes do change their directions. But which axis points up all "
                 "the time?"
@@ -105,8 +113,10 @@ PREDICTIONS = (
         "rare",
         "c",
         {
-            "a": "That share would be right if the angle were uniform: 10 of 180 degrees. But its density is nearly 0 "
-            "for small angles.",
+            "a": (
+                "That share would be right if the angle were uniform: 10 of 180 degrees. But its"
+                " density is nearly 0 for small angles."
+            ),
             "b": (
                 "That is the share of a cap of 10 degrees on an ordinary sphere. Rotations have "
                 "one dimension more."

@@ -1,4 +1,5 @@
-"""Checks of notebook 3, subproblems: ``from course_lib.lessons.subproblems_damped_ik import check``."""
+"""Checks of notebook 3, subproblems: ``from course_lib.lessons.subproblems_damped_ik import
+check``."""
 
 from course_lib.checks.notebook import namespace
 from course_lib.checks.prediction import Prediction
@@ -19,8 +20,10 @@ PREDICTIONS = (
         "circles",
         "a",
         {
-            "a": "Yes. Each circle reaches 30 degrees along the arc of 70 degrees from k1 to k2; 10 degrees remain "
-            "between them.",
+            "a": (
+                "Yes. Each circle reaches 30 degrees along the arc of 70 degrees from k1 to k2; 10"
+                " degrees remain between them."
+            ),
             "b": (
                 "They would touch if the two angles added up to the 70 degrees between the axes. "
                 "30 + 30 is less."
@@ -35,12 +38,18 @@ PREDICTIONS = (
         "race",
         "a",
         {
-            "a": "Yes: its first step of 122 radians throws the arm to where s2 is larger, and there it converges "
-            "fast. But no motor can follow it.",
-            "b": "It takes a few steps more, each of which a motor can follow. With a singular value away from zero, "
-            "which method is faster near the target?",
-            "c": "Its step size has to suit the largest singular value; in the direction of the smallest one it is "
-            "then slow.",
+            "a": (
+                "Yes: its first step of 122 radians throws the arm to where s2 is larger, and there"
+                " it converges fast. But no motor can follow it."
+            ),
+            "b": (
+                "It takes a few steps more, each of which a motor can follow. With a singular value"
+                " away from zero, which method is faster near the target?"
+            ),
+            "c": (
+                "Its step size has to suit the largest singular value; in the direction of the"
+                " smallest one it is then slow."
+            ),
         },
     ),
     Prediction(
@@ -51,10 +60,14 @@ PREDICTIONS = (
                 "Overshooting by less than the error itself would converge. Here each step "
                 "overshoots by more."
             ),
-            "b": "Yes: near the target each step overshoots by more than the error was. That cannot go on forever: the "
-            "tip stays within 4 m of the base.",
-            "c": "That would take steps in one direction. Look at the sign: each step overshoots, so the next one goes "
-            "back.",
+            "b": (
+                "Yes: near the target each step overshoots by more than the error was. That cannot"
+                " go on forever: the tip stays within 4 m of the base."
+            ),
+            "c": (
+                "That would take steps in one direction. Look at the sign: each step overshoots, so"
+                " the next one goes back."
+            ),
         },
     ),
     Prediction(
@@ -66,8 +79,10 @@ PREDICTIONS = (
                 "-sin b2."
             ),
             "b": "The largest rate is inversely proportional to sin b2, not to its square root.",
-            "c": "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate, and most of their "
-            "motion cancels.",
+            "c": (
+                "Yes: 1/sin(0.01) is 100. Joints 1 and 3 rotate against each other at this rate,"
+                " and most of their motion cancels."
+            ),
         },
         more=True,
     ),
@@ -80,8 +95,10 @@ PREDICTIONS = (
                 "no longer straight."
             ),
             "b": "For the joints the opposite holds: strong damping saves joint motion.",
-            "c": "Yes: the tip swings out, and the joints move less. Which of the two is shorter depends on where you "
-            "measure.",
+            "c": (
+                "Yes: the tip swings out, and the joints move less. Which of the two is shorter"
+                " depends on where you measure."
+            ),
         },
         more=True,
     ),

@@ -126,8 +126,8 @@ def _announce(submissions: Sequence[Submission], chosen: argparse.Namespace) -> 
         return
     jobs = chosen.jobs or os.cpu_count() or 1
     print(
-        f"Grading {said}, {jobs} at once: about {_duration(notebooks, jobs)} on an idle machine, less "
-        "for what an earlier run has graded. The bar shows the time that remains.",
+        f"Grading {said}, {jobs} at once: about {_duration(notebooks, jobs)} on an idle machine,"
+        " less for what an earlier run has graded. The bar shows the time that remains.",
         flush=True,
     )
 
@@ -178,7 +178,8 @@ def _folder(chosen: argparse.Namespace) -> Path:
 
 
 def _ask_for_the_platform(folder: Path, lms: str) -> None:
-    """Stop if what a folder holds may be the export of a platform that was not named, or of several."""
+    """Stop if what a folder holds may be the export of a platform that was not named, or of
+    several."""
     if lms == OWN_NAMES or (lms and named(lms).hand_ins(folder)):
         return
     fit = fitting(folder)
@@ -253,7 +254,8 @@ def _alone(path: Path) -> Iterator[None]:
 
 
 def _seed(path: Path, chosen: int | None = None) -> int:
-    """Return the seed of the cases, which is kept beside the grades: the chosen one, or drawn by the first run."""
+    """Return the seed of the cases, which is kept beside the grades: the chosen one, or drawn by
+    the first run."""
     if chosen is not None or not path.exists():
         write_atomically(path, f"{secrets.randbits(62) if chosen is None else chosen}\n")
     typed = path.read_text().strip()
@@ -310,7 +312,8 @@ def _write(
 
 
 def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:
-    """Return (student, notebook, MarkedAnswer) of all written answers by question, and what is said to each.
+    """Return (student, notebook, MarkedAnswer) of all written answers by question, and what is said
+    to each.
 
     The second is {(notebook, question): (rubric, model answer)}.
     """

@@ -86,7 +86,8 @@ def works(submissions, year=""):
 
 
 def earlier_works(folder, platform="", students=EACH_ENTRY):
-    """Return the Works in a folder of an earlier year's submissions, or in one that has such a folder for each year."""
+    """Return the Works in a folder of an earlier year's submissions, or in one that has such a
+    folder for each year."""
     names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
     years = [
         path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()
@@ -98,7 +99,8 @@ def earlier_works(folder, platform="", students=EACH_ENTRY):
 
 @functools.cache
 def _ours():
-    """Return ({name: source} of the library and the solutions, the sources of what students are given)."""
+    """Return ({name: source} of the library and the solutions, the sources of what students are
+    given)."""
     library = {
         f"{PACKAGE.name}/{path.relative_to(PACKAGE).as_posix()}": [path.read_text(encoding="utf-8")]
         for path in [*PACKAGE.glob("*.py"), *PACKAGE.glob("trajectory/*.py")]
@@ -139,7 +141,8 @@ def write_alike(path, submissions, earlier="", platform="", students=""):
 
 
 def pairs(everyone):
-    """Return [(score, a Work, another, their passages)] of what at most MANY students of a year have, highest first.
+    """Return [(score, a Work, another, their passages)] of what at most MANY students of a year
+    have, highest first.
 
     Passages of the release and the library are left out. The score is the number of passages that
     the two share, where one that n students have counts 1 / (n - 1), times the share that this is
@@ -168,7 +171,8 @@ def pairs(everyone):
 
 
 def copies(everyone):
-    """Return [(student, notebook, what it is copied from, how many passages)], names included, of this class."""
+    """Return [(student, notebook, what it is copied from, how many passages)], names included, of
+    this class."""
     library, given = _ours() if everyone else ({}, [])
     released, found = _all(given, names=True), []
     sources = {name: _all(texts, names=True) - released for name, texts in library.items()}

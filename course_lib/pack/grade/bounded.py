@@ -41,7 +41,8 @@ class CpuDeadline(BaseException):
 
 @contextlib.contextmanager
 def cpu_deadline(seconds: float) -> Iterator[None]:
-    """Raise CpuDeadline in the block once it has used so many seconds of processor time; see clock.py."""
+    """Raise CpuDeadline in the block once it has used so many seconds of processor time; see
+    clock.py."""
     with cpu_clock(seconds, CpuDeadline, f"more than {seconds} seconds of computing"):
         yield
 

@@ -1,4 +1,5 @@
-"""What remains for the instructor after a run: one list, with the command that comes after each entry."""
+"""What remains for the instructor after a run: one list, with the command that comes after each
+entry."""
 
 import shlex
 from collections import Counter, defaultdict
@@ -40,7 +41,8 @@ class Outcome:
     everything: GradedFiles. listed: (student, notebook, MarkedAnswer) of each written answer.
     settings: {name of make's setting: what was typed}.
     gradebook: the platform that gets the points; one without a name if none does. missing: students
-    who are not in its file. nearest: {such a student: names in the roster}. shared: students who share a line of it.
+    who are not in its file. nearest: {such a student: names in the roster}. shared: students who
+    share a line of it.
     """
 
     output: Path
@@ -57,7 +59,8 @@ class Outcome:
     shared: Sequence[Sequence[str]] = ()
 
     def on_the_page(self) -> "Outcome":
-        """Return the same as the page of the class has it: in equal bytes, wherever it was graded."""
+        """Return the same as the page of the class has it: in equal bytes, wherever it was
+        graded."""
         settings = {name: v for name, v in self.settings.items() if name not in OF_ONE_RUN}
         if "OUTPUT" in settings:
             settings["OUTPUT"] = "the folder of this page"
@@ -119,7 +122,8 @@ def _files(outcome: Outcome) -> Iterable[Entry]:
     failed = [each for each in outcome.everything if each.result.get("state") == "not graded"]
     if failed:
         yield Entry(
-            f"The grader failed on {count_noun(len(failed), 'file')}: the same command tries again.",
+            f"The grader failed on {count_noun(len(failed), 'file')}: the same command tries"
+            " again.",
             tuple(f"{each.submission.place}: {each.result['problems'][0]}" for each in failed),
             outcome.command(),
         )

@@ -41,7 +41,8 @@ def first_words(text: object) -> str:
 
 
 def read_claims(text: str, sources: Sequence[str]) -> tuple[str, set[str]]:
-    """Return a reply with texts that may be shown, and the names of the functions that were refused.
+    """Return a reply with texts that may be shown, and the names of the functions that were
+    refused.
 
     text: a reply as call_student.reply returns it, or anything else, which is returned as it is.
     sources: of the notebook's cells.

@@ -1,4 +1,5 @@
-"""A page about the class: points, how hard each exercise is and how well it separates, and frequent mistakes.
+"""A page about the class: points, how hard each exercise is and how well it separates, and frequent
+mistakes.
 
 Each is a table with a bar in every row, so that the numbers and the picture are one.
 """
@@ -77,7 +78,8 @@ def class_page(
 def _notebooks(
     of: dict, counting: list[GradedFile], graded: list[GradedFile], students: dict
 ) -> Section:
-    """Return a table: how many students handed in each notebook, and the points of those that could be graded."""
+    """Return a table: how many students handed in each notebook, and the points of those that could
+    be graded."""
     rows = []
     for notebook, most in of.items():
         handed_in = len({each.student for each in counting if each.notebook == notebook})
@@ -157,7 +159,8 @@ def _written(graded: list[GradedFile]) -> Section:
 
 
 def _points(graded: list[GradedFile]) -> dict[tuple[str, str], tuple[str, str]]:
-    """Return {(notebook, exercise or question): (mean points in percent, item-rest correlation)} as texts."""
+    """Return {(notebook, exercise or question): (mean points in percent, item-rest correlation)} as
+    texts."""
     items, found = {}, {}
     for each in graded:
         its = [(e["exercise"], e["points"], e["of"]) for e in each.result["exercises"]]

@@ -122,7 +122,8 @@ class Cluster:
         self._send()
 
     def finished(self):
-        """Wait for a moment; yield (path, outcome) of submissions that are finished, see outcome() in jobs.py."""
+        """Wait for a moment; yield (path, outcome) of submissions that are finished, see outcome()
+        in jobs.py."""
         yield from self._look()
         with suppress(queue.Empty):
             future = self._answers.get(timeout=LOOK)
@@ -176,7 +177,8 @@ class Cluster:
         task.future.add_done_callback(self._answers.put)
 
     def _look(self):
-        """Find workers that joined or ended; yield (path, outcome) of submissions that are given up."""
+        """Find workers that joined or ended; yield (path, outcome) of submissions that are given
+        up."""
         now = time.monotonic()
         if now - self._looked < LOOK:
             return
@@ -242,7 +244,8 @@ class Cluster:
             self._fit.add(task.worker)
 
     def _graded(self, task, answer):
-        """Yield (path, outcome) of what a worker has graded, with its name; see outcome() in jobs.py.
+        """Yield (path, outcome) of what a worker has graded, with its name; see outcome() in
+        jobs.py.
 
         Whether it is a usable result is for grade_all to say. If not, that comes back by begin().
         """
@@ -265,7 +268,8 @@ class Cluster:
         tqdm.write(f"The worker {worker} grades nothing: {why}")
 
     def _ended(self, task, how):
-        """Give the submission of a worker that ended to another one, or give it up and yield (path, outcome)."""
+        """Give the submission of a worker that ended to another one, or give it up and yield (path,
+        outcome)."""
         task.ended += 1
         if task.path and task.ended < MAX_ENDED:
             tqdm.write(f"The worker {task.worker} {how}: its submission goes to another.")
@@ -299,7 +303,8 @@ PLACE = threading.local()  # a worker's thread and the process in which its subm
 
 
 def carry_out(order):
-    """Return the outcome of an Order as JSON text, see carried_out; "null" if the process that graded it ended."""
+    """Return the outcome of an Order as JSON text, see carried_out; "null" if the process that
+    graded it ended."""
     if not hasattr(PLACE, "pipe"):
         PLACE.pipe, there = Pipe()
         command = [sys.executable, "-m", "course_lib.pack.grade.cluster", str(there.fileno())]

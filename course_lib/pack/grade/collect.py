@@ -1,4 +1,5 @@
-"""Find the submissions in a folder: whose each is, of which notebook, and why it is refused if it is.
+"""Find the submissions in a folder: whose each is, of which notebook, and why it is refused if it
+is.
 
 One student's files (nested, linked, unreadable, vanishing) must not stop the grading of the others:
 any exception that they cause becomes that student's line. What may be the work of several students
@@ -291,7 +292,8 @@ def _question(
 
 
 def is_of_a_class(names: Sequence[str], platform: str) -> bool:
-    """Return whether files of these paths, from one folder or zip, are a platform's export of several students.
+    """Return whether files of these paths, from one folder or zip, are a platform's export of
+    several students.
 
     platform: the name of the one that exported; "" if it is to be guessed.
     """
@@ -398,7 +400,8 @@ def _one_name_each(found: list[Submission]) -> list[Submission]:
 
 
 def _apart(found: list[Submission]) -> list[Submission]:
-    """Keep apart students of one name who have the same notebook in several sections, and say so."""
+    """Keep apart students of one name who have the same notebook in several sections, and say
+    so."""
     sections = collections.defaultdict(set)
     for each in found:
         sections[each.student, each.notebook].add(each.section)

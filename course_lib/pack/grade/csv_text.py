@@ -1,4 +1,5 @@
-"""Tables as CSV text: no cell is a formula to a spreadsheet, and what any spreadsheet saves can be read."""
+"""Tables as CSV text: no cell is a formula to a spreadsheet, and what any spreadsheet saves can be
+read."""
 
 import csv
 import functools
@@ -47,7 +48,8 @@ def table_text(
 
 
 def read_table(path: Path, known: set[str]) -> list[dict[str, str]]:
-    """Return the rows of a CSV file as dicts; of columns with the same name the first that is filled counts.
+    """Return the rows of a CSV file as dicts; of columns with the same name the first that is
+    filled counts.
 
     The file is UTF-8, UTF-16, or the single bytes of Windows. Of commas, semicolons and tabs, the
     separator is the one that finds most of the `known` names of columns.
@@ -114,7 +116,8 @@ def cell_text(text: str) -> str:
 
 
 def clean(text: object) -> str:
-    """Return a text without lone surrogates and control characters, which cannot be stored or shown."""
+    """Return a text without lone surrogates and control characters, which cannot be stored or
+    shown."""
     if isinstance(text, float):
         text = f"{text:g}"
     text = str(text).encode("utf-8", "replace").decode()
@@ -153,7 +156,8 @@ def count_noun(number: int, name: str) -> str:
 
 
 def listing(names: Iterable[str], most: int = 10) -> str:
-    """Return names in a row, separated by commas; of many, the first and how many more there are."""
+    """Return names in a row, separated by commas; of many, the first and how many more there
+    are."""
     names = list(names)
     if len(names) <= most:
         return ", ".join(names)

@@ -28,7 +28,8 @@ FILES = "files"  # TIMES=files: the files' own times are those of submission
 
 @dataclass(frozen=True)
 class Deadline:
-    """When hand-ins are due, in seconds since 1970, and what a late one loses: percent of its points for each day.
+    """When hand-ins are due, in seconds since 1970, and what a late one loses: percent of its
+    points for each day.
 
     others: {(student, notebook): another deadline}. times: FILES; {(student, notebook): time of
     submission}; or {} if there are only the platform's marks. In both, "" stands for every student
@@ -48,7 +49,8 @@ class Deadline:
         return _entry(self.times, each, by_platform)
 
     def late(self, each: "GradedFile") -> float | None:
-        """Return how many seconds late a GradedFile is; None if a mark of the platform is all that is known."""
+        """Return how many seconds late a GradedFile is; None if a mark of the platform is all that
+        is known."""
         time = self.time(each)
         if time is not None:
             return max(0.0, time - _entry(self.others, each, self.when))
@@ -77,7 +79,8 @@ class Deadline:
 
 
 def begun_days(late: float | None) -> int:
-    """Return how many days late a file counts, each begun one; late: in seconds, or None, which counts as one day."""
+    """Return how many days late a file counts, each begun one; late: in seconds, or None, which
+    counts as one day."""
     return 1 if late is None else math.ceil(late / DAY)
 
 
@@ -104,7 +107,8 @@ def _counting(everything: Iterable["GradedFile"]) -> list["GradedFile"]:
 
 
 def summary(everything: Sequence["GradedFile"], deadline: Deadline) -> list[str]:
-    """Return sentences on how many GradedFiles are late and by how much, and on what the tables leave open."""
+    """Return sentences on how many GradedFiles are late and by how much, and on what the tables
+    leave open."""
     counting = _counting(everything)
     late = sorted(each.late for each in counting if each.late)
     sizes = Counter("an hour" if t <= HOUR else count_noun(begun_days(t), "day") for t in late)
@@ -202,7 +206,8 @@ def _due(typed: str) -> float | None:
 
 
 def _time(typed: str) -> float | None:
-    """Return a time in ISO 8601, or as a platform writes it, in seconds since 1970; None if it is none."""
+    """Return a time in ISO 8601, or as a platform writes it, in seconds since 1970; None if it is
+    none."""
     text = " ".join(typed.split())
     try:
         return datetime.fromisoformat(text).timestamp()
@@ -212,7 +217,8 @@ def _time(typed: str) -> float | None:
 
 
 def _table(path: Path, column: str, read: Callable[[str], float | None]) -> dict:
-    """Return {(student, notebook): time} of a table with this column, or of times that a platform exports."""
+    """Return {(student, notebook): time} of a table with this column, or of times that a platform
+    exports."""
     exporters = [platform for platform in platforms().values() if platform.time_columns]
     known = {"student", "notebook", column}
     for platform in exporters:

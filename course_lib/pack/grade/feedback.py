@@ -42,7 +42,8 @@ TEMPLATES = jinja2.Environment(loader=PAGES, autoescape=True, trim_blocks=True, 
 
 
 def rendered(name: str, **values: object) -> str:
-    """Return an HTML page that needs no network and runs no script; name: of a template in pages/."""
+    """Return an HTML page that needs no network and runs no script; name: of a template in
+    pages/."""
     return TEMPLATES.get_template(name).render(values)
 
 
@@ -101,7 +102,8 @@ def _answer(answer: MarkedAnswer) -> dict:
 
 
 def write_feedback(folder: Path, everything: Iterable[GradedFile]) -> None:
-    """Write <student>/<notebook>.html for each file that counts; delete the pages of students not in this run."""
+    """Write <student>/<notebook>.html for each file that counts; delete the pages of students not
+    in this run."""
     counting = [each for each in everything if not each.superseded_by and each.student]
     students = file_names({each.student for each in counting})
     pages = {}
@@ -128,7 +130,8 @@ def write_feedback(folder: Path, everything: Iterable[GradedFile]) -> None:
 
 
 def _uploads(counting: list[GradedFile], platform: Platform) -> dict[str, bytes]:
-    """Return {notebook: a zip of all its feedback, as a platform takes it}, empty if nothing came from it."""
+    """Return {notebook: a zip of all its feedback, as a platform takes it}, empty if nothing came
+    from it."""
     contents: dict[str, io.BytesIO] = {}
     for each in counting:
         submission = each.submission

@@ -43,7 +43,8 @@ Row = dict[str, str]  # {heading: cell} of one line of a roster
 
 
 def field_of(heading: str) -> str:
-    """Return which of the FIELDS of `platforms.base` a heading stands for, ALIAS for our column, or ""."""
+    """Return which of the FIELDS of `platforms.base` a heading stands for, ALIAS for our column, or
+    ""."""
     if heading == ALIAS:  # in this spelling: Canvas has a column Student
         return ALIAS
     return _fields().get(heading.strip().casefold(), "")
@@ -194,7 +195,8 @@ class Roster:
                 yield alike
 
     def nearest(self, student: str, taken: Iterable[Row] = ()) -> list[str]:
-        """Return the names in the roster that are nearest to a student's, except those in the rows `taken`."""
+        """Return the names in the roster that are nearest to a student's, except those in the rows
+        `taken`."""
         used = {id(row) for row in taken}
         names: dict[str, str] = {}
         for row, spellings, name in self._spellings:
@@ -206,14 +208,16 @@ class Roster:
 
 
 def _spellings(row: Row) -> list[str]:
-    """Return what may be near to a student's name: the name, the login, and the address before its @."""
+    """Return what may be near to a student's name: the name, the login, and the address before its
+    @."""
     person = _person(row)
     texts = [person.get(field, "").partition("@")[0] for field in ("full", "login", "address")]
     return [words(text) for text in texts if text]
 
 
 def _key(text: str) -> str:
-    """Return a text as it is compared: without capitals, and a number without the zeros that a spreadsheet eats."""
+    """Return a text as it is compared: without capitals, and a number without the zeros that a
+    spreadsheet eats."""
     text = cell_text(text).strip().removeprefix("#").casefold()
     return (text.lstrip("0") or "0") if text.isdecimal() else text
 
@@ -224,7 +228,8 @@ def _key(text: str) -> str:
 def gradebook_text(
     platform: str, totals: Totals, roster: Sequence[Row] | None = None
 ) -> tuple[str, list[str], list[list[str]]]:
-    """Return the text of the file for a platform, and the students who are not in it or share a line of it.
+    """Return the text of the file for a platform, and the students who are not in it or share a
+    line of it.
 
     Not in it are those whom no line of the roster fits, or several, or whom the platform would not
     take for a student; but a group, whose name is in the column `student` of several lines, is in
@@ -262,7 +267,8 @@ def _is_alias(row: Row, student: str) -> bool:
 
 
 def _rows(taker: Platform, student: str, totals: Totals, finder: Roster | None) -> list[Row]:
-    """Return the rows of the roster that fit a student, or one of what is known if there is no roster."""
+    """Return the rows of the roster that fit a student, or one of what is known if there is no
+    roster."""
     user_id = totals.user_ids.get(student, "")
     known = totals.identities.get(student, {})
     if finder:
@@ -284,7 +290,8 @@ def _identity(taker: Platform, row: Row) -> tuple[str, ...]:
 
 
 def _points(totals: Totals, students: list[str]) -> Iterable[float | str]:
-    """Yield the cells after those that identify one student of the platform, who may have several names here."""
+    """Yield the cells after those that identify one student of the platform, who may have several
+    names here."""
     for notebook in totals.of:
         points = [
             totals.students[student][notebook]
@@ -298,7 +305,8 @@ def _points(totals: Totals, students: list[str]) -> Iterable[float | str]:
 
 
 def absent(totals: Totals, roster: Sequence[Row]) -> list[str]:
-    """Return the names in the roster of those who handed in nothing, sorted; a line that may be a student's is not."""
+    """Return the names in the roster of those who handed in nothing, sorted; a line that may be a
+    student's is not."""
     present = {id(row) for row in matched(totals, Roster(roster))}
     return sorted(full_name(row) for row in roster if id(row) not in present)
 
@@ -315,7 +323,8 @@ def matched(totals: Totals, finder: Roster) -> list[Row]:
 
 
 def unmatched(totals: Totals, roster: Sequence[Row]) -> dict[str, list[str]]:
-    """Return {student without a line in the roster: the names that are nearest, of those without a student}."""
+    """Return {student without a line in the roster: the names that are nearest, of those without a
+    student}."""
     finder = Roster(roster)
     taken = matched(totals, finder)
     found = {}

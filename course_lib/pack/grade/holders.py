@@ -1,4 +1,5 @@
-"""What holds the students' work in a folder: files and folders, each of which is one student's or one group's."""
+"""What holds the students' work in a folder: files and folders, each of which is one student's or
+one group's."""
 
 import fnmatch
 from collections.abc import Iterable

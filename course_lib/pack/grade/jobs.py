@@ -26,7 +26,8 @@ MAX_BAD_RESULTS = 2  # of one submission, which then is given up
 
 @functools.cache
 def course_hash():
-    """Return a hash of all that a result depends on except submission and seed: the package and the notebooks."""
+    """Return a hash of all that a result depends on except submission and seed: the package and the
+    notebooks."""
     parts = (
         "*.py",
         "checks/**/*.py",
@@ -45,7 +46,8 @@ def course_hash():
 
 
 def result_name(submission, content, seed):
-    """Return the name of a result's file, which depends on notebook, content, seed and course: equal files share it."""
+    """Return the name of a result's file, which depends on notebook, content, seed and course:
+    equal files share it."""
     parts = submission.notebook, str(seed), course_hash(), hashlib.sha256(content).hexdigest()
     return hashlib.sha256("\n".join(parts).encode()).hexdigest() + ".json"
 
@@ -77,7 +79,8 @@ def ungraded_result(submission, reason, state):
 
 
 def grade_all(submissions, results, seed, pool, offered=None):
-    """Return each submission with its result, in the same order; stored results are not computed again.
+    """Return each submission with its result, in the same order; stored results are not computed
+    again.
 
     Parameters
     ----------
@@ -193,7 +196,8 @@ class Processes:
         self._running[work.pipe] = work, path
 
     def finished(self):
-        """Wait for at least one submission; yield (path, outcome) of those that are finished, see outcome()."""
+        """Wait for at least one submission; yield (path, outcome) of those that are finished, see
+        outcome()."""
         for pipe in wait(list(self._running)):
             work, path = self._running.pop(pipe)
             yield path, outcome(work)

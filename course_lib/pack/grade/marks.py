@@ -47,7 +47,8 @@ class MarkedAnswer:
 
 
 def key(student: str, notebook: str, question: str, text: str) -> str:
-    """Return the key of a mark: a changed answer to the same question has another key, so it must be marked again.
+    """Return the key of a mark: a changed answer to the same question has another key, so it must
+    be marked again.
 
     It begins with a letter, because a spreadsheet makes a number of a key that has only digits, and
     rounds it.
@@ -57,7 +58,8 @@ def key(student: str, notebook: str, question: str, text: str) -> str:
 
 
 def read_marks(path: Path) -> dict[str, dict[str, str]]:
-    """Return the rows of the reader's table as {key: {column: text}}; empty if there is no table yet."""
+    """Return the rows of the reader's table as {key: {column: text}}; empty if there is no table
+    yet."""
     rows = read_table(path, set(COLUMNS)) if path.exists() else []
     if rows and not {"key", "mark", "comment"} <= set(rows[0]):
         raise GradingStopped(
@@ -75,7 +77,8 @@ def read_marks(path: Path) -> dict[str, dict[str, str]]:
 
 
 def mark_answer(question: dict, student: str, notebook: str, rows: dict) -> MarkedAnswer:
-    """Return the MarkedAnswer for one of a result's questions, a dict with "question", "text" and "of" at least."""
+    """Return the MarkedAnswer for one of a result's questions, a dict with "question", "text" and
+    "of" at least."""
     text, of = str(question["text"]), question["of"]
     its_key = key(student, notebook, question["question"], text)
     about = {"task": str(question.get("task", "")), "more": question.get("more", False)}
@@ -99,7 +102,8 @@ def mark_answer(question: dict, student: str, notebook: str, rows: dict) -> Mark
 def marks_text(
     listed: Iterable[tuple[str, str, MarkedAnswer]], rows: dict, models: dict | None = None
 ) -> str:
-    """Return the text of questions.csv: a row for each answer, then the earlier marks of other answers.
+    """Return the text of questions.csv: a row for each answer, then the earlier marks of other
+    answers.
 
     listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the
     reader's entries are kept as typed. models: {(notebook, question): (rubric, model answer)}.

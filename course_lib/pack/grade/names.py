@@ -1,4 +1,5 @@
-"""Names of files: which student and notebook a handed-in file's name says, and names of files that we write."""
+"""Names of files: which student and notebook a handed-in file's name says, and names of files that
+we write."""
 
 import collections
 import hashlib
@@ -18,7 +19,8 @@ COPY_OF = re.compile(r"(?:copy of\s+)+|(?:[\s_-]*\bcopy of)+\s*$", re.IGNORECASE
 
 
 def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
-    """Return the student and the notebook that a file's name without its ending contains; both "" if none.
+    """Return the student and the notebook that a file's name without its ending contains; both ""
+    if none.
 
     The notebook's name comes last, with or without its number; what programs and people write
     behind it for another copy, such as " (1)" or "_final", may follow, and "Copy of" may precede.
@@ -39,7 +41,8 @@ def _without_copy_of(student: str) -> str:
 
 
 def unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
-    """Return a remark on a name that has a notebook's inside, and behind it what we do not know; or ""."""
+    """Return a remark on a name that has a notebook's inside, and behind it what we do not know; or
+    ""."""
     for name in notebooks:
         for title in (name, name.partition("_")[2]):
             found = re.fullmatch(

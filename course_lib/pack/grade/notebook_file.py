@@ -64,7 +64,8 @@ class Question:
 
 @dataclass(frozen=True)
 class Course:
-    """One notebook of the course, with the name of its package of checks, its Exercises and its Questions.
+    """One notebook of the course, with the name of its package of checks, its Exercises and its
+    Questions.
 
     more: the names of the exercises and questions whose cells are in More. texts: the sources of
     its cells that are not of code.
@@ -104,8 +105,8 @@ def read(content: bytes) -> tuple[list[Cell], str]:
     if not isinstance(listed, list):
         if isinstance(_within(book, "worksheets"), list):
             raise Unreadable(
-                "It is in the format that notebooks had before 2014. Save it in JupyterLab and hand "
-                "it in again."
+                "It is in the format that notebooks had before 2014. Save it in JupyterLab and hand"
+                " it in again."
             )
         raise Unreadable("It is not a notebook: it has no list of cells.")
     if len(listed) > MAX_CELLS:
@@ -149,7 +150,8 @@ def code(cells: list[Cell]) -> list[str]:
 
 
 def defines(sources: list[str], name: str) -> bool:
-    """Return whether a cell seems to define a function of this name: a quick guess from its text."""
+    """Return whether a cell seems to define a function of this name: a quick guess from its
+    text."""
     begins = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*=[^=])", re.MULTILINE)
     return any(map(begins.search, sources))
 

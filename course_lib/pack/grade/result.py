@@ -1,4 +1,5 @@
-"""The result of one submission as plain data: rows of exercises with their messages, and written answers."""
+"""The result of one submission as plain data: rows of exercises with their messages, and written
+answers."""
 
 import json
 from dataclasses import replace
@@ -99,7 +100,8 @@ def _judged_with(instead: tuple[str, ...]) -> str:
 
 
 def message_of(verdict: Verdict) -> str:
-    """Return the check's message without its first line, because the state is a column of its own."""
+    """Return the check's message without its first line, because the state is a column of its
+    own."""
     if verdict.state == RIGHT:
         return printable(verdict.note)
     shown = replace(verdict, blames="", answer=_with_first_words(verdict.answer))
@@ -129,7 +131,8 @@ def _with_first_words(answer: object, depth: int = 0) -> object:
 
 
 def printable(text: str) -> str:
-    """Return the text without control characters, because it may contain text from a student's code."""
+    """Return the text without control characters, because it may contain text from a student's
+    code."""
     return "".join(
         sign if sign.isprintable() or sign == "\n" else "\N{REPLACEMENT CHARACTER}" for sign in text
     )

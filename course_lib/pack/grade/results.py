@@ -1,4 +1,5 @@
-"""Results of submissions as they come from workers and from files: none is used before it is looked at.
+"""Results of submissions as they come from workers and from files: none is used before it is looked
+at.
 
 A worker may be broken, of another version, or hostile, and a file may be of another program. What
 they hold would go into the points of a class.
@@ -32,7 +33,8 @@ def points_offered() -> dict[str, dict[str, int]]:
 
 
 def read_json(text: str | bytes) -> object:
-    """Return what a JSON text holds; raise NotAResult if it is too long, or no JSON of finite numbers."""
+    """Return what a JSON text holds; raise NotAResult if it is too long, or no JSON of finite
+    numbers."""
     if len(text) > MAX_BYTES:
         raise NotAResult(f"it has {len(text):,} bytes, and at most {MAX_BYTES:,} are read")
     try:
@@ -46,7 +48,8 @@ def _refuse_constant(name: str) -> NoReturn:
 
 
 def validated(result: object, offered: Mapping | None = None) -> dict:
-    """Return a result if it has the form of one and the points of the course; else raise NotAResult.
+    """Return a result if it has the form of one and the points of the course; else raise
+    NotAResult.
 
     Parameters
     ----------

@@ -1,4 +1,5 @@
-"""Run a notebook's cells and put questions to its functions: the script that is started in the sandbox.
+"""Run a notebook's cells and put questions to its functions: the script that is started in the
+sandbox.
 
 All its output is only a claim, because the student's code runs in the same process and can forge
 it. It reads one JSON object with the cells, and runs them. Then it reads requests {"ask": name,
@@ -149,7 +150,8 @@ def whole(sources: list[str], names: list[str], without: set[tuple], say: Callab
 
 
 def needed_only(sources: list[str], names: list[str], without: set[tuple], say: Callable) -> dict:
-    """Run only the statements that the functions of these names need, whatever fails; return their namespace."""
+    """Run only the statements that the functions of these names need, whatever fails; return their
+    namespace."""
     from statements import needed, statements
 
     for number, source in enumerate(sources):
@@ -170,7 +172,8 @@ def needed_only(sources: list[str], names: list[str], without: set[tuple], say: 
 
 
 def keep_the_name_of_the_checks(space: dict) -> None:
-    """Give the name `check` back to the checks after a cell that assigned to it, as the notebook does."""
+    """Give the name `check` back to the checks after a cell that assigned to it, as the notebook
+    does."""
     checks = space.get("check")
     if isinstance(checks, types.ModuleType):
         space["__checks__"] = checks

@@ -1,4 +1,5 @@
-"""Run a student's code in a process that sees as little of the machine as possible; two pipes lead to it."""
+"""Run a student's code in a process that sees as little of the machine as possible; two pipes lead
+to it."""
 
 import contextlib
 import dataclasses
@@ -66,7 +67,8 @@ class TooSlow(Ended):
 
 
 class Idle(TooSlow):
-    """The sandbox was ended because next to nothing was computed in it, so that it would wait again."""
+    """The sandbox was ended because next to nothing was computed in it, so that it would wait
+    again."""
 
 
 class Sandbox:
@@ -152,7 +154,8 @@ class Sandbox:
         return Watch(self, asleep, cpu, self._limits.idle_seconds)
 
     def receive(self, watch):
-        """Return the next message, a dict; raise Ended if the sandbox ended, and from then on always."""
+        """Return the next message, a dict; raise Ended if the sandbox ended, and from then on
+        always."""
         try:
             return self._next(watch)
         except Ended as end:
@@ -161,11 +164,13 @@ class Sandbox:
 
     @property
     def asleep(self):
-        """The seconds in which an answer was waited for and nothing in the sandbox computed or wanted to."""
+        """The seconds in which an answer was waited for and nothing in the sandbox computed or
+        wanted to."""
         return max(self.free - self.computed, 0)
 
     def _processes(self):
-        """Return the process that begins the sandbox and all below it, parents before their children."""
+        """Return the process that begins the sandbox and all below it, parents before their
+        children."""
         try:
             first = psutil.Process(self._process.pid)
             return [first, *first.children(recursive=True)]
@@ -173,7 +178,8 @@ class Sandbox:
             return []
 
     def _look_on(self):
-        """Look again and again, also while answers are judged; end the sandbox if it exceeds a bound."""
+        """Look again and again, also while answers are judged; end the sandbox if it exceeds a
+        bound."""
         pause = 0.3
         while not self._ended.wait(pause):
             begin = time.thread_time()
@@ -212,7 +218,8 @@ class Sandbox:
         return len(processes), memory
 
     def _taken_beside_memory(self):
-        """Return what the sandbox takes too much of that neither bytes nor processes show, or ""."""
+        """Return what the sandbox takes too much of that neither bytes nor processes show, or
+        ""."""
         for process in self._processes()[WATCHERS - 1 :]:
             names = _names_in_use(process.pid)
             if names is None:
@@ -282,7 +289,8 @@ class Sandbox:
 
 
 class Watch:
-    """Ends the wait for a sandbox: by its processor time, and by the time in which it wants none."""
+    """Ends the wait for a sandbox: by its processor time, and by the time in which it wants
+    none."""
 
     def __init__(self, sandbox, asleep, cpu, idle):
         self._sandbox, self._cpu, self._most, self._asleep, self._idle = (
@@ -296,7 +304,8 @@ class Watch:
         self._first = self._part = self._since = None
 
     def begin(self, cpu, most):
-        """Allow so many seconds of processor time for the part that begins now, and for all parts together."""
+        """Allow so many seconds of processor time for the part that begins now, and for all parts
+        together."""
         self._cpu, self._most, self._part = cpu, most, None
 
     def look(self):
@@ -322,7 +331,8 @@ class Watch:
 
 
 def _delay(number):
-    """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux does not tell."""
+    """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux
+    does not tell."""
     total = 0
     for thread in os.listdir(f"/proc/{number}/task") if sys.platform == "linux" else ():
         with (
@@ -334,7 +344,8 @@ def _delay(number):
 
 
 def _names_in_use(number):
-    """Return how many files and folders there are in the file systems that a submission can write to.
+    """Return how many files and folders there are in the file systems that a submission can write
+    to.
 
     number: of one of its processes. None if that cannot be seen.
     """

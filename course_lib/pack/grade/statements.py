@@ -36,7 +36,8 @@ SIMPLE = (
 
 @dataclass
 class Statement:
-    """One statement at the top of a cell (counted from 0), and the names it binds, reads and changes."""
+    """One statement at the top of a cell (counted from 0), and the names it binds, reads and
+    changes."""
 
     cell: int
     tree: ast.stmt
@@ -46,7 +47,8 @@ class Statement:
 
 
 def statements(sources: Sequence[str]) -> list[Statement]:
-    """Return the Statements of a notebook's code cells, without stubs of functions that other cells define."""
+    """Return the Statements of a notebook's code cells, without stubs of functions that other cells
+    define."""
     found = [
         _looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)
     ]
@@ -93,7 +95,8 @@ def needed(found: Sequence[Statement], names: Sequence[str]) -> list[Statement]:
 
 @functools.lru_cache(maxsize=1000)
 def plain(source: str) -> str:
-    """Return a cell as Python: itself if it is, else what IPython makes of its magics, commands and prompts."""
+    """Return a cell as Python: itself if it is, else what IPython makes of its magics, commands and
+    prompts."""
     if tree_of(source) is not None or len(source) > MAX_TRANSFORMED:
         return source
     from IPython.core.inputtransformer2 import (
@@ -128,7 +131,8 @@ def parsed(source: str) -> list[ast.stmt]:
 
 
 def no_python(sources: Sequence[str], name: str) -> str:
-    """Return why a cell that begins to define this function is not valid Python; "" if there is no such cell."""
+    """Return why a cell that begins to define this function is not valid Python; "" if there is no
+    such cell."""
     for number, source in enumerate(sources, 1):
         if not re.search(rf"^def[ \t]+{name}\b", source, re.MULTILINE):
             continue
@@ -181,7 +185,8 @@ def _looked_at(number, tree):
 
 
 def _read(tree):
-    """Return the global names that a statement reads, or that the function it defines reads when called."""
+    """Return the global names that a statement reads, or that the function it defines reads when
+    called."""
     try:
         left, names = [symtable.symtable(ast.unparse(tree), "", "exec")], set()
         while left:

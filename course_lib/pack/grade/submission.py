@@ -189,7 +189,8 @@ class Run:
 
 
 def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
-    """Return the result of a submission as plain data; nothing that the submission contains makes this raise.
+    """Return the result of a submission as plain data; nothing that the submission contains makes
+    this raise.
 
     Parameters
     ----------
@@ -279,7 +280,8 @@ def _files(forbidden: frozenset[str]) -> dict[str, bytes]:
 
 
 def _modules_missing(run: Run) -> list[str]:
-    """Return the modules that the notebook needs and that are not there, without those of installed names."""
+    """Return the modules that the notebook needs and that are not there, without those of installed
+    names."""
     written = re.compile(r"^\s*%run\s+(?:-\S+\s+)*['\"]?([\w./-]+)", re.MULTILINE)
     files = {name for source in run.sources for name in written.findall(source)}
     made = re.compile(r"^\s*%%(?:writefile|file)\s+(?:-a\s+)?(\S+)", re.MULTILINE)
@@ -327,7 +329,8 @@ def ask_all(run: Run) -> dict[str, Outcome]:
 
 
 def _is_taken_away(exercise: Exercise) -> bool:
-    """Return whether a sandbox without what this exercise forbids differs from one with the whole library."""
+    """Return whether a sandbox without what this exercise forbids differs from one with the whole
+    library."""
     return any(name.startswith("course_lib.") for name in exercise.forbidden)
 
 
@@ -335,7 +338,8 @@ def _is_taken_away(exercise: Exercise) -> bool:
 
 
 def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
-    """Ask once more whatever is not right, with right functions in place of all others that are not.
+    """Ask once more whatever is not right, with right functions in place of all others that are
+    not.
 
     Those that it called are known by having been asked. Functions that call each other in a circle
     earn nothing by it, and nothing is earned by a call that the task excludes.
@@ -368,7 +372,8 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
 
 
 def _is_no_worse(again: Verdict, before: Verdict) -> bool:
-    """Return whether a verdict with right functions in place of others says more of the answer itself."""
+    """Return whether a verdict with right functions in place of others says more of the answer
+    itself."""
     if again.points == before.points:
         return again.state == WRONG
     return again.points > before.points
@@ -385,7 +390,8 @@ def _is_named(run: Run, exercise: Exercise) -> bool:
 
 
 def _with_right_ones(run, exercises, whole, instead) -> dict[str, Outcome]:
-    """Return {name: Outcome} with right functions in place of others, in one process or each in its own."""
+    """Return {name: Outcome} with right functions in place of others, in one process or each in its
+    own."""
     outcomes = attempt(run, exercises, _all_forbidden(exercises), whole, instead)
     for exercise in exercises:
         outcome = outcomes[exercise.name]
@@ -460,7 +466,8 @@ class Attempt:
         }
 
     def ask_now(self, name: str, at: int) -> bool:
-        """Ask for an exercise if it was not right, or did not take too long, at an earlier check."""
+        """Ask for an exercise if it was not right, or did not take too long, at an earlier
+        check."""
         exercise, before = self.exercises.get(name), self.outcomes.get(name)
         if exercise is None:
             return False
@@ -512,7 +519,8 @@ class Attempt:
 
 
 def attempt(run, exercises, forbidden, whole=False, instead=None) -> dict[str, Outcome]:
-    """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}; see Attempt."""
+    """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}; see
+    Attempt."""
     return Attempt(run, exercises, forbidden, whole, instead).complete()
 
 
@@ -562,7 +570,8 @@ def run_cells(sandbox, order: dict, run: Run, conversation):
 
 
 def _place(claimed, run):
-    """Return the place that the runner claims to run, (cell, line); None if there is no such place."""
+    """Return the place that the runner claims to run, (cell, line); None if there is no such
+    place."""
     if not isinstance(claimed, list) or [type(number) for number in claimed] != [int, int]:
         return None
     cell, line = claimed
@@ -628,7 +637,8 @@ def _if_it_is_repeated(verdict: Verdict, again: Verdict) -> Verdict:
 
 
 def apart(run: Run, outcome: Outcome, attempted: Attempt) -> Outcome:
-    """Return the Outcome itself, or for a test that distinguished candidates one in which it could not compare them."""
+    """Return the Outcome itself, or for a test that distinguished candidates one in which it could
+    not compare them."""
     if not outcome.apart or not outcome.verdict.points:
         return outcome
     student = EachApart(attempted, outcome.verdict.exercise, outcome.at)
@@ -748,7 +758,8 @@ class Student:
 
 
 class EachApart(Student):
-    """Asks a student's test about each candidate in a sandbox of its own, in which that candidate alone answers.
+    """Asks a student's test about each candidate in a sandbox of its own, in which that candidate
+    alone answers.
 
     So nothing can compare candidates. Their order is another one than when all were asked together.
 

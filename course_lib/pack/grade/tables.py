@@ -1,4 +1,5 @@
-"""Which files count, and the tables of their points: a line for each exercise, and a line for each student."""
+"""Which files count, and the tables of their points: a line for each exercise, and a line for each
+student."""
 
 import itertools
 import re
@@ -58,14 +59,16 @@ class GradedFile:
 
     @property
     def points(self) -> float:
-        """The points of the exercises, before a deduction for lateness and without written answers."""
+        """The points of the exercises, before a deduction for lateness and without written
+        answers."""
         return sum(
             each["points"] * (self.weight if each["more"] else 1)
             for each in self.result["exercises"]
         )
 
     def part(self, more: bool) -> tuple[float, float]:
-        """Return the points of exercises and written answers in the core or in More, and the points there are.
+        """Return the points of exercises and written answers in the core or in More, and the points
+        there are.
 
         Neither is weighted, and nothing is deducted for lateness.
         """
@@ -83,7 +86,8 @@ class GradedFile:
 
     @property
     def total(self) -> float:
-        """The points of exercises and written answers, weighted and after a deduction for lateness."""
+        """The points of exercises and written answers, weighted and after a deduction for
+        lateness."""
         return self.part(False)[0] * self.share + self.of_more
 
     @property
@@ -103,7 +107,8 @@ def final_state(state: str) -> str:
 
 
 def final_message(message: str) -> str:
-    """Return a check's message as it is after the hand-in, without the advice to run the check again."""
+    """Return a check's message as it is after the hand-in, without the advice to run the check
+    again."""
     text = re.sub(r"\s*\b(Correct|Write) \w+ first, then run this check again\.", "", message)
     return re.sub(r"\bis not (right|written) yet\.", r"is not \1.", text)
 
@@ -290,7 +295,8 @@ def _rounded(points: float) -> float:
 
 
 def totals_text(found: Totals) -> str:
-    """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not handed in."""
+    """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not
+    handed in."""
     rows = []
     for student, points in found.students.items():
         each = [points.get(notebook, "") for notebook in found.of]

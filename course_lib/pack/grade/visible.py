@@ -37,7 +37,8 @@ DEVICES = ("null", "zero", "full", "random", "urandom")
 
 
 def mounts(hidden=()):
-    """Return [(source, target)] of what is shown read-only, and [(target, whether a folder)] of what is covered in it.
+    """Return [(source, target)] of what is shown read-only, and [(target, whether a folder)] of
+    what is covered in it.
 
     hidden: folders to cover wherever they are, such as those of submissions and grades; the project
     always is.
@@ -102,7 +103,8 @@ def _python():
 
 @functools.cache
 def _libraries():
-    """Return {source: target} of the shared libraries that Python and its packages load, and of their loader."""
+    """Return {source: target} of the shared libraries that Python and its packages load, and of
+    their loader."""
     loading = [source for source in _python() if not os.path.isdir(source)]
     loading += [
         str(path) for folder in _python() for path in Path(folder, "lib-dynload").glob("*.so")

@@ -108,11 +108,16 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with cell[i] "
-        ">= 0.",
+        (
+            "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with"
+            " cell[i] >= 0."
+        ),
         "A = models[cell[i], k] has two rows: angles[i, k] = A[:, :2] @ xy[i] + A[:, 2].",
         "If a model holds nan, so does the product: that case needs no line of its own.",
-        'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj", models[cell[inside]][..., :2], xy[inside]).',
+        (
+            'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj",'
+            " models[cell[inside]][..., :2], xy[inside])."
+        ),
     ),
     forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
 )

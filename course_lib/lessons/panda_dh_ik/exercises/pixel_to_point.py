@@ -91,7 +91,10 @@ EXERCISE = Exercise(
     ),
     hints=(
         "In two steps: the point in the camera's frame first, then the same point in the world's.",
-        "In the camera's frame z is the depth. Solve u = f_x x / z + c_x for x, and the same for y.",
+        (
+            "In the camera's frame z is the depth. Solve u = f_x x / z + c_x for x, and the same"
+            " for y."
+        ),
         "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
     ),
     library=right,

@@ -83,7 +83,7 @@ def _off(T, *case):
     yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
     return (
         f"{difference(T, registered(*case))} The sum is {yours:.6g} with yours; {least:.6g} is "
-        f"possible."
+        "possible."
     )
 
 
@@ -104,7 +104,8 @@ def _broken(src, dst, weights):
 _POSITION = Mistake("R is right, and p is not", "To which point does T take the centroid of src?")
 _WITHOUT_NOISE = Mistake(
     "T is wrong even without noise",
-    "Is dst on the left in the sum of the w_i b_i a_i^T, and by what are the weighted sums divided?",
+    "Is dst on the left in the sum of the w_i b_i a_i^T, and by what are the weighted sums"
+    " divided?",
 )
 
 EXERCISE = Exercise(
@@ -137,13 +138,17 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Run the broken code on four points with noise of their own size until its determinant "
-        "test applies. "
-        "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small "
-        "rotation?",
-        "To change a sign costs least at the smallest singular value. Does a column of the "
-        "finished product U V^T "
-        "belong to one of the singular values?",
+        (
+            "Run the broken code on four points with noise of their own size until its determinant "
+            "test applies. "
+            "Is the sum of squares smaller with R @ rotations.rot_x(0.1), or with another small "
+            "rotation?"
+        ),
+        (
+            "To change a sign costs least at the smallest singular value. Does a column of the "
+            "finished product U V^T "
+            "belong to one of the singular values?"
+        ),
         "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
     ),
     library=registered,

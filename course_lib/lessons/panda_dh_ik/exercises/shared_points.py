@@ -141,7 +141,8 @@ _APART = Mistake(
 
 
 def are_points(array, points, *rest):
-    """Return whether an answer is the moved points, and no rotation: of three points the shape is (3, 3)."""
+    """Return whether an answer is the moved points, and no rotation: of three points the shape is
+    (3, 3)."""
     a_rotation = array.shape == (3, 3) and orthogonality_error(array) < EXACT
     return array.shape == points.shape and not a_rotation
 

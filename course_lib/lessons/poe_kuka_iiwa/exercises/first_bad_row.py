@@ -85,10 +85,16 @@ def _why(t, q, limits, row):
     if not (np.isfinite(q[row]).all() and np.isfinite(t[row])):
         return f"the first bad row is row {row}, which holds something that is not a finite number"
     if row and t[row] <= t[row - 1]:
-        return f"the first bad row is row {row}, where the time, {t[row]:.4g} s, does not come after {t[row - 1]:.4g} s"
+        return (
+            f"the first bad row is row {row}, where the time, {t[row]:.4g} s, does not come after"
+            f" {t[row - 1]:.4g} s"
+        )
     joint = int(np.argmax((q[row] < limits[:, 0]) | (q[row] > limits[:, 1])))
     angle = f"{q[row, joint]:.6f}"
-    return f"the first bad row is row {row}, where joint {joint + 1} is at {angle} rad, beyond its limits"
+    return (
+        f"the first bad row is row {row}, where joint {joint + 1} is at {angle} rad, beyond its"
+        " limits"
+    )
 
 
 EXERCISE = Exercise(
@@ -109,12 +115,18 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Make an array of True and False, one for each row, for each of the three reasons; then "
-        "combine them with |.",
-        "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no "
-        "time before it.",
-        "np.argmax of an array of True and False is the position of the first True; ask first "
-        "whether there is any.",
+        (
+            "Make an array of True and False, one for each row, for each of the three reasons; then"
+            " combine them with |."
+        ),
+        (
+            "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no"
+            " time before it."
+        ),
+        (
+            "np.argmax of an array of True and False is the position of the first True; ask first "
+            "whether there is any."
+        ),
     ),
     forbidden=("course_lib.trajectory.loading.load",),
 )

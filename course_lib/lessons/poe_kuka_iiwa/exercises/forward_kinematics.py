@@ -43,7 +43,8 @@ EXERCISE = Exercise(
             where=lambda screws, M, q: not q.any(),
             mistake=Mistake(
                 "with all angles 0 the product is not M",
-                "What is exp([S] 0), a 4 x 4 matrix? Multiply so many of these, with @, and M once.",
+                "What is exp([S] 0), a 4 x 4 matrix? Multiply so many of these, with @, and M"
+                " once.",
             ),
         ),
         LAST_ROW,
@@ -55,12 +56,18 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Let joint n move the end-effector first, from its pose at home: exp([Sn] qn) M. Then "
-        "joint n - 1, and so on.",
-        "One exponential for each joint, of its screw axis times its angle; all are multiplied, "
-        "joint 1 on the left.",
-        "Begin with the identity; in the loop, multiply on the right by the next joint's "
-        "exponential; M comes last.",
+        (
+            "Let joint n move the end-effector first, from its pose at home: exp([Sn] qn) M. Then "
+            "joint n - 1, and so on."
+        ),
+        (
+            "One exponential for each joint, of its screw axis times its angle; all are multiplied,"
+            " joint 1 on the left."
+        ),
+        (
+            "Begin with the identity; in the loop, multiply on the right by the next joint's "
+            "exponential; M comes last."
+        ),
     ),
     forbidden=("course_lib.arms.SerialArm",),
 )

@@ -44,8 +44,8 @@ def _velocity_off(read):
         return f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is the opposite one."
     beside = _axes(np.cross(read[0][:, :3][i], read[0][:, 3:][i] - _V[i]))
     shown = (
-        f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is {1000 * off[i]:.3g} mm/s off at 1 "
-        f"rad/s"
+        f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is {1000 * off[i]:.3g} mm/s"
+        " off at 1 rad/s"
     )
     return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
 
@@ -104,7 +104,7 @@ EXERCISE = Exercise(
             lambda read: np.allclose(read[1][BLOCK], _R, atol=1e-6),
             says=lambda read: (
                 f"The flange's {'xyz'[np.argmax(abs(read[1][BLOCK] - _R).max(0) > 1e-6)]} axis "
-                f"points elsewhere."
+                "points elsewhere."
             ),
         ),
         Property(
@@ -112,7 +112,7 @@ EXERCISE = Exercise(
             lambda read: np.abs(read[1][COLUMN] - _P).max() <= _TOLERANCE,
             says=lambda read: (
                 f"Yours is {format_tuple(read[1][COLUMN])}: look at {_axes(read[1][COLUMN] - _P)} "
-                f"again."
+                "again."
             ),
             mistake=Mistake(
                 "the flange is read elsewhere than it is drawn",
@@ -123,16 +123,21 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Axes 5 and 6 are left. An axis along z needs x and y from the top view; an axis along y "
-        "needs x and z from "
-        "the side view. The third coordinate of the point is up to you. The cell on the iiwa makes "
-        "v of such points.",
-        "Dimensions are distances between neighbours: go on from axis 4, whose point is there. "
-        "Mind the signs: the arm "
-        "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower.",
-        "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the "
-        "base's. The columns "
-        "of its rotation are x, y and z; its position adds up the lengths along -x, -y and z.",
+        (
+            "Axes 5 and 6 are left. An axis along z needs x and y from the top view; an axis along"
+            " y needs x and z from the side view. The third coordinate of the point is up to you."
+            " The cell on the iiwa makes v of such points."
+        ),
+        (
+            "Dimensions are distances between neighbours: go on from axis 4, whose point is there. "
+            "Mind the signs: the arm "
+            "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower."
+        ),
+        (
+            "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the"
+            " base's. The columns of its rotation are x, y and z; its position adds up the lengths"
+            " along -x, -y and z."
+        ),
     ),
 )
 

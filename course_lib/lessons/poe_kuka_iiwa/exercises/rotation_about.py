@@ -95,12 +95,18 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Three steps: R by Rodrigues' formula with W = hat(omega); p from the point that must not "
-        "move; then the "
-        "inverse.",
-        "R point + p = point gives p. Solving y = R x + p for x gives the block and the column of "
-        "the inverse.",
-        "R is I + sin(theta) W + (1 - cos(theta)) W W with matrix products, and p is (I - R) point.",
+        (
+            "Three steps: R by Rodrigues' formula with W = hat(omega); p from the point that must"
+            " not move; then the inverse."
+        ),
+        (
+            "R point + p = point gives p. Solving y = R x + p for x gives the block and the column"
+            " of the inverse."
+        ),
+        (
+            "R is I + sin(theta) W + (1 - cos(theta)) W W with matrix products, and p is (I - R)"
+            " point."
+        ),
     ),
     forbidden=(
         "course_lib.rotations.exp_so3",

@@ -36,12 +36,19 @@ EXERCISE = WriteTest(
     points=3,
     arguments=("adjoint",),
     hints=(
-        "Begin with one pose that rotates and translates, and one twist. What must the adjoint do "
-        "to the twist?",
-        "[Ad(T) V] = T [V] T^-1 for every V: with the six twists np.eye(6) you ask for each column.",
-        "One pose is not enough: a version may be right when nothing rotates, when p is 0, or near "
-        "the origin only. "
-        "Compare with a tolerance, for right versions differ by rounding.",
+        (
+            "Begin with one pose that rotates and translates, and one twist. What must the adjoint"
+            " do to the twist?"
+        ),
+        (
+            "[Ad(T) V] = T [V] T^-1 for every V: with the six twists np.eye(6) you ask for each"
+            " column."
+        ),
+        (
+            "One pose is not enough: a version may be right when nothing rotates, when p is 0, or"
+            " near the origin only. Compare with a tolerance, for right versions differ by"
+            " rounding."
+        ),
     ),
     versions=(
         Version("made of four blocks", adjoint, right=True, example=True),

@@ -69,7 +69,8 @@ def _omega_holds(twist, T):
 
 
 def _of_the_position(twist, T):
-    """Return the Mistake of a v that no known mistake explains: few digits are no wrong equation."""
+    """Return the Mistake of a v that no known mistake explains: few digits are no wrong
+    equation."""
     off = np.abs(_V(twist[0]) @ twist[1:] - T[:2, 2]).max()
     return _FEW_DIGITS if off < 1e-3 * np.abs(T[:2, 2]).max() else _OTHER_EQUATION
 

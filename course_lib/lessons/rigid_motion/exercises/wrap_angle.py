@@ -63,7 +63,8 @@ def _same_direction(value, angle):
 
 
 def _distance(value, right, angle):
-    """Return how far an answer is from the right direction; if that is right, how far from the number."""
+    """Return how far an answer is from the right direction; if that is right, how far from the
+    number."""
     apart = distance_of_angles(value, right)
     return apart if apart > np.max(_rounding(angle)) else difference(value, right)
 
@@ -101,7 +102,8 @@ EXERCISE = Exercise(
             where=lambda angle: np.all(np.abs(angle) < np.pi - 1e-9),
             mistake=Mistake(
                 "an angle is changed that needs no wrapping",
-                "How many revolutions are in this angle? Follow your lines with it, digit by digit.",
+                "How many revolutions are in this angle? Follow your lines with it, digit by"
+                " digit.",
             ),
         ),
         Property(
@@ -122,11 +124,15 @@ EXERCISE = Exercise(
     ),
     library=wrap_angle,
     hints=(
-        "How many revolutions are in the angle? angle / (2 pi), rounded to the nearest whole "
-        "number.",
+        (
+            "How many revolutions are in the angle? angle / (2 pi), rounded to the nearest whole "
+            "number."
+        ),
         "Subtract that many times 2 pi.",
-        "angle - 2 * np.pi * np.round(angle / (2 * np.pi)), or np.mod(angle + np.pi, 2 * np.pi) - "
-        "np.pi.",
+        (
+            "angle - 2 * np.pi * np.round(angle / (2 * np.pi)), or np.mod(angle + np.pi, 2 * np.pi)"
+            " - np.pi."
+        ),
     ),
     forbidden=("course_lib.planar.wrap_angle",),
 )

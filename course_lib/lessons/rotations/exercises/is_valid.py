@@ -160,7 +160,10 @@ def _errors(ok, X, kind, tol):
         f"{np.linalg.det(R):.8g}, "
     )
     if kind == "pose":
-        seen += f"the last row differs from (0, ..., 0, 1) by at most {np.abs(row_error(X)).max():.8g}, "
+        seen += (
+            "the last row differs from (0, ..., 0, 1) by at most"
+            f" {np.abs(row_error(X)).max():.8g}, "
+        )
     return seen + f"tol is {tol:.8g}."
 
 
@@ -200,19 +203,26 @@ EXERCISE = Exercise(
         ),
         _says(
             "pose",
-            '"pose": the upper left block is a rotation, and each entry of the last row is within tol',
+            '"pose": the upper left block is a rotation, and each entry of the last row is'
+            " within tol",
         ),
         _says("quaternion", '"quaternion": |q| is within tol of 1'),
     ),
     hints=(
-        "First the shape. A rotation is 2x2 or 3x3, a pose 3x3 or 4x4; a quaternion has the shape "
-        "(4,) or (4, 1).",
-        "A rotation: R^T R = I within tol, entry by entry, and a determinant that tells it from a "
-        "mirror. A pose "
-        'contains a rotation: is_valid may call itself with the block and "rotation".',
-        "np.abs(R.T @ R - np.eye(len(R))).max() is the largest error of any entry; do the same "
-        "with the last row, and "
-        "with the length of q.",
+        (
+            "First the shape. A rotation is 2x2 or 3x3, a pose 3x3 or 4x4; a quaternion has the"
+            " shape (4,) or (4, 1)."
+        ),
+        (
+            "A rotation: R^T R = I within tol, entry by entry, and a determinant that tells it from"
+            " a mirror. A pose contains a rotation: is_valid may call itself with the block and"
+            ' "rotation".'
+        ),
+        (
+            "np.abs(R.T @ R - np.eye(len(R))).max() is the largest error of any entry; do the same "
+            "with the last row, and "
+            "with the length of q."
+        ),
     ),
     forbidden=(
         "course_lib.rotations.is_so",

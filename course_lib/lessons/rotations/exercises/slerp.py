@@ -113,16 +113,18 @@ EXERCISE = Exercise(
             says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
             mistake=Mistake(
                 "digits are lost, or all of them, where two rotations are nearly equal",
-                "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0 is "
-                "a bad divisor. For nearly equal quaternions the arc is nearly straight: which simpler "
-                "formula is good enough there, and from which angle on?",
+                "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0"
+                " is a bad divisor. For nearly equal quaternions the arc is nearly straight: which"
+                " simpler formula is good enough there, and from which angle on?",
             ),
         ),
     ),
     hints=(
         "Draw the arc on the unit sphere. How long is it, and which of q1 and -q1 is nearer to q0?",
-        "The arc phi has the cosine q0 . q1. The weights are sin((1 - t) phi) and sin(t phi), "
-        "divided by sin(phi).",
+        (
+            "The arc phi has the cosine q0 . q1. The weights are sin((1 - t) phi) and sin(t phi), "
+            "divided by sin(phi)."
+        ),
         "If phi is below about 1e-6, (1 - t) q0 + t q1 is accurate enough.",
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),

@@ -53,8 +53,8 @@ def _longer(w):
 
 _ONE_SIGN = Mistake(
     "your test accepts only one of the two signs at 180 degrees",
-    "The rotations by 180 degrees about n and about -n are the same: what has to hold of an answer, "
-    "whichever of the two it is?",
+    "The rotations by 180 degrees about n and about -n are the same: what has to hold of an answer,"
+    " whichever of the two it is?",
 )
 _STRICT = Mistake(
     "your test refuses an answer that is longer than pi by rounding only",
@@ -69,9 +69,10 @@ EXERCISE = WriteTest(
     shapes=((3, 3),),
     refuses=Mistake(
         ALWAYS_FALSE.name,
-        "A right version passes too. If you compare its answer with a w of your own, R being "
-        "exp_so3(w): which vectors have the same exponential, beyond 180 degrees and at 180 degrees, "
-        "and which of them are right answers? And compare with a tolerance (np.allclose).",
+        "A right version passes too. If you compare its answer with a w of your own, R being"
+        " exp_so3(w): which vectors have the same exponential, beyond 180 degrees and at 180"
+        " degrees, and which of them are right answers? And compare with a tolerance"
+        " (np.allclose).",
     ),
     versions=(
         Version("that is the library's", log_so3, right=True),
@@ -120,15 +121,19 @@ EXERCISE = WriteTest(
         ),
     ),
     hints=(
-        "You need no right logarithm to compare with: the exponential of the answer has to be R "
-        "again.",
-        "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees, "
-        "180 degrees and "
-        "a little less, about axes of every sign and the coordinate axes. The exponential cannot "
-        "see whether the "
-        "shortest vector is returned: its length can.",
-        "Make rotations as exp_so3(w) of vectors w of your own; two conditions hold for each "
-        "answer. np.allclose "
-        "compares arrays, np.asarray turns a list into one.",
+        (
+            "You need no right logarithm to compare with: the exponential of the answer has to be R"
+            " again."
+        ),
+        (
+            "Which rotations are special? Try the identity, small angles, angles beyond 90 degrees,"
+            " 180 degrees and a little less, about axes of every sign and the coordinate axes. The"
+            " exponential cannot see whether the shortest vector is returned: its length can."
+        ),
+        (
+            "Make rotations as exp_so3(w) of vectors w of your own; two conditions hold for each "
+            "answer. np.allclose "
+            "compares arrays, np.asarray turns a list into one."
+        ),
     ),
 )

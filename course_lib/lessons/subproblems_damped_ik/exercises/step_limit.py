@@ -56,11 +56,18 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "Take J = diag(2, 1) and eps = 1, and compute the factor of a step in both directions at "
-        "the returned limit.",
-        "The factor has to lie between -1 and 1 in every direction: the strictest direction "
-        "decides.",
-        "numpy sorts singular values from the largest to the smallest: the largest one is number 0.",
+        (
+            "Take J = diag(2, 1) and eps = 1, and compute the factor of a step in both directions"
+            " at the returned limit."
+        ),
+        (
+            "The factor has to lie between -1 and 1 in every direction: the strictest direction "
+            "decides."
+        ),
+        (
+            "numpy sorts singular values from the largest to the smallest: the largest one is"
+            " number 0."
+        ),
     ),
 )
 

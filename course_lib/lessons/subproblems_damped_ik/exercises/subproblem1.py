@@ -125,8 +125,8 @@ EXERCISE = Exercise(
             where=_reached,
             mistake=Mistake(
                 "theta is not the angle about k from p to g",
-                "Compare with a case that you can draw: what does your formula give for another axis k, "
-                "and for opposite points?",
+                "Compare with a case that you can draw: what does your formula give for another"
+                " axis k, and for opposite points?",
             ),
         ),
         Property(
@@ -158,12 +158,15 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "A rotation about k moves only the part perpendicular to k. Take p' = p - (k . p) k and g' "
-        "= g - (k . g) k.",
+        (
+            "A rotation about k moves only the part perpendicular to k. Take p' = p - (k . p) k and"
+            " g' = g - (k . g) k."
+        ),
         "p' . g' = |p'| |g'| cos(theta), and k . (p' x g') = |p'| |g'| sin(theta).",
-        "theta = np.arctan2(k @ np.cross(p', g'), p' @ g'): no division, all four quadrants. Where "
-        "g cannot be "
-        "reached it is the nearest, without a further line.",
+        (
+            "theta = np.arctan2(k @ np.cross(p', g'), p' @ g'): no division, all four quadrants."
+            " Where g cannot be reached it is the nearest, without a further line."
+        ),
     ),
     forbidden=("course_lib.subproblems.subproblem1",),
 )

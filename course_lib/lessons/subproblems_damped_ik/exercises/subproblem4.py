@@ -113,17 +113,22 @@ EXERCISE = Exercise(
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
                     "an angle is returned although no angle is right",
-                    "How far can the height swing? Clipping a number hides that it is out of range.",
+                    "How far can the height swing? Clipping a number hides that it is out of"
+                    " range.",
                 ),
             ),
         ),
     ),
     hints=(
-        "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the "
-        "constant, A and B first.",
+        (
+            "The text writes h . R p as a constant, A cos(theta) and B sin(theta). Compute the "
+            "constant, A and B first."
+        ),
         "Then r and phi from A and B. If |d - constant| > r there is no solution: an empty list.",
-        "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same "
-        "distance from it.",
+        (
+            "phi is np.arctan2(B, A). The two solutions lie on either side of phi, both at the same"
+            " distance from it."
+        ),
         "theta = phi plus or minus arccos((d - constant) / r), with r = np.hypot(A, B).",
     ),
     forbidden=("course_lib.subproblems.subproblem4",),

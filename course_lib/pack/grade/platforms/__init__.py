@@ -1,4 +1,5 @@
-"""Learning platforms, each a class in a file of this folder, which is found without being listed anywhere.
+"""Learning platforms, each a class in a file of this folder, which is found without being listed
+anywhere.
 
 `platforms()` returns them by name, `named(name)` one of them. What a class says is in `base`.
 """
@@ -58,7 +59,8 @@ def fitting(folder: Path) -> list[Platform]:
 
 
 def mostly_fitting(folder: Path) -> dict[Platform, tuple[int, int]]:
-    """Return {platform: (how many files and folders fit, of how many)} of those that most of a folder fits."""
+    """Return {platform: (how many files and folders fit, of how many)} of those that most of a
+    folder fits."""
     holders = {path for path in entries(folder) if is_folder(path) or path.suffix.lower() in READ}
     found = {}
     for platform in platforms().values():

@@ -108,11 +108,13 @@ class Platform:
     # ---- the export ----
 
     def read_name(self, name: str) -> HandIn | None:
-        """Return what the name of a file (without its ending) or folder says, or None if it is not exported."""
+        """Return what the name of a file (without its ending) or folder says, or None if it is not
+        exported."""
         return None
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        """Return {file or folder: [a HandIn for each student whose it is]} of what it exported to a folder."""
+        """Return {file or folder: [a HandIn for each student whose it is]} of what it exported to a
+        folder."""
         found = {}
         for path in entries(folder):
             if is_folder(path) and not self.folders:
@@ -138,7 +140,8 @@ class Platform:
         return False
 
     def is_typed_text(self, name: str) -> bool:
-        """Return whether a name without its ending is of a text that was typed into the platform."""
+        """Return whether a name without its ending is of a text that was typed into the
+        platform."""
         return False
 
     def feedback_folder(self, place: str, student: str, number: str) -> str:
@@ -223,7 +226,8 @@ def plain_name(path: Path) -> str:
 
 
 def seconds(text: str, *forms: str) -> float | None:
-    """Return a time that one of the forms of `datetime.strptime` fits, in seconds since 1970, or None.
+    """Return a time that one of the forms of `datetime.strptime` fits, in seconds since 1970, or
+    None.
 
     A time without a time zone is of this machine's.
     """

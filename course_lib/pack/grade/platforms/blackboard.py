@@ -48,7 +48,8 @@ class Blackboard(Platform):
         return HandIn(found["login"], found["rest"] or "", login=found["login"], time=time)
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        """Return what it exported; a username with underscores is known by its receipt, if it is there."""
+        """Return what it exported; a username with underscores is known by its receipt, if it is
+        there."""
         found = super().hand_ins(folder)
         logins = {}
         for path in found:

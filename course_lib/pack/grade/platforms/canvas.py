@@ -15,7 +15,8 @@ NAME = re.compile(
 TYPED = re.compile(r".+_(\d+|anon_[A-Za-z0-9]+)_(text|link)", re.DOTALL)  # add_text_or_url
 # Canvas takes every line with these words in its first cell for the row of points.
 POINTS_POSSIBLE = "Points Possible"
-# The login of the test student is a hash (lib/data_fixup/add_pseudonym_to_student_view_students.rb).
+# The login of the test student is a hash
+# (lib/data_fixup/add_pseudonym_to_student_view_students.rb).
 HASH = re.compile(r"[0-9a-f]{40}")
 
 

@@ -16,7 +16,8 @@ MAX_DEPTH = 8  # folders in folders: Takeout/Drive/Classroom/<class>/<assignment
 
 
 class GoogleClassroom(Platform):
-    """A student who uploads a file of another name has no name in it: such a file is refused by name.
+    """A student who uploads a file of another name has no name in it: such a file is refused by
+    name.
 
     Classroom imports no points from a table. Its own table of grades has the columns below.
     """
@@ -41,7 +42,8 @@ class GoogleClassroom(Platform):
         return found
 
     def fits(self, folder: Path) -> bool:
-        """Return whether all notebooks have a name before them, and lie in a folder of an assignment."""
+        """Return whether all notebooks have a name before them, and lie in a folder of an
+        assignment."""
         found = self.hand_ins(folder)
         return bool(found) and all(found.values()) and all(path.parent != folder for path in found)
 

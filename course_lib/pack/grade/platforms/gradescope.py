@@ -1,4 +1,5 @@
-"""Gradescope: its export has a folder for each hand-in, and a list of who handed in which, and when."""
+"""Gradescope: its export has a folder for each hand-in, and a list of who handed in which, and
+when."""
 
 import re
 from contextlib import suppress

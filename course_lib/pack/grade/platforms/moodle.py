@@ -19,7 +19,8 @@ TIMES = ("%A, %d %B %Y, %I:%M %p", "%A, %B %d, %Y, %I:%M %p")
 
 
 class Moodle(Platform):
-    """The gradebook takes any columns of which one identifies the user: username, ID number or address.
+    """The gradebook takes any columns of which one identifies the user: username, ID number or
+    address.
 
     docs.moodle.org, "Grade import", CSV import. Older versions say Surname. Files in the zip have
     the time of the export (files/classes/local/archive_writer/zip_writer.php); the times are in

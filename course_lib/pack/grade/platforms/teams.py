@@ -23,7 +23,8 @@ MAX_BESIDE = 30  # folders beside those: where there are more, they are students
 
 
 class Teams(Platform):
-    """All versions of a student are read. Teams imports no points; its export has the columns below."""
+    """All versions of a student are read. Teams imports no points; its export has the columns
+    below."""
 
     name = "teams"
     title = "Microsoft Teams"

@@ -74,7 +74,8 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _notebooks_folder(folder: Path) -> Path | None:
-    """Return the folder with the notebooks of a release: inside the one that is named, or itself."""
+    """Return the folder with the notebooks of a release: inside the one that is named, or
+    itself."""
     if (folder / "notebooks").is_dir():
         return folder / "notebooks"
     if folder.is_dir() and any(folder.glob("*.ipynb")):
@@ -110,8 +111,9 @@ class Result:
     """What became of one answer, prediction, or cell.
 
     kind: ANSWER, PREDICTION, OWN_CELL or GIVEN_CELL. name: the exercise's, or the number and the
-    first line of a cell. state: CARRIED, PRESENT or NOT_CARRIED. remark: for a state that needs one,
-    the reason, as a clause that begins with "because", or a sentence. number: of the older cell.
+    first line of a cell. state: CARRIED, PRESENT or NOT_CARRIED. remark: for a state that needs
+    one, the reason, as a clause that begins with "because", or a sentence. number: of the older
+    cell.
     """
 
     kind: str
@@ -136,7 +138,8 @@ class Report:
     problem: str = ""
 
     def lines(self) -> Iterator[str]:
-        """Yield the report as sentences: a summary, then one for each thing that needs attention."""
+        """Yield the report as sentences: a summary, then one for each thing that needs
+        attention."""
         if self.problem:
             yield f"{self.name}: {self.problem}"
             return
@@ -190,7 +193,8 @@ class Report:
 
 @dataclass
 class Update:
-    """What became of a whole folder: a report for each notebook, and sentences on the other files."""
+    """What became of a whole folder: a report for each notebook, and sentences on the other
+    files."""
 
     reports: list[Report] = field(default_factory=list)
     sentences: list[str] = field(default_factory=list)
@@ -379,7 +383,10 @@ def carry_over(older: Path, path: Path, shown: str = "") -> Report:
         )
         return report
     if new.list is not new.content.get("cells"):
-        report.problem = f"{path} is in the format that notebooks had before 2014. Copy it from the release again."
+        report.problem = (
+            f"{path} is in the format that notebooks had before 2014. Copy it from the release"
+            " again."
+        )
         return report
     places = match(old, new)
     _carry_answers(old, new, places, report)
@@ -390,7 +397,10 @@ def carry_over(older: Path, path: Path, shown: str = "") -> Report:
         try:
             _write(path, new.content)
         except OSError as error:
-            report.problem = f"{path} could not be written: {error.strerror}. Your answers are in {report.older}."
+            report.problem = (
+                f"{path} could not be written: {error.strerror}. Your answers are in"
+                f" {report.older}."
+            )
     return report
 
 
@@ -531,7 +541,8 @@ def is_blank(text: str) -> bool:
 
 
 def fingerprint(text: str) -> str:
-    """Return a short hash of a cell's text, without its empty lines and the spaces that end lines."""
+    """Return a short hash of a cell's text, without its empty lines and the spaces that end
+    lines."""
     lines = [line.rstrip() for line in text.splitlines() if line.strip()]
     content = "\n".join(lines).encode("utf-8", "surrogatepass")
     return hashlib.sha256(content).hexdigest()[:10]
@@ -630,7 +641,7 @@ def _own_cell_remark(cell: Cell, new: Notebook) -> str:
         if re.search(rf"^def\s+{re.escape(place.name)}\b", cell.text, re.MULTILINE):
             return (
                 f"{place.name}: nothing is written in its answer cell, and a cell of your own "
-                f"defines it. Move that into the answer cell, which is the one that is graded."
+                "defines it. Move that into the answer cell, which is the one that is graded."
             )
     return ""
 
@@ -858,7 +869,8 @@ class Notebook:
 
 @functools.cache
 def older_cells() -> dict:
-    """Return {"stubs": {exercise: hashes}, "cells": hashes} of the releases that recorded nothing."""
+    """Return {"stubs": {exercise: hashes}, "cells": hashes} of the releases that recorded
+    nothing."""
     try:
         known = json.loads(OLDER_CELLS.read_text(encoding="utf-8"))
     except (OSError, ValueError):  # the file was not copied with this program
@@ -920,14 +932,18 @@ def _way_back(older: Path, shown: str) -> str:
     saved = f".ipynb_checkpoints/{older.stem}-checkpoint.ipynb"
     if older.is_file() and _MERGE.search(_beginning(older)):
         return (
-            f"Open {shown} in a text editor, delete the lines that begin with <<<<<<<, ======= "
-            f"and >>>>>>> and one of the two versions between them, save it, and run make update again."
+            f"Open {shown} in a text editor, delete the lines that begin with <<<<<<<, ======= and"
+            " >>>>>>> and one of the two versions between them, save it, and run make update"
+            " again."
         )
     try:
         read_notebook(older.parent / saved)
     except Unreadable:
         return "Put a copy of it that can be read in its place, and run make update again."
-    return f"JupyterLab has kept a copy, {saved} beside it: put it in its place, and run make update again."
+    return (
+        f"JupyterLab has kept a copy, {saved} beside it: put it in its place, and run make update"
+        " again."
+    )
 
 
 def _beginning(path: Path) -> bytes:
