@@ -65,8 +65,8 @@ def reply(
 
     Examples
     --------
-    >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1, "through": "", "names": ["x"],
-    ...     "exercise": ""}
+    >>> questions = {"cases": [[1.0], [4.0]], "forbidden": [], "seconds": 1}
+    >>> questions |= {"through": "", "names": ["x"], "exercise": ""}
     >>> answers = json.loads(reply(np.sqrt, write(questions)))["answers"]
     >>> [read(json.dumps(answer["value"])) for answer in answers]
     [np.float64(1.0), np.float64(2.0)]
@@ -144,7 +144,8 @@ def _copied(argument):
 
 
 def _changed(case, arguments):
-    """Return the positions of the arguments that were changed in place; a random generator is meant to change."""
+    """Return the positions of the arguments that were changed in place; a random generator is meant
+    to change."""
     return [
         k
         for k, (before, argument) in enumerate(zip(case, arguments, strict=True))
@@ -165,7 +166,8 @@ def _as_it_was(before, argument):
 
 
 def _students_line(raised, function):
-    """Return (number, text, cell) of the last line that ran in the notebook, whose globals are the function's.
+    """Return (number, text, cell) of the last line that ran in the notebook, whose globals are the
+    function's.
 
     cell: the name of the function whose cell contains that line, or "" if it is the function's own
     cell.
@@ -247,7 +249,8 @@ class _StandIn:
 
 @contextlib.contextmanager
 def _quiet():
-    """Discard what the function prints, displays and plots: for a hundred cases it would hide the check's message."""
+    """Discard what the function prints, displays and plots: for a hundred cases it would hide the
+    check's message."""
 
     class Nowhere(io.TextIOBase):
         def write(self, text):
@@ -338,7 +341,8 @@ def _checks(own):
 
 @functools.lru_cache(maxsize=16)
 def _inside(packages, modules):
-    """Return the names of the modules that begin with one of the packages; checks ask for the same again and again."""
+    """Return the names of the modules that begin with one of the packages; checks ask for the same
+    again and again."""
     return [name for name in modules if name.startswith(packages)]
 
 

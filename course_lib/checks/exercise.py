@@ -56,7 +56,8 @@ class Property:
 
     Examples
     --------
-    >>> positive = Property("the answer is positive", lambda value, x: value > 0, where=lambda x: x != 0)
+    >>> text = "the answer is positive"
+    >>> positive = Property(text, lambda value, x: value > 0, where=lambda x: x != 0)
     >>> positive.failing([(0,), (1,), (2,)], [-1, -1, 5])
     [1]
     """
@@ -165,7 +166,8 @@ class Exercise:
 
     @property
     def mistake(self):
-        """The decorator of a function that answers as a student does who makes this mistake; see Mistakes.add."""
+        """The decorator of a function that answers as a student does who makes this mistake; see
+        Mistakes.add."""
         return self.mistakes.add
 
     def questions(self, rng):
@@ -178,7 +180,8 @@ class Exercise:
         return cases + made, None
 
     def as_read(self, value, arguments):
-        """Return an answer as the check reads it, for later cells; one that it cannot read as an array.
+        """Return an answer as the check reads it, for later cells; one that it cannot read as an
+        array.
 
         An answer of shape (n, 1), a list, or a complex number without imaginary part is accepted
         where a vector (n,), an array, or a number is asked for. What comes after the check gets
@@ -250,7 +253,8 @@ class Exercise:
         return Verdict(self, WRONG, str(other_kind), mistake, cases[position], value, credit=credit)
 
     def _shown_by(self, other_kind, case):
-        """Return the Mistake that an answer of another form, or with nan in it, shows; None if none does."""
+        """Return the Mistake that an answer of another form, or with nan in it, shows; None if none
+        does."""
         own = self.mistakes
         if other_kind.array is not None:
             of_form = (known.of_form(other_kind.array, case) for known in own)
@@ -279,7 +283,8 @@ class Exercise:
         )
 
     def _credit(self, cases, answers):
-        """Return the partial credit: points of the properties that hold wherever they apply, whatever else is wrong."""
+        """Return the partial credit: points of the properties that hold wherever they apply,
+        whatever else is wrong."""
         earned = 0
         for part in self.properties:
             if part.points:
@@ -294,7 +299,8 @@ class Exercise:
         return min(earned, self.points - 1)
 
     def _named_before(self, position, cases, answers):
-        """Return the Verdict on the cases before this one if it names a mistake of the exercise, else None.
+        """Return the Verdict on the cases before this one if it names a mistake of the exercise,
+        else None.
 
         A known mistake in a simple case is more helpful than an error, or nan, in a later one.
         """
@@ -311,10 +317,11 @@ class Exercise:
 
 
 class Unreadable(ValueError):
-    """The answer has the wrong kind or shape; holds what was expected and what came, and the Mistake.
+    """The answer has the wrong kind or shape; holds what was expected and what came, and the
+    Mistake.
 
-    array: the answer, if it is an array of another shape. not_a_number: whether it holds nan or inf.
-    Mistakes of the exercise that know such answers take the place of this one.
+    array: the answer, if it is an array of another shape. not_a_number: whether it holds nan or
+    inf. Mistakes of the exercise that know such answers take the place of this one.
     """
 
     def __init__(self, reason, mistake, array=None, not_a_number=False):
@@ -396,7 +403,8 @@ def _usual_answer(exercise):
 
 
 def _whole_kind(exercise):
-    """Return the type of the library's answers, if they are truth values or whole numbers; else None."""
+    """Return the type of the library's answers, if they are truth values or whole numbers; else
+    None."""
     kind = _usual_answer(exercise).dtype
     return kind if kind.kind in "biu" else None
 
@@ -450,7 +458,8 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
 
 
 def review(exercise, student):
-    """Return the Verdict on the public cases, and if they are answered rightly, on those of more seeds.
+    """Return the Verdict on the public cases, and if they are answered rightly, on those of more
+    seeds.
 
     An answer that is wrong for some seeds is then found wrong in the notebook, not in grading.
     """
@@ -464,7 +473,8 @@ def review(exercise, student):
 
 
 def with_blame(verdict, others):
-    """Return a verdict with the name of the first function that it blames; others: Verdicts on those it calls."""
+    """Return a verdict with the name of the first function that it blames; others: Verdicts on
+    those it calls."""
     first = next((other.exercise.name for other in others if other.state != RIGHT), "")
     return replace(verdict, blames=first)
 
@@ -477,7 +487,8 @@ def no_answer(exercise, case, type, message, line="", source="", cell=""):
 
 
 def _claim(answer, arguments):
-    """Return an answer of call_student.reply with names in place of argument positions; raises for anything else."""
+    """Return an answer of call_student.reply with names in place of argument positions; raises for
+    anything else."""
     if "error" in answer:
         parts = ("type", "message", "line", "source", "cell")
         return {"error": {key: str(answer["error"].get(key) or "")[:300] for key in parts}}

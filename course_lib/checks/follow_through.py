@@ -18,7 +18,8 @@ MAX_TEXT = 200  # characters of a message
 
 
 def library_name(function: object) -> str:
-    """Return the dotted name of a function of the library; "" for a function that the checks define."""
+    """Return the dotted name of a function of the library; "" for a function that the checks
+    define."""
     module, name = getattr(function, "__module__", ""), getattr(function, "__qualname__", "")
     if not module.startswith("course_lib.") or "." in name or name.startswith("<"):
         return ""
@@ -65,7 +66,8 @@ class RightOnes:
         return {name: other.arguments for name, other in self.others.items()}
 
     def answering(self, consult: Callable | None) -> Callable[[str], str]:
-        """Return a function that answers calls of candidates by `consult`, and other calls itself."""
+        """Return a function that answers calls of candidates by `consult`, and other calls
+        itself."""
 
         def answer(text):
             name = called_name(text)
@@ -127,7 +129,8 @@ def in_circles(calls: Mapping[str, Iterable[str]]) -> dict[str, list[str]]:
 
     Examples
     --------
-    >>> in_circles({"nearest_so": ["nearest_se"], "nearest_se": ["nearest_so"], "slerp": ["nearest_so"]})
+    >>> calls = {"nearest_so": ["nearest_se"], "nearest_se": ["nearest_so"]}
+    >>> in_circles(calls | {"slerp": ["nearest_so"]})
     {'nearest_so': ['nearest_se'], 'nearest_se': ['nearest_so']}
     """
     reached = {name: _reached(name, calls) for name in calls}

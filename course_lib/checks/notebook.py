@@ -1,4 +1,5 @@
-"""The checks in a notebook: one message for each answer, hints in steps, predictions and progress."""
+"""The checks in a notebook: one message for each answer, hints in steps, predictions and
+progress."""
 
 import contextlib
 import ctypes
@@ -46,7 +47,8 @@ _WIDTH, _IN_VIEW = (
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
-    """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list, "progress": Progress}.
+    """Return the names of one notebook's checks: {name: Check or Predict, "CHECKS": list,
+    "progress": Progress}.
 
     Parameters
     ----------
@@ -141,7 +143,8 @@ class Check:
         return verdict
 
     def _with_right_ones(self, function, verdict):
-        """Return the Verdict with right functions in place of the wrong ones that the function calls.
+        """Return the Verdict with right functions in place of the wrong ones that the function
+        calls.
 
         As in grading, no mark is given to functions that call each other in a circle, nor for a
         call that the task excludes.
@@ -173,7 +176,8 @@ class Check:
         return replace(verdict, blames=unfinished[0].name)
 
     def _called(self, exercise, function):
-        """Return the names of the exercises of this notebook that a function calls, found by running it."""
+        """Return the names of the exercises of this notebook that a function calls, found by
+        running it."""
         others = [check.exercise for check in self.siblings if check.exercise is not exercise]
         right_ones = RightOnes(exercise, others)
         judge(exercise, Here(function, right_ones), seconds=_CALLS_SECONDS)
@@ -183,7 +187,7 @@ class Check:
         named = " and ".join(files)
         return (
             f"{self.exercise.name} uses {named}, a file of your own. Only this notebook is handed "
-            f"in, so what stands in that file will not count. Copy it into a cell."
+            "in, so what stands in that file will not count. Copy it into a cell."
         )
 
     def _how_to_call(self, function):
@@ -191,7 +195,7 @@ class Check:
         if function is _NOTHING:
             return f"Pass the function to its check: check.{name}({name})."
         return (
-            f"The check takes the function itself, without brackets behind its name: "
+            "The check takes the function itself, without brackets behind its name: "
             f"check.{name}({name}). "
             f"What came is of type {type(function).__name__}."
         )
@@ -207,7 +211,8 @@ class Check:
         _show(text, _MARKS[NOT_ATTEMPTED][1])
 
     def use(self, function):
-        """Return the student's function if its check has passed, else the library's, and show which one it is.
+        """Return the student's function if its check has passed, else the library's, and show which
+        one it is.
 
         So unfinished work does not stop what follows. The function returned has an attribute
         `whose`, "yours" or "the library's"; the student's function then returns its answers as the
@@ -271,7 +276,8 @@ def _native_output_dropped():
 
 
 def _flush():
-    """Write out what Python and the C library still hold back, so that it goes where it was meant to go."""
+    """Write out what Python and the C library still hold back, so that it goes where it was meant
+    to go."""
     for stream in (sys.stdout, sys.stderr):
         with contextlib.suppress(Exception):
             stream.flush()
@@ -308,7 +314,8 @@ def _listed(names):
 
 
 def _as_checked(function, exercise):
-    """Return the function with its answers in the form in which the check reads them; see Exercise.as_read."""
+    """Return the function with its answers in the form in which the check reads them; see
+    Exercise.as_read."""
 
     @functools.wraps(function)
     def answering_as_checked(*arguments, **named):
@@ -322,7 +329,8 @@ def _as_checked(function, exercise):
 
 
 class Predict:
-    """One prediction: check.order.predict("b") answers a choice that is made before the next cell runs.
+    """One prediction: check.order.predict("b") answers a choice that is made before the next cell
+    runs.
 
     Parameters
     ----------
@@ -335,7 +343,10 @@ class Predict:
 
     def __repr__(self):
         name = self.prediction.name
-        return f'a prediction: choose by check.{name}.predict("{next(iter(self.prediction.replies))}"), and so on'
+        return (
+            "a prediction: choose by"
+            f' check.{name}.predict("{next(iter(self.prediction.replies))}"), and so on'
+        )
 
     def predict(self, choice=...):
         """Show the reply to a choice. Without one, show the choices, each with its folded reply."""
@@ -354,7 +365,8 @@ class Predict:
 
 
 class Progress:
-    """What a notebook's check.progress() shows: what is done, how many points that is, and what is next.
+    """What a notebook's check.progress() shows: what is done, how many points that is, and what is
+    next.
 
     Parameters
     ----------
@@ -423,7 +435,8 @@ def describe(verdict):
 
 
 def _folded(verdict):
-    """Return a message in HTML whose case is folded, since it would push the hint out of view; None for a short one."""
+    """Return a message in HTML whose case is folded, since it would push the hint out of view; None
+    for a short one."""
     lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
     if not _shown(verdict) or sum(map(len, lines)) <= _IN_VIEW:
         return None
@@ -446,7 +459,7 @@ def _said(verdict):
     if verdict.state == UNCHANGED:
         return (
             f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an "
-            f"example whose "
+            "example whose "
             "answer you know."
         )
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
@@ -490,7 +503,8 @@ def _shown(verdict):
 
 
 def _wrong_parts(verdict):
-    """Return the arrays of a pair that are wrong, or one if they have the same shape; of another answer it alone."""
+    """Return the arrays of a pair that are wrong, or one if they have the same shape; of another
+    answer it alone."""
     answer, library = verdict.answer, verdict.exercise.library
     if not isinstance(answer, tuple | list) or not any(
         isinstance(part, np.ndarray) for part in answer
@@ -530,7 +544,8 @@ def _offer(verdict):
 
 
 def _first_wrong(verdict):
-    """Return the number of the first item of a long answer that is not the library's; 0 if there is none."""
+    """Return the number of the first item of a long answer that is not the library's; 0 if there is
+    none."""
     library, answer = verdict.exercise.library, verdict.answer
     if library is None or not isinstance(answer, np.ndarray) or answer.size <= _LONG:
         return 0
@@ -541,7 +556,8 @@ def _first_wrong(verdict):
 
 
 def _labelled(before, label, value, item=0):
-    """Write a value beside its label, its further lines indented below the first; of a long array one item."""
+    """Write a value beside its label, its further lines indented below the first; of a long array
+    one item."""
     if hasattr(value, "number"):
         text = f"numpy.random.default_rng({value.number})"
     elif isinstance(value, np.ndarray) and value.size > _LONG:
@@ -573,14 +589,15 @@ def _six_digits(array):
 
 
 def _show_choices(prediction):
-    """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a kernel."""
+    """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a
+    kernel."""
     calls = " or ".join(
         f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies
     )
-    replies = [
-        f"<details><summary>{letter}</summary>{html.escape(f'{_mark(prediction, letter)} {reply}')}</details>"
-        for letter, reply in prediction.replies.items()
-    ]
+    replies = []
+    for letter, reply in prediction.replies.items():
+        unfolded = html.escape(f"{_mark(prediction, letter)} {reply}")
+        replies.append(f"<details><summary>{letter}</summary>{unfolded}</details>")
     _show(
         f"{_NO_CHOICE} {calls}",
         _MARKS[NOT_ATTEMPTED][1],
@@ -598,8 +615,8 @@ def _show(text, colour, kind="course-check", inside=None):
     from IPython.display import display
 
     box = (
-        f'<div class="{kind}" role="status" style="border-left: 0.3em solid {colour}; padding: 0.2em 0.8em; '
-        f'white-space: pre-wrap; overflow-wrap: anywhere; font-family: ui-monospace, monospace">'
-        f"{inside or html.escape(text)}</div>"
+        f'<div class="{kind}" role="status" style="border-left: 0.3em solid {colour}; padding:'
+        " 0.2em 0.8em; white-space: pre-wrap; overflow-wrap: anywhere; font-family: ui-monospace,"
+        f' monospace">{inside or html.escape(text)}</div>'
     )
     display({"text/plain": text, "text/html": box}, raw=True)

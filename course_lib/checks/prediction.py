@@ -26,7 +26,8 @@ class Prediction:
 
     Examples
     --------
-    >>> fall = Prediction("fall", "b", {"a": "Mass cancels.", "b": "Yes: without air both fall alike."})
+    >>> replies = {"a": "Mass cancels.", "b": "Yes: without air both fall alike."}
+    >>> fall = Prediction("fall", "b", replies)
     >>> fall.replies["a"]
     'Mass cancels.'
     """
@@ -40,5 +41,5 @@ class Prediction:
         if self.right not in self.replies or not 2 <= len(self.replies) <= 4:
             raise ValueError(
                 f"{self.name}: two to four choices, the right one among them; {list(self.replies)} "
-                f"came"
+                "came"
             )

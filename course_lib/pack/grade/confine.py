@@ -1,4 +1,5 @@
-"""Bound what this process and all that it starts may use: the first thing that the sandbox's script does.
+"""Bound what this process and all that it starts may use: the first thing that the sandbox's script
+does.
 
 No student's code has run yet. Limits of the kernel hold for each process; a filter refuses the
 system calls that reserve memory outside those limits (anonymous files, message queues, large pipes,
@@ -32,15 +33,36 @@ DIE_WITH_PARENT, SET_SECCOMP, DROP_BOUND, NO_NEW_PRIVILEGES, SECCOMP_FILTER = 1,
 # Linux: arch/x86/entry/syscalls/syscall_64.tbl, include/uapi/asm-generic/unistd.h
 ARCHITECTURES = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}  # AUDIT_ARCH_*
 REFUSED = {  # name: its number on x86_64, and on aarch64; None if that has no such call
-    "memfd_create": (319, 279), "unshare": (272, 97), "setns": (308, 268), "mount": (165, 40), "umount2": (166, 39),
-    "pivot_root": (155, 41), "userfaultfd": (323, 282), "bpf": (321, 280), "perf_event_open": (298, 241),
-    "keyctl": (250, 219), "add_key": (248, 217), "request_key": (249, 218), "ptrace": (101, 117),
-    "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "shmget": (29, 194), "msgget": (68, 186),
-    "semget": (64, 190), "mq_open": (240, 180), "flock": (73, 32), "io_setup": (206, 0),
-    "inotify_init": (253, None), "inotify_init1": (294, 26), "fanotify_init": (300, 262),
-    "vmsplice": (278, 75), "setxattr": (188, 5), "lsetxattr": (189, 6), "fsetxattr": (190, 7),
+    "memfd_create": (319, 279),
+    "unshare": (272, 97),
+    "setns": (308, 268),
+    "mount": (165, 40),
+    "umount2": (166, 39),
+    "pivot_root": (155, 41),
+    "userfaultfd": (323, 282),
+    "bpf": (321, 280),
+    "perf_event_open": (298, 241),
+    "keyctl": (250, 219),
+    "add_key": (248, 217),
+    "request_key": (249, 218),
+    "ptrace": (101, 117),
+    "process_vm_readv": (310, 270),
+    "process_vm_writev": (311, 271),
+    "shmget": (29, 194),
+    "msgget": (68, 186),
+    "semget": (64, 190),
+    "mq_open": (240, 180),
+    "flock": (73, 32),
+    "io_setup": (206, 0),
+    "inotify_init": (253, None),
+    "inotify_init1": (294, 26),
+    "fanotify_init": (300, 262),
+    "vmsplice": (278, 75),
+    "setxattr": (188, 5),
+    "lsetxattr": (189, 6),
+    "fsetxattr": (190, 7),
     "timer_create": (222, 107),
-}  # fmt: skip
+}
 # from here on all processors share the numbers; the C library does without any of these calls
 FIRST_NEW = 424
 NEW_PERMITTED = {

@@ -1,4 +1,5 @@
-"""How submissions are kept apart from the machine: by bubblewrap, or, if the instructor asks for that, not at all.
+"""How submissions are kept apart from the machine: by bubblewrap, or, if the instructor asks for
+that, not at all.
 
 Bubblewrap shows a submission only Python and its packages, gives it no network, and ends all its
 processes with the first one.
@@ -23,12 +24,15 @@ NONE = "none"  # what ISOLATION= may be
 # {folder: the part of the scratch space that it may hold}
 WRITABLE = {"/scratch": 1, "/tmp": 4, "/dev/shm": 8}
 FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
-HELP = """Submissions cannot be kept apart from this machine, so none was run: they could read your files, other
-submissions and the grades, and use the network. Bubblewrap {problem}. Ubuntu since 24.04 also needs `sudo sysctl -w
-kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux virtual machine; on Windows, in WSL
-(`wsl --install`), where Ubuntu's command holds. In a container, start it with `--init --cap-add SYS_ADMIN --cap-add
-NET_ADMIN --security-opt seccomp=unconfined --security-opt apparmor=unconfined`. If you trust every submission,
-ISOLATION=none runs them as yourself, with limits only; never as root.""".replace("\n", " ")
+HELP = """\
+Submissions cannot be kept apart from this machine, so none was run: they could read your files,
+other submissions and the grades, and use the network. Bubblewrap {problem}. Ubuntu since 24.04 also
+needs `sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0`. On macOS, grade in a Linux
+virtual machine; on Windows, in WSL (`wsl --install`), where Ubuntu's command holds. In a container,
+start it with `--init --cap-add SYS_ADMIN --cap-add NET_ADMIN --security-opt seccomp=unconfined
+--security-opt apparmor=unconfined`. If you trust every submission, ISOLATION=none runs them as
+yourself, with limits only; never as root.
+""".strip().replace("\n", " ")
 
 
 def isolated(wanted=""):
@@ -109,7 +113,8 @@ print("fine")
 
 
 def write_files(folder, contents):
-    """Write the files for a sandbox into folder/course, readable for every user, and its other folders."""
+    """Write the files for a sandbox into folder/course, readable for every user, and its other
+    folders."""
     folder.chmod(0o711)
     for name in ("course", "scratch"):
         (folder / name).mkdir()
@@ -122,7 +127,8 @@ def write_files(folder, contents):
 
 
 def start_unisolated(course, limits):
-    """Return the command that runs course/runner.py as the instructor, with these Limits as a dict."""
+    """Return the command that runs course/runner.py as the instructor, with these Limits as a
+    dict."""
     settings = {
         "limits": limits | {"processes": None},
         "uid": 0,

@@ -17,8 +17,8 @@ make grade SUBMISSIONS=folder grades what students handed in, and writes build/g
   how     MORE=0.5  JOBS=4  CLUSTER=tcp://scheduler:8786  SEED=7  EARLIER=folder  ISOLATION=none
   where   OUTPUT=folder  ROSTER=roster.csv  GRADEBOOK=platform
 
-.venv/bin/python -m course_lib.pack.grade --help explains each, and course_lib/pack/README.md the way
-from the release to the gradebook.
+.venv/bin/python -m course_lib.pack.grade --help explains each, and course_lib/pack/README.md the
+way from the release to the gradebook.
 """
 
 EXAMPLE = """\
@@ -35,8 +35,10 @@ def parser() -> argparse.ArgumentParser:
     """Return what reads the command line."""
     command = argparse.ArgumentParser(
         prog="python -m course_lib.pack.grade",
-        description="Grade a folder of notebooks, each in a sandbox, and write tables of points, "
-        "feedback for each student, and what a gradebook imports.",
+        description=(
+            "Grade a folder of notebooks, each in a sandbox, and write tables of points, "
+            "feedback for each student, and what a gradebook imports."
+        ),
         epilog=EXAMPLE,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -53,8 +55,10 @@ def _add_what(group: argparse._ArgumentGroup) -> None:
         metavar="SUBMISSIONS",
         nargs="?",
         default="",
-        help="the folder that holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or the "
-        "unpacked export of a learning platform",
+        help=(
+            "the folder that holds <student>/<notebook>.ipynb, <student>_<notebook>.ipynb, or the "
+            "unpacked export of a learning platform"
+        ),
     )
     group.add_argument(
         "--lms",
@@ -62,25 +66,31 @@ def _add_what(group: argparse._ArgumentGroup) -> None:
         default="",
         metavar="PLATFORM",
         choices=["", *platforms(), OWN_NAMES],
-        help="the learning platform that exported the files: "
-        f"{', '.join(platforms())}; {OWN_NAMES} if all names are the students' own. Without it, a "
-        "folder that looks like an export leads to a question",
+        help=(
+            f"the learning platform that exported the files: {', '.join(platforms())}; {OWN_NAMES}"
+            " if all names are the students' own. Without it, a folder that looks like an export"
+            " leads to a question"
+        ),
     )
     group.add_argument(
         "--students",
         type=read_pattern,
         default="",
         metavar="PATTERN",
-        help="which files and folders are one student's each: * for all that are directly in the "
-        "folder, */* for those in its folders, such as sections. Without it, a folder that seems to "
-        "hold several students leads to a question",
+        help=(
+            "which files and folders are one student's each: * for all that are directly in the"
+            " folder, */* for those in its folders, such as sections. Without it, a folder that"
+            " seems to hold several students leads to a question"
+        ),
     )
     group.add_argument(
         "--notebooks",
         default="",
         metavar="01,02",
-        help="the numbers of the notebooks that were assigned; others are left out. Without it, "
-        "all are graded",
+        help=(
+            "the numbers of the notebooks that were assigned; others are left out. Without it, "
+            "all are graded"
+        ),
     )
 
 
@@ -89,8 +99,10 @@ def _add_when(group: argparse._ArgumentGroup) -> None:
         "--deadline",
         default="",
         metavar="TIME",
-        help='when hand-ins were due: 2026-11-30 (the end of the day) or "2026-11-30 18:00", in '
-        "this machine's time zone",
+        help=(
+            'when hand-ins were due: 2026-11-30 (the end of the day) or "2026-11-30 18:00", in '
+            "this machine's time zone"
+        ),
     )
     group.add_argument(
         "--late",
@@ -102,9 +114,11 @@ def _add_when(group: argparse._ArgumentGroup) -> None:
         "--times",
         default="",
         metavar="SOURCE",
-        help="where the times of submission come from: files (the files' own times), a table with "
-        "the columns student, notebook and time, a platform's table of times, or a folder of these. "
-        "Not needed if the export itself has the times",
+        help=(
+            "where the times of submission come from: files (the files' own times), a table with"
+            " the columns student, notebook and time, a platform's table of times, or a folder of"
+            " these. Not needed if the export itself has the times"
+        ),
     )
     group.add_argument(
         "--extensions",
@@ -120,8 +134,10 @@ def _add_how(group: argparse._ArgumentGroup) -> None:
         type=_weight,
         default=1,
         metavar="WEIGHT",
-        help="how much the points of the sections More count: from 0 (or no) to 1 (or yes, the "
-        "default)",
+        help=(
+            "how much the points of the sections More count: from 0 (or no) to 1 (or yes, the "
+            "default)"
+        ),
     )
     group.add_argument(
         "--jobs",
@@ -154,8 +170,10 @@ def _add_how(group: argparse._ArgumentGroup) -> None:
         default="",
         choices=["", NONE],
         metavar=NONE,
-        help="none runs submissions without a sandbox, as yourself and with limits only: for those "
-        "that you trust",
+        help=(
+            "none runs submissions without a sandbox, as yourself and with limits only: for those "
+            "that you trust"
+        ),
     )
 
 
@@ -171,8 +189,10 @@ def _add_where(group: argparse._ArgumentGroup) -> None:
         "--roster",
         default="",
         metavar="TABLE",
-        help="the platform's list of students, in English: for the gradebook, and to name those who "
-        "handed in nothing",
+        help=(
+            "the platform's list of students, in English: for the gradebook, and to name those who "
+            "handed in nothing"
+        ),
     )
     group.add_argument(
         "--gradebook",
@@ -180,8 +200,10 @@ def _add_where(group: argparse._ArgumentGroup) -> None:
         default="",
         metavar="PLATFORM",
         choices=["", *platforms(), OWN_NAMES],
-        help="the platform whose gradebook gets the points, if it is not the one of --lms; none "
-        "writes no file for a gradebook",
+        help=(
+            "the platform whose gradebook gets the points, if it is not the one of --lms; none "
+            "writes no file for a gradebook"
+        ),
     )
 
 

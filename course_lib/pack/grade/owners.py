@@ -15,12 +15,13 @@ from course_lib.pack.grade.csv_text import words
 # Words in the names of folders and files that are of no person: what one student's folder holds.
 WORDS = """
 again all answer answers archive assignment assignments attempt backup basic book books class copy
-autumn course data desktop document documents done download downloads draft ex exercise exercises file
-files final finished first fixed fall folder group handin home homework hw ipynb kinematics lab last late
-latest lesson main more my new notebook notebooks of old original other others own part project
-projects ps resubmission robot robotics robots second section semester session sheet solution solutions src
-spring student students submission submissions submit submitted summer task tasks team temp term test the third tmp
-trial tutorial untitled update updated v version week work working winter workspace year zip
+autumn course data desktop document documents done download downloads draft ex exercise exercises
+file files final finished first fixed fall folder group handin home homework hw ipynb kinematics
+lab last late latest lesson main more my new notebook notebooks of old original other others own
+part project projects ps resubmission robot robotics robots second section semester session sheet
+solution solutions src spring student students submission submissions submit submitted summer task
+tasks team temp term test the third tmp trial tutorial untitled update updated v version week work
+working winter workspace year zip
 """
 OF_NOBODY = set(WORDS.split())
 # Names of students without a name: student7, or a number that is no year.
@@ -33,7 +34,8 @@ MIN_NUMBER = 5  # digits from which a number may be a student's
 def owners(
     inside: Sequence[Path], own: str, split: Callable[[str], tuple[str, str]]
 ) -> tuple[list[str], int]:
-    """Return the names of people in the paths of a folder's notebooks, and how deep below it they stand.
+    """Return the names of people in the paths of a folder's notebooks, and how deep below it they
+    stand.
 
     Both are empty (0) if there are fewer than two names at every level, or fewer than one if the
     folder itself bears no person's name. inside: the paths below the folder. own: its name, whose

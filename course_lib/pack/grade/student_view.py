@@ -1,4 +1,5 @@
-"""The part of the course that a student's process can see: the mathematics without the answers, and stand-ins.
+"""The part of the course that a student's process can see: the mathematics without the answers, and
+stand-ins.
 
 It contains no right answer. Of the checks only the part that calls the student's function is there,
 the figures draw nothing, and the source of a forbidden function is replaced by one that raises,
@@ -23,7 +24,8 @@ DRAWING = (
     "tables",
     "toys",
 )  # modules of a lesson in which nothing is computed that counts
-# Where releases before 1.2 had the mathematics that one lesson needs: what was handed in with one is
+# Where releases before 1.2 had the mathematics that one lesson needs: what was handed in with one
+# is
 # graded as well.
 FORMER_NAMES = {
     "cells": "decomposition_ik",
@@ -70,7 +72,8 @@ class Quiet:
     predict = hint
 
     def __getattr__(self, name):
-        if LIBRARY or name.startswith("_"):  # a figure has any attribute, a check has none but these
+        # A figure has any attribute, a check has none but these.
+        if LIBRARY or name.startswith("_"):
             raise AttributeError(name)
         return self
 
@@ -81,7 +84,10 @@ class Quiet:
         return getattr(importlib.import_module(module), name) if module else self._asking
 
     def use(self, students):
-        """Return the library's function if this process has it, so that a wrong answer affects no other exercise."""
+        """Return the library's function if this process has it.
+
+        So a wrong answer affects no other exercise.
+        """
         if self._dotted and not getattr(self.library, "taken_away", False):
             used = functools.partial(self.library)
             used.whose = "the library's"
@@ -180,7 +186,8 @@ def contents(checks, forbidden):
 
 @functools.cache
 def compiled(source):
-    """Return the content of a module's .pyc file that is used without a look at the time of the source.
+    """Return the content of a module's .pyc file that is used without a look at the time of the
+    source.
 
     Nothing can be written beside the sources in a sandbox, so each one would compile all of them
     again.
@@ -220,7 +227,8 @@ def without(path, dotted):
 
 
 def _still_used(tree, names):
-    """Return the functions and classes of a module that are public or still called, without `names`."""
+    """Return the functions and classes of a module that are public or still called, without
+    `names`."""
     reads = {}
     for statement in tree.body:
         defined = _defined(statement)

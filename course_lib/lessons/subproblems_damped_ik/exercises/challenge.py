@@ -33,7 +33,9 @@ def mean_steps(rule, step, alpha=0.2, eps=2.0):
 
     Examples
     --------
-    >>> mean_steps(lambda k, before, after, alpha, eps: (alpha, eps), lambda q, target, alpha, eps: q)
+    >>> def unchanged(k, before, after, alpha, eps):
+    ...     return alpha, eps
+    >>> mean_steps(unchanged, lambda q, target, alpha, eps: q)
     200.0
     """
     draw = np.random.default_rng(8)
