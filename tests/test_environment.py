@@ -29,8 +29,9 @@ echo "${0##*/} $*" >>"$CALLS"
 case "$*" in *"${AT:-nothing}"*) printf '%s\\n' "$SAYS" >&2; exit 1 ;; esac
 case "$*" in
 "-m venv "*) mkdir -p "$3/bin" && cp "$0" "$3/bin/python" ;;
+"-m pip install "*uv*) cp "$0" "${0%/*}/uv" ;;
 "venv --python "*) mkdir -p "$4/bin" && cp "$0" "$4/bin/python" ;;
-"pip compile "*) for last; do :; done; echo "${ADDS:-numpy==2.4.6}" >"$last" ;;
+"pip compile "*) for last; do :; done; printf '%s\n' "${ADDS:-numpy==2.4.6}" uv==0.13.9 >"$last" ;;
 esac
 """
 
@@ -42,7 +43,7 @@ def make(tmp_path):
     course, programs = tmp_path / "course é", tmp_path / "bin"
     shutil.copytree(ROOT / "course_lib/pack", course / "course_lib/pack")
     shutil.copy(ROOT / "Makefile", course)
-    (course / "environment.txt").write_text("# the lock\nnumpy==2.4.6\n")
+    (course / "environment.txt").write_text("# the lock\nnumpy==2.4.6\nuv==0.13.9\n")
     (course / "pyproject.toml").touch()
     programs.mkdir()
     for tool in TOOLS:
@@ -65,7 +66,8 @@ def make(tmp_path):
 def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with_uv(make):
     done, called = make("environment")
     assert (done.returncode, done.stderr) == (0, "")
-    assert re.search(r"-m venv \.venv\n.* install .*-r environment.txt\n.* -e \.\n", called)
+    assert re.search(r"-m venv \.venv\n.* -m pip install .* uv==0.13.9\n", called)
+    assert re.search(r"\nuv pip install .*-r environment.txt\nuv pip install .* -e \.\n", called)
     assert make("environment")[0].stdout == make("environment")[1] == ""
     (make.course / "environment.txt").write_text("numpy==2.4.7\n")
     assert "-r environment.txt" in make("environment")[1]
@@ -116,4 +118,4 @@ def test_a_lock_that_fails_leaves_the_old_one(make):
         in make("lock", AT="compile", SAYS="error: Failed to fetch")[0].stderr
     )
     assert "> scipy==1.17.1" in make("lock", ADDS="scipy==1.17.1")[0].stdout
-    assert (make.course / "environment.txt").read_text() == "# the lock\nscipy==1.17.1\n"
+    assert (make.course / "environment.txt").read_text() == "# the lock\nscipy==1.17.1\nuv==0.13.9\n"

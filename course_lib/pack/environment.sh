@@ -12,7 +12,8 @@ export PIP_USER=no PIP_DISABLE_PIP_VERSION_CHECK=1
 export PIP_ONLY_BINARY=numpy,scipy,scikit-learn,matplotlib UV_NO_BUILD_PACKAGE='numpy scipy scikit-learn matplotlib'
 here=$(pwd -P)
 log=build/setup.log
-uv=$(command -v uv)
+# Run it: a version manager may leave a name without a program.
+uv=$(command -v uv) && "$uv" --version >/dev/null 2>&1 || uv=
 # The libraries of the benchmark besides scipy, at versions that work with the numpy of environment.txt.
 peers='pin==4.1.0 roboticstoolbox-python==1.5.0'
 
@@ -23,11 +24,11 @@ because() { # because PATTERN SENTENCE: stop with the sentence if the end of the
 }
 
 explain() {
-    because 'no space left|disk quota' "The disk is full: the set-up needs 1.3 GB, and pip another 0.3 GB while it works"
+    because 'no space left|disk quota' "The disk is full: the set-up needs 1.3 GB, and another 0.3 GB while it works"
     because 'ensurepip|no module named .?venv' \
         "This Python cannot make environments: install its venv module (on Debian and Ubuntu apt install python3-venv)"
     because 'certificate' "The server's certificate was not accepted: check the clock of this machine, and behind a \
-proxy that opens encrypted connections name the file of its certificate, SSL_CERT_FILE=file (with pip PIP_CERT=file)"
+proxy that opens encrypted connections name the file of its certificate, SSL_CERT_FILE=file (and PIP_CERT=file)"
     because 'name or service|nodename|name ?resolution|failed to fetch|connection|unreachable|timed out|proxy ?error' \
         "The packages could not be downloaded: check the network connection and run make again"
     because 'no matching distribution|no usable wheels|no wheels with a matching' \
@@ -41,16 +42,19 @@ run() { # a command whose output goes to the log; lines that say how far it is g
         case $line in
         Collecting\ * | \ Downloaded\ * | Resolved\ * | Prepared\ *) printf '  %.76s\n' "$line" ;;
         Installed\ *) echo "  $line, compiling them, which takes longest ..." ;;
-        'Installing collected'*) echo '  Unpacking all of them, which is the slower half ...' ;;
         esac
     done
     return "$(cat build/status)"
 }
 
 install() { # compiles now: in grading nothing may be written, so each process would compile again
-    if [ -n "$uv" ]; then run uv pip install --compile-bytecode --python "$venv/bin/python" "$@"; else
-        run "$venv/bin/python" -m pip install --progress-bar off "$@"
-    fi
+    run "$uv" pip install --compile-bytecode --python "$venv/bin/python" "$@"
+}
+
+bring_uv() { # where the machine has no uv, pip brings the one of the lock: it takes a fifth of pip's time
+    [ -n "$uv" ] && return
+    locked=$(grep -h '^uv==' environment.txt lock.txt 2>/dev/null | head -n 1)
+    run "$venv/bin/python" -m pip install --progress-bar off "${locked:-uv}" && uv=$venv/bin/uv
 }
 
 find_python() {
@@ -69,15 +73,16 @@ set_up() { # set_up ENVIRONMENT WHAT...
     shift
     [ -x "$venv/bin/python" ] && contents | cmp -s - "$venv/made-from" && return
     : >"$log"
-    echo "Setting up $venv, once: a minute or two with uv and two to ten with pip, by network and machine (log: $log)."
+    echo "Setting up $venv, once: a minute or two, by network and machine (log: $log)."
     # One that was moved, interrupted or left without pip is made afresh.
     if [ "$(head -n 1 "$venv/made-from" 2>/dev/null)" != "$here" ] ||
         ! { [ -n "$uv" ] || "$venv/bin/python" -m pip --version; } >>"$log" 2>&1; then
         find_python
         run rm -rf "$venv" || explain
-        if [ -n "$uv" ]; then run uv venv --python "$python" "$venv"; else run "$python" -m venv "$venv"; fi || explain
+        if [ -n "$uv" ]; then run "$uv" venv --python "$python" "$venv"; else run "$python" -m venv "$venv"; fi || explain
     fi
     rm -f "$venv/made-from" # written last, so that one without it was interrupted
+    bring_uv || explain
     install "$@" && { [ "$venv" != .venv ] || install --no-deps --no-build-isolation -e .; } || explain
     # Matplotlib lists the fonts once, and may report that on stderr: now, not in a student's first notebook.
     run "$venv/bin/python" -c 'import matplotlib.font_manager'
