@@ -118,4 +118,6 @@ def test_a_lock_that_fails_leaves_the_old_one(make):
         in make("lock", AT="compile", SAYS="error: Failed to fetch")[0].stderr
     )
     assert "> scipy==1.17.1" in make("lock", ADDS="scipy==1.17.1")[0].stdout
-    assert (make.course / "environment.txt").read_text() == "# the lock\nscipy==1.17.1\nuv==0.13.9\n"
+    assert (
+        make.course / "environment.txt"
+    ).read_text() == "# the lock\nscipy==1.17.1\nuv==0.13.9\n"

@@ -16,7 +16,7 @@ from test_exercise_cells import graded
 
 from course_lib.figures.stills import TOY
 from course_lib.pack.more import TAG, cells_of_more, heading_level
-from course_lib.pack.site.gather import sittings
+from course_lib.pack.site.gather import duration, sittings
 
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 REPORT = [
@@ -76,11 +76,9 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     cells = [
         cell for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True) if not more
     ]
-    hours = sittings(cells[0].source)
-    assert hours, (
-        'say "It takes about two hours" or "It takes two sittings of about two and two and a half'
-        ' hours"'
-    )
+    hours = sittings(notebook)
+    assert hours, 'name the hours of its sittings in its metadata, "course": {"sittings": [2, 2.5]}'
+    assert duration(notebook) in cells[0].source
     assert max(hours) <= 2.5
     assert len(hours) == (2 if stop else 1)
     if not stop:  # a short notebook, in one sitting

@@ -12,7 +12,7 @@ import nbformat
 import numpy as np
 from matplotlib.image import imread
 
-from course_lib.pack.site.gather import NUMBERS, PAGE, sittings
+from course_lib.pack.site.gather import PAGE, hours_in_words, sittings
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -35,9 +35,8 @@ def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
 
 def test_it_and_the_changes_say_how_long_a_sitting_takes():
     paths = (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")
-    hours = [each for path in paths for each in sittings(nbformat.read(path, 4).cells[0].source)]
-    parts = {0: "", 0.25: " and a quarter", 0.5: " and a half", 0.75: " and three quarters"}
-    least, most = (NUMBERS[int(each)] + parts[each % 1] for each in (min(hours), max(hours)))
+    hours = [sitting for path in paths for sitting in sittings(nbformat.read(path, 4))]
+    least, most = hours_in_words(min(hours)), hours_in_words(max(hours))
     for text in (README, (ROOT / "notebooks/changes.md").read_text(encoding="utf-8")):
         assert f"two sittings of {least} to {most} hours" in " ".join(text.split())
 
@@ -47,9 +46,7 @@ def test_the_plan_of_a_semester_has_the_hours_of_the_notebooks():
     planned = re.findall(r"^\| \d+ \| (\d), \w+ \| ([\d.]+) \|", plan, re.MULTILINE)
     paths = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
     said = [
-        (path.name[1], each)
-        for path in paths
-        for each in sittings(nbformat.read(path, 4).cells[0].source)
+        (path.name[1], sitting) for path in paths for sitting in sittings(nbformat.read(path, 4))
     ]
     assert [(number, float(hours)) for number, hours in planned] == said
     assert f"{sum(hours for _, hours in said):g} in all" in plan

@@ -161,7 +161,7 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
         name=source.stem,
         title=title[1] if title else source.stem,
         question=_question(text),
-        hours=sum(sittings(text)),
+        hours=sum(sittings(book)),
         picture=_cover(book, source.name, pages),
         toy=_toy(book, source.name, pages),
     )
@@ -245,22 +245,30 @@ def _question(text: str) -> str:
     return " ".join(asked[-1].replace("*", "").split()) if asked else ""
 
 
-def sittings(text: str) -> list[float]:
-    """Return the hours of a notebook's sittings that its first cell names, or [].
+def sittings(book: NotebookNode) -> list[float]:
+    """Return the hours of a notebook's sittings, which stand in its metadata; or []."""
+    return book.metadata.get("course", {}).get("sittings", [])
 
-    In "It takes two sittings of about two and a half and two hours" they are [2.5, 2.0].
+
+def hours_in_words(hours: float) -> str:
+    """Return a number of hours as the texts write it.
+
+    Examples
+    --------
+    >>> hours_in_words(2.5)
+    'two and a half'
     """
-    number = rf"({'|'.join(NUMBERS)})( and a half| and a quarter| and three quarters)?"
-    found = re.search(
-        rf"It takes (?:two sittings of )?about {number}(?: and {number})? hours?", text
-    )
-    parts = found.groups() if found else ()
-    more = {None: 0, " and a quarter": 0.25, " and a half": 0.5, " and three quarters": 0.75}
-    return [
-        NUMBERS.index(whole) + more[part]
-        for whole, part in zip(parts[::2], parts[1::2], strict=True)
-        if whole
-    ]
+    whole = int(hours)
+    parts = {0: "", 0.25: " and a quarter", 0.5: " and a half", 0.75: " and three quarters"}
+    return NUMBERS[whole] + parts[hours - whole]
+
+
+def duration(book: NotebookNode) -> str:
+    """Return the sentence with which a notebook's first cell says how long the notebook takes."""
+    words = [hours_in_words(hours) for hours in sittings(book)]
+    if len(words) == 1:
+        return f"It takes about {words[0]} hours"
+    return f"It takes two sittings of about {' and '.join(words)} hours"
 
 
 def _cover(book, name: str, pages: Path) -> str:
