@@ -55,3 +55,19 @@ def test_at_most_three_points_of_a_scene_are_wrong_and_the_others_are_nearly_exa
         off = np.linalg.norm(challenge.TEMPLATE @ T[:3, :3].T + T[:3, 3] - points, axis=1)
         counts.add(int((off > 0.006).sum()))
     assert counts == {0, 1, 2, 3}
+
+
+def test_each_of_the_thirty_mugs_can_be_picked_from_some_side():
+    random = np.random.default_rng(11)  # as in `score`
+    scenes = [challenge.mug_scene(random)[0] for _ in range(30)]
+    assert all(any(picked_from(angle, mug) for angle in SIDES) for mug in scenes)
+
+
+SIDES = np.deg2rad(np.arange(0, 360, 20))  # angles of the gripper about the mug's axis
+
+
+def picked_from(angle, mug):
+    """Whether the library's plan, with the gripper rotated about the mug's axis, picks the mug."""
+    rotation = rotations.rot_z(angle) @ rotations.rot_x(np.pi)
+    plan = check.plan_pick.library(READY, mug @ rigid.transform(rotation, [0, 0, 0.06]))
+    return challenge.picked(mug, plan)
