@@ -16,7 +16,10 @@ def _right(R_bg, R_cg, R_cm):
 def _cases(rng):
     quarter = np.pi / 2
     named = [(rot_z(quarter), rot_x(quarter), np.eye(3)), (np.eye(3), np.eye(3), rot_z(quarter))]
+    # In each of these one matrix holds whole numbers only, and the answer does not.
     named.append((any_rotation(rng), rot_z(quarter), any_rotation(rng)))
+    named.append((rot_z(quarter), any_rotation(rng), any_rotation(rng)))
+    named.append((any_rotation(rng), any_rotation(rng), rot_x(quarter)))
     return named + [tuple(any_rotation(rng) for _ in range(3)) for _ in range(4)]
 
 

@@ -4,8 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import rotation
+from course_lib.checks.vocabulary import rotation, unit
 from course_lib.rotations import exp_so3, hat, quaternion_to_matrix, random_quaternions
 
 
@@ -36,12 +37,26 @@ def _combination(q, one=1.0, two=2.0, three=2.0):
     return one * np.eye(3) + two * q[0] * V + three * V @ V
 
 
+def _small(rng, gap):
+    """The quaternion of a rotation by a tiny angle, or, with a negative gap, its negative."""
+    return (np.sign(gap) * np.array([np.cos(gap / 2), *(np.sin(abs(gap) / 2) * unit(rng))]),)
+
+
+def _nearly_half(rng, gap):
+    """The quaternion of a rotation by nearly pi: w is nearly 0."""
+    return (np.array([np.sin(gap / 2), *(np.cos(gap / 2) * unit(rng))]),)
+
+
 EXERCISE = Exercise(
     name="quaternion_to_matrix",
     points=2,
     arguments=("q",),
     tolerance=EXACT,
     cases=_cases,
+    sweeps=(
+        Sweep("a tiny rotation", _small, ON_BOTH_SIDES),
+        Sweep("a rotation by nearly pi", _nearly_half, ON_BOTH_SIDES),
+    ),
     returns=numbers(lambda q: (3, 3)),
     library=quaternion_to_matrix,
     properties=(

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, compared
 
@@ -39,6 +40,7 @@ EXERCISE = Exercise(
     tolerance=EXACT,
     cases=_cases,
     angles=("a",),
+    sweeps=(Sweep("a tiny angle", lambda rng, gap: (away_from_zero(rng, 2), gap), ON_BOTH_SIDES),),
     returns=numbers(lambda p, a: (2,)),
     library=_right,
     properties=(

@@ -47,7 +47,7 @@ def _cases(rng):
     pairs = [(_about(z, 0), _about(z, np.pi / 2), 0.5), (_about(x, 0.2), _about(x, 1.4), 0.25)]
     pairs += [
         (*_apart(rng, angle), t)
-        for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.05, 0.3))
+        for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.05, 0.3), (0.02, 0.2))
     ]
     pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
     pairs += [
@@ -66,7 +66,8 @@ def _cases(rng):
 
 def _nearly_equal(sign):
     def case(rng, gap):
-        return (*_apart(rng, gap, sign), 0.4)
+        # Away from t = 1/2, where the chord and the arc agree.
+        return (*_apart(rng, gap, sign), 0.2)
 
     return Sweep("two rotations that are nearly equal", case)
 

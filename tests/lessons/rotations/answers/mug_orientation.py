@@ -15,3 +15,10 @@ def right_by_the_camera_in_the_base(R_bg, R_cg, R_cm):
 
 def right_axis_by_axis(R_bg, R_cg, R_cm):
     return np.column_stack([R_bg @ np.linalg.inv(R_cg) @ R_cm[:, k] for k in range(3)])
+
+
+def wrong_stored_with_the_type_of_the_first_link(R_bg, R_cg, R_cm):
+    """the answer is wrong for whole numbers only"""
+    R_bm = np.empty_like(R_bg)
+    R_bm[:] = R_bg @ R_cg.T @ R_cm
+    return R_bm

@@ -28,3 +28,13 @@ def right_sandwich(q):
     conjugate = q * np.array([1, -1, -1, -1])
     columns = [_product(_product(q, np.array([0, *e])), conjugate)[1:] for e in np.eye(3)]
     return np.stack(columns, axis=1)
+
+
+def wrong_angle_by_arccos(q):
+    """unnamed"""
+    half = np.arccos(np.clip(q[0], -1, 1))
+    sine = np.linalg.norm(q[1:])
+    axis = q[1:] / sine if sine > 0 else np.zeros(3)
+    x, y, z = axis
+    N = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(2 * half) * N + (1 - np.cos(2 * half)) * N @ N

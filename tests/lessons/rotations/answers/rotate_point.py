@@ -22,3 +22,10 @@ def wrong_angle_of_arctan(p, a):
     """unnamed"""
     r, phi = np.linalg.norm(p), np.arctan(p[1] / (p[0] or 1))
     return np.array([r * np.cos(phi + a), r * np.sin(phi + a)])
+
+
+def wrong_small_angles_taken_for_none(p, a):
+    """unnamed"""
+    if abs(a) < 1e-6:
+        return np.array(p, float)
+    return np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) @ p

@@ -28,3 +28,15 @@ def right_along_an_orthogonal_direction(q0, q1, t):
 def right_by_matrices(q0, q1, t):
     R0, R1 = quaternion_to_matrix(q0), quaternion_to_matrix(q1)
     return -matrix_to_quaternion(R0 @ exp_so3(t * log_so3(R0.T @ R1))).reshape(4, 1)
+
+
+def wrong_chord_between_near_rotations(q0, q1, t):
+    """unnamed"""
+    cosine = q0 @ q1
+    if cosine < 0:
+        q1, cosine = -q1, -cosine
+    if cosine > 0.9999:
+        chord = (1 - t) * q0 + t * q1
+        return chord / np.linalg.norm(chord)
+    a = np.arccos(cosine)
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
