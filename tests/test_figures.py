@@ -108,13 +108,13 @@ PICTURES = [
     (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
     (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the worktop."),
     (nb5.four_parameters, (0.8, 0.7, 0.6, 0.9),
-     "the length a = 0.8 m; about it, z2 is rotated against z1 by alpha = 40"),
+     "its length is a = 0.8 m. About x1, the axis z2 is rotated relative to z1 by alpha = 40"),
     (nb5.conventions, (FRAMES[0, :7], FRAMES[0, 1:], np.zeros(3)), "modified, 1 and 2 share an origin; 5 and 6 share"),
     (nb5.pose_errors, (np.eye(4), rigid.transform(rotations.rot_z(0.5), [0.3, 0.4, 0])), "rotated by 29 degrees"),
     (nb5.pinhole, (np.diag([500, 500, 1]), rigid.transform(np.eye(3), [0, 0, 0.5]), POINTS), "is seen 25 pixels"),
     (nb5.motion, (np.arange(3.0), {"mug": np.array([0.1, -0.02, 0.03])}, np.arange(2.0), np.ones(2), np.ones(2)),
-     "its least value: mug -2.0 cm"),
-    (nb5.at_the_mug, ([0, -0.8, 0, -2.4, 0, 1.6, 0.8], np.eye(4), np.zeros(3)), "gripper at a mug, in the"),
+     "with its least values: mug -2.0 cm"),
+    (nb5.at_the_mug, ([0, -0.8, 0, -2.4, 0, 1.6, 0.8], np.eye(4), np.zeros(3)), "gripper at a mug, seen from near, in the"),
     (nb5.pick, (FRAMES, FRAMES[:, -1], np.full(3, 0.08), FRAMES[[0, 0, 0], 3], T, X, np.eye(4)), "2 seconds"),
     (nb5.descents, ({"slow": np.array([1, 0.5]), "fast": np.array([1, 1e-9])},),
      "slow 0.5; fast below 1e-6 after step 1."),
@@ -122,7 +122,7 @@ PICTURES = [
      "over the steps: 10 % at 5, 42 % at 10, and the most, 42 %, at 10."),
     (nb5.fastest_joint, (T, {"undamped": T, "damped": T / 2}), "value: undamped 2 rad/s, damped 1 rad/s."),
     (nb5.matches, (POINTS, POINTS + 0.1 * Z * (np.arange(len(POINTS)) == 1)[:, None], np.eye(4), [1]),
-     "lead to their places from point 1, 100 mm away."),
+     "how far the wrong matches are off: point 1 by 100 mm."),
     (nb5.iterations, ({"a": np.array([3, 5]), "b": np.array([9])}, 10),
      "a 2 targets, median 4; b 1 targets, median 9."),
     (nb6.two_elbows, (ELBOWS, np.ones(2)), "Both elbows lead to the same position."),
@@ -258,4 +258,4 @@ def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words
 
 def test_a_count_that_rounding_decides_is_about_half():
     assert tables.mirrored(4, [120.0, 1, 2], [3.0, 1, 2]) == ("1 of 3", 2.0)
-    assert tables.mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2]) == ("about half", 2.5)
+    assert tables.mirrored(3, [120.0, 1, 90, 2], [3.0, 1, 3, 2]) == ("about half of 4", 2.5)

@@ -28,10 +28,12 @@ def solid(q):
     return model.placed(link_poses(arm, q)) + pick.BASE[:3, 3], model.bodies
 
 
-def test_the_clearance_from_the_table_is_that_of_what_is_drawn():
+def test_the_clearance_from_the_worktop_is_that_of_what_is_drawn():
     for q in READY + np.random.default_rng(0).uniform(-0.5, 0.5, (20, 7)):
         vertices, bodies = solid(q)
-        assert abs(pick.clearances(q, FAR)["table"] - (vertices[bodies > 1, 2].min() - 0.6)) < 0.022
+        assert (
+            abs(pick.clearances(q, FAR)["worktop"] - (vertices[bodies > 1, 2].min() - 0.6)) < 0.022
+        )
 
 
 def test_a_mug_is_touched_where_the_drawn_arm_is_and_not_beside_it():

@@ -1,5 +1,7 @@
-"""Checks of notebook 5, inverse kinematics by DH parameters: ``from course_lib.lessons.panda_dh_ik
-import check``."""
+"""Checks of notebook 5, inverse kinematics by DH parameters.
+
+They are used as ``from course_lib.lessons.panda_dh_ik import check``.
+"""
 
 from course_lib.checks.notebook import namespace
 from course_lib.checks.prediction import Prediction
@@ -35,14 +37,17 @@ PREDICTIONS = (
         "c",
         {
             "a": (
-                "A few millimetres come from a bad calibration. A sign is a different kind of "
-                "error."
+                "An error of a few millimetres comes from a bad calibration. A wrong sign is a "
+                "different kind of error."
             ),
-            "b": "Centimetres come from a wrong length. A sign changes the direction of an axis.",
+            "b": (
+                "An error of some centimetres comes from a wrong length. A wrong sign changes the "
+                "direction of an axis."
+            ),
             "c": (
-                "Yes: the arm beyond joint 1 is rotated by 180 degrees about a horizontal line"
-                " through the shoulder. A flange that should be 47 cm above the shoulder is 47 cm"
-                " below it."
+                "Yes. The arm beyond joint 1 is rotated by 180 degrees about a horizontal line "
+                "through the shoulder. A flange that should be 47 cm above the shoulder is 47 cm "
+                "below it."
             ),
         },
     ),
@@ -51,14 +56,17 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "Axes 1 and 2 meet: where is their perpendicular, of length 0? And may x2 lie "
-                "along z2?"
+                "Axes 1 and 2 meet. Where is their common perpendicular, whose length is 0? And "
+                "may x2 lie along z2?"
             ),
             "b": (
-                "Yes. Axes 1 and 2 meet: row 2 has a = 0, and alpha = 90 or -90 degrees, because x1"
-                " may point either way. Row 3 has a = 0.425."
+                "Yes. Row 2 of the table has a = 0, because axes 1 and 2 meet. It has alpha = 90 "
+                "or -90 degrees, because x1 may point either way. Row 3 has a = 0.425, the "
+                "distance of the parallel axes 2 and 3."
             ),
-            "c": "That is the standard convention, with frame i on the axis of joint i + 1.",
+            "c": (
+                "That is the standard convention, in which frame i lies on the axis of joint i + 1."
+            ),
         },
     ),
     Prediction(
@@ -66,16 +74,16 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "In the middle of the picture the ray lies along the optical axis. What is the "
-                "difference there?"
+                "In the middle of the picture the ray lies along the optical axis. How much do "
+                "depth and distance differ there?"
             ),
             "b": (
-                "Yes: they differ by the cosine of the angle between the ray and the optical axis, "
-                "1 in the middle."
+                "Yes. The depth is the distance times the cosine of the angle between the ray and "
+                "the optical axis. This cosine is 1 in the middle and smallest in the corners."
             ),
             "c": (
-                "Measure both for a point in a corner of the picture, on paper. Are they the same "
-                "there?"
+                "Draw a point that is seen in a corner of the picture, and measure its depth and "
+                "its distance on paper. Are they the same there?"
             ),
         },
     ),
@@ -84,15 +92,16 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "A speed is a length over a time. Over which power of the time is an acceleration?"
+                "A speed is a length divided by a time. By which power of the time is the length "
+                "divided in an acceleration?"
             ),
             "b": (
-                "Yes: the square of the time is in the denominator. That is why stretching helps "
-                "so much."
+                "Yes. In an acceleration a length is divided by the square of the time. This is "
+                "why it helps so much to take more time."
             ),
             "c": (
-                "The path stays the same. What does a passenger feel if the driver takes it at "
-                "twice the speed?"
+                "The path stays the same. But what does a passenger feel if the driver takes this "
+                "path at twice the speed?"
             ),
         },
     ),
@@ -101,16 +110,16 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "At the target both errors are 0, so it can stop there. Before that, they differ "
-                "in direction."
+                "At the target both errors are 0, so an iteration can stop there. Before that, the "
+                "two errors differ in direction."
             ),
             "b": (
-                "Yes: near the target the wrong error still leads downhill often enough, if the"
-                " steps are tiny. Long steps follow the wrong direction far."
+                "Yes. If the steps are tiny, the wrong error still leads downhill often enough "
+                "near the target. Long steps follow the wrong direction far."
             ),
             "c": (
-                "Both methods use the error as a direction. Which of them trusts it over a longer "
-                "distance?"
+                "Both methods use the error as a direction. Which of them trusts this direction "
+                "over a longer distance?"
             ),
         },
         more=True,
@@ -120,14 +129,14 @@ PREDICTIONS = (
         "a",
         {
             "a": (
-                "Yes: a success rate says as much about the targets as about the method. Always "
-                "state both."
+                "Yes. A success rate says as much about the targets as about the method, so "
+                "always state both."
             ),
             "b": (
-                "The method is the same, but on the path to a far target it meets more limits and "
-                "local minima."
+                "The method is the same. But on the path to a far target it meets more limits and "
+                "more local minima."
             ),
-            "c": "Near targets need few small steps. What should stop a descent there?",
+            "c": "Near targets need only a few small steps. What should stop a descent there?",
         },
         more=True,
     ),
@@ -136,16 +145,16 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "Joints 2, 4 and 6 have parallel axes. To keep the orientation, which one must "
-                "undo the other two?"
+                "Joints 2, 4 and 6 have parallel axes. To keep the orientation, which of these "
+                "joints must undo the rotation of the other two?"
             ),
             "b": (
-                "Yes: a nearly stretched elbow hardly changes the reach, and must be ever faster. "
-                "2 and 6 undo that."
+                "Yes. When the elbow is nearly stretched, its rotation hardly changes the reach, "
+                "so it must rotate faster and faster. Joints 2 and 6 undo this rotation."
             ),
             "c": (
-                "The orientation takes all three parallel axes. Which of them changes the reach "
-                "least when stretched?"
+                "All three joints with parallel axes change the orientation. Which of them changes "
+                "the reach least when the arm is nearly stretched?"
             ),
         },
         more=True,
@@ -155,15 +164,16 @@ PREDICTIONS = (
         "b",
         {
             "a": (
-                "With one wrong match that works. Two that agree with each other pull the fit to "
-                "their side."
+                "With one wrong match the suggestion works. But two wrong matches that agree with "
+                "each other pull the fit to their side."
             ),
             "b": (
-                "Yes: the largest residual belongs to whoever disagrees with the fit, and two wrong"
-                " matches shape the fit."
+                "Yes. The largest residual belongs to the match that disagrees most with the fit, "
+                "and two wrong matches shape the fit."
             ),
             "c": (
-                "Least squares weighs large residuals most: it does not average wrong matches away."
+                "Least squares gives large residuals the most weight, so it does not average wrong "
+                "matches away."
             ),
         },
         more=True,

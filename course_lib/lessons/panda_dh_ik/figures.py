@@ -1,5 +1,6 @@
-"""The figures of notebook 5: DH parameters, the Panda's frames by both conventions, the pick of a
-mug, methods.
+"""The figures of notebook 5.
+
+They show DH parameters, the Panda's frames by both conventions, the pick of a mug, and methods.
 
 Each function returns a Picture, for `show`. Lengths are in metres, times in seconds, angles in
 radians.
@@ -29,15 +30,16 @@ from course_lib.figures.toys.film import beside, film, still
 from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
-# Errors below it are drawn at it: their digits are rounding errors, which differ between machines.
+# Smaller errors are drawn at this value, because their digits are rounding errors, which differ
+# between machines.
 SMALLEST_ERROR = 1e-8
-# Of centimetres, shares of a bound and rad/s in charts: the last digits of joint angles differ
-# between machines, and a chart's numbers must not.
+# Decimals of centimetres, shares of a bound and rad/s in charts. The last digits of joint angles
+# differ between machines, and the numbers of a chart must not.
 DECIMALS = 3
 
 
 def through_the_table(q):
-    """Return the Panda on its table, with its flange below the top.
+    """Return the Panda on its worktop, with its flange below the worktop.
 
     Parameters
     ----------
@@ -59,8 +61,10 @@ def through_the_table(q):
 
 
 def _panda(q, further_parts, alt, caption, **options):
-    """Return the Panda at joint angles q (7,) on its table, with Parts on its bodies, in the base
-    frame at q = 0."""
+    """Return the Panda at joint angles q (7,) on its worktop, with further Parts on its bodies.
+
+    The Parts are given in the base frame, for q = 0.
+    """
     poses = link_poses(panda(), np.asarray(q, float))[None]
     return film(
         [*shell(panda()), *further_parts], poses, [0.0], alt, caption, ground=0.0, **options
@@ -71,8 +75,7 @@ def _panda(q, further_parts, alt, caption, **options):
 
 
 def four_parameters(a, alpha, d, theta):
-    """Return two joint axes and the two perpendiculars, with the four parameters of a modified DH
-    table.
+    """Return two joint axes, their perpendiculars and the four parameters of a modified DH table.
 
     Parameters
     ----------
@@ -101,7 +104,7 @@ def four_parameters(a, alpha, d, theta):
     arc_of_theta = _arc(origin_2, x1, x2, 0.364)
     paths = [
         (np.array([foot_2, foot_2 + 0.75 * z1]), GREY, (7, 5)),  # parallel to the first axis
-        (np.array([origin_2, origin_2 + 0.5 * x1]), GREY, (7, 5)),  # and to the first x
+        (np.array([origin_2, origin_2 + 0.5 * x1]), GREY, (7, 5)),  # parallel to the first x
         (_right_angle(origin_1, x1, z1), INK, ()),
         (_right_angle(foot_2, -x1, z2), INK, ()),
         (arc_of_alpha, ORANGE, ()),
@@ -119,14 +122,14 @@ def four_parameters(a, alpha, d, theta):
     ]
     return still(
         parts,
-        "Two joint axes, z1 and z2, that do not meet. Their common perpendicular, along x1, has a"
-        f" right angle with each of them and the length a = {a:g} m; about it, z2 is rotated"
-        f" against z1 by alpha = {np.rad2deg(alpha):.0f} degrees. Along z2, the next perpendicular"
-        f" x2 is d = {d:g} m further on, and about z2 it is rotated by theta ="
-        f" {np.rad2deg(theta):.0f} degrees.",
-        "$x_1$ is perpendicular to both axes. Two numbers belong to $x$, the length $a$ and the "
-        "angle $\\alpha$; two belong to $z$, $d$ and $\\theta$. Only $\\theta$ changes when the "
-        "joint rotates.",
+        f"Two joint axes, z1 and z2, do not meet. Their common perpendicular lies along x1. It has "
+        f"a right angle with each of them, and its length is a = {a:g} m. About x1, the axis z2 is "
+        f"rotated relative to z1 by alpha = {np.rad2deg(alpha):.0f} degrees. The next "
+        f"perpendicular, x2, is d = {d:g} m further along z2, and it is rotated about z2 by "
+        f"theta = {np.rad2deg(theta):.0f} degrees.",
+        "The axis $x_1$ is perpendicular to both joint axes. Two of the four numbers belong to "
+        "$x$, namely the length $a$ and the angle $\\alpha$. The other two belong to $z$, namely "
+        "the length $d$ and the angle $\\theta$. Only $\\theta$ changes when the joint rotates.",
         paths=paths,
         words=words,
         view=(0.75, -1.25, 0.35),
@@ -157,7 +160,7 @@ def _arc(centre, start, end, radius):
 
 
 def conventions(modified, standard, base):
-    """Return the Panda twice, seen through, with the frames 1 to n of both conventions.
+    """Return the Panda twice, transparent, with the frames 1 to n of both conventions.
 
     Parameters
     ----------
@@ -187,18 +190,17 @@ def conventions(modified, standard, base):
     return beside(
         groups,
         1.0,
-        f"The same arm in the same configuration twice, with the frames 1 to {len(modified)}: "
-        f"{'; '.join(in_words)}.",
-        "In the modified convention the origin of frame $i$ lies on the axis of joint $i$, in the "
-        "standard convention on the axis of joint $i + 1$.",
+        f"The same arm is drawn in the same configuration twice, with the frames 1 to "
+        f"{len(modified)}: {'; '.join(in_words)}.",
+        "In the modified convention the origin of frame $i$ lies on the axis of joint $i$. In the "
+        "standard convention it lies on the axis of joint $i + 1$.",
         view=(1.3, -1.5, 0.7),
         high=-0.12,
     )
 
 
 def _numbers(frames):
-    """Return the numbers of the frames (n, 4, 4) with their origins: frames of one origin are named
-    together."""
+    """Return the numbers of the frames (n, 4, 4) with their origins; frames of one origin share a key."""
     names = {}
     for i, origin in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(origin), []).append(str(i))
@@ -244,12 +246,12 @@ def pose_errors(T, T_target):
         lengths.append(f"{title} {length} long")
     return Picture(
         fig,
-        "A base, a current pose, blue, and a target, green, rotated by "
-        f"{np.rad2deg(space[2]):.0f} degrees against it. Three panels show the linear part of one "
-        f"error each as a red arrow: {', '.join(lengths)}.",
-        "The same motion is described by three arrows; their components are dotted. Only the last "
-        "arrow ends at the target. The first is the velocity of the point of the body that is at "
-        "the base's origin at this moment.",
+        f"A base, a current pose in blue, and a target in green, which is rotated by "
+        f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose. Each of the three "
+        f"panels shows the linear part of one error as a red arrow: {', '.join(lengths)}.",
+        "Three arrows describe the same motion, and their components are dotted. The first arrow "
+        "is the velocity of the point of the body that is at the base's origin at this moment. "
+        "Only the last arrow ends at the target.",
     )
 
 
@@ -262,8 +264,7 @@ def _draw_plane_frame(ax, T, colour, name, align="right"):
 
 
 def _draw_arrow_with_components(ax, start, arrow, directions):
-    """Draw an arrow (2,) from a start (2,), and dotted its components along the columns of
-    directions (2, 2)."""
+    """Draw an arrow (2,) from a start (2,), with its components along the columns of directions."""
     for direction in directions.T:
         component = direction * (direction @ arrow)
         ends = np.transpose([start, start + component])
@@ -276,8 +277,7 @@ def _draw_arrow_with_components(ax, start, arrow, directions):
 
 
 def pinhole(K, T_cm, key_points):
-    """Return a pinhole camera from the side, with the ray to the key point that is farthest from
-    its axis.
+    """Return a pinhole camera from the side, with the ray to the key point farthest from its axis.
 
     Parameters
     ----------
@@ -322,17 +322,16 @@ def pinhole(K, T_cm, key_points):
         f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm from the optical axis at a "
         f"depth of {z:.2f} m, is seen {pixels:.0f} pixels from the principal point, with a focal "
         f"length of {K[0, 0]:.0f} pixels.",
-        "The axes are in metres. The two blue lengths are in pixels; they are drawn larger than "
-        "they are, by the same factor. The triangles are similar: $u - c_x$ is to $f_x$ as $x$ is "
-        "to $z$.",
+        "The axes are in metres. The two blue lengths are in pixels, and both are drawn larger "
+        "than they are, by the same factor. The two triangles are similar, so $u - c_x$ is to "
+        "$f_x$ as $x$ is to $z$.",
     )
 
 
 def motion(times, clearances, trajectory_times, speeds, accelerations):
-    """Return how near a motion comes to its surroundings, and what share of their bounds the motors
-    use.
+    """Return how near a motion comes to its surroundings, and how much of their bounds motors use.
 
-    The three panels have one time axis: the pointer shows the values of all of them at a time.
+    The three panels have one time axis, and the pointer shows the values of all panels at a time.
 
     Parameters
     ----------
@@ -376,12 +375,12 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     least_in_words = ", ".join(f"{obstacle} {gap:.1f} cm" for obstacle, gap in least.items())
     return Picture(
         fig,
-        f"Three panels over time. First the clearance; its least value: {least_in_words}. Then the "
-        f"largest share of a joint's bound: speed {shares['speed'].max():.3g}, acceleration "
-        f"{shares['acceleration'].max():.3g}.",
-        "The red band is contact. Below it, the speed and the acceleration of the joint that is "
-        "nearest to its bound at that time; no share may be above 1. Point at a curve for the "
-        "values at a time.",
+        f"Three panels over time. The first shows the clearance, with its least values: "
+        f"{least_in_words}. The others show the largest share of a joint's bound, at most: "
+        f"speed {shares['speed'].max():.3g}, acceleration {shares['acceleration'].max():.3g}.",
+        "In the red band the arm touches something. The two lower panels show the speed and the "
+        "acceleration of the joint that is nearest to its bound at that time. No share may be "
+        "above 1. Point at a curve for the values at a time.",
     )
 
 
@@ -420,14 +419,15 @@ def at_the_mug(q, T_mug, base):
     poses = link_poses(panda(), np.asarray(q, float))
     contained = Model.of(gripper + mug).placed(poses)[::9]
     alt = (
-        "The Panda's gripper at a mug, in the configuration that is nearest to it, seen from near."
+        "The Panda's gripper at a mug, seen from near, in the configuration of the motion that is "
+        "nearest to the mug."
     )
-    caption = "Rotate the picture: which part of the gripper is in the mug?"
+    caption = "Rotate the picture. Which part of the gripper is in the mug?"
     return _panda(q, gripper + mug, alt, caption, view=(1.0, -1.4, 0.3), near=contained)
 
 
 def pick(frames, grippers, openings, mugs, times, base, camera):
-    """Return a film of the Panda that picks a mug up from a round table and puts it down.
+    """Return a film of the Panda that picks a mug up from a round worktop and puts it down.
 
     Parameters
     ----------
@@ -442,7 +442,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
     times : array_like, shape (m,)
         In seconds.
     base : array_like, shape (3,)
-        Where the arm stands on the table, in metres.
+        Where the arm stands on the worktop, in metres.
     camera : array_like, shape (4, 4)
         Pose of a camera, which looks along its z axis.
 
@@ -474,10 +474,12 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         poses,
         times,
         f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on "
-        "the table, comes down with open fingers on both sides of it, closes them, lifts it by "
-        f"{100 * lifted:.0f} cm, carries it {100 * carried:.0f} cm across the table, sets it down, "
-        "opens and rises. A camera hangs above the table and looks down.",
-        "The blue line is the path between the fingertips, which close on both sides of the mug.",
+        f"the worktop and comes down with its open fingers on both sides of the mug. It closes the "
+        f"fingers, lifts the mug by {100 * lifted:.0f} cm, carries it {100 * carried:.0f} cm "
+        f"across the worktop and sets it down. Then it opens the fingers and rises. A camera hangs "
+        f"above the worktop and looks down.",
+        "The blue line is the path of the point midway between the fingertips. The fingers close "
+        "on both sides of the mug.",
         view=(1.2, 1.2, 0.7),
         name="pick",
         paths=[(grippers[:, :3, 3], BLUE, ())],
@@ -489,7 +491,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
 
 
 def matches(template, scene_points, T, wrong):
-    """Return a mug's key points in its own frame, and those of the scene with the mug laid on them.
+    """Return a mug's key points in its own frame, and those of the scene with the mug placed on them.
 
     Parameters
     ----------
@@ -516,14 +518,14 @@ def matches(template, scene_points, T, wrong):
         "template": (_dots(template, [Z_BLUE] * len(template)), [mug], (), _beside_dots(template)),
         "scene": (_dots(seen, scene_colours), [mug.moved(R)], dashes, _beside_dots(seen)),
     }
-    gaps = " and ".join(f"point {k}, {1000 * distances[k]:.0f} mm away" for k in wrong)
+    gaps = " and ".join(f"point {k} by {1000 * distances[k]:.0f} mm" for k in wrong)
     return beside(
         groups,
         0.13,
-        f"Left the template, a mug with {len(template)} numbered key points on it. Right the "
-        "scene, with the same mug placed by the good matches. "
-        f"{int((distances < 0.005).sum())} points of the scene are within 5 mm of their places; "
-        f"dashes lead to their places from {gaps}.",
+        f"On the left is the template, a mug with {len(template)} numbered key points on it. On "
+        f"the right is the scene, with the same mug placed by the good matches. "
+        f"{int((distances < 0.005).sum())} points of the scene are within 5 mm of where they "
+        f"should be. Dashed lines show how far the wrong matches are off: {gaps}.",
         "Both wrong matches are shifted by the same vector, so they agree with each other.",
         view=(1.2, -1.3, 0.8),
         high=-0.03,
@@ -614,7 +616,7 @@ def share_reached(x, shares, xlabel, caption):
     )
     fig.layout.yaxis.range = [-3, 103]
     alt = (
-        f"The share of targets that is reached over the {xlabel}: {percent[0]:.0f} % at {x[0]:g}, "
+        f"The share of targets that is reached, over the {xlabel}: {percent[0]:.0f} % at {x[0]:g}, "
         f"{percent[-1]:.0f} % at {x[-1]:g}, and the most, {percent.max():.0f} %, at "
         f"{x[percent.argmax()]:g}."
     )
@@ -641,13 +643,13 @@ def fastest_joint(times, speeds):
     return Picture(
         fig,
         f"The speed of the fastest joint over time. Its largest value: {largest}.",
-        "When the arm is nearly stretched, the undamped joints would have to be faster and faster. "
-        "The other two methods limit the speed, and the flange falls behind.",
+        "When the arm is nearly stretched, the undamped method asks for faster and faster joints. "
+        "The other two methods limit the speed, so the flange falls behind.",
     )
 
 
 def iterations(counts, most):
-    """Return histograms of how many iterations the reached targets took, one panel for each method.
+    """Return histograms of the iterations that the reached targets took, one panel per method.
 
     Parameters
     ----------

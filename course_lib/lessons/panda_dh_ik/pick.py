@@ -1,10 +1,11 @@
 """What a motion of the Panda with its gripper may do.
 
-It must stay clear of table, mug and the arm itself, and within the bounds of the motors.
+The arm must stay clear of the worktop, of the mug and of itself. The motion must keep the bounds of
+the motors.
 
 The moving links and the gripper are approximated by balls, which leave out no more than 2 cm of a
-bulge; the mug by a cylinder and a ball for the handle. All poses are seen from the world, where the
-arm stands on a table.
+bulge. The mug is approximated by a cylinder, and its handle by a ball. All poses are seen from the
+world, where the arm stands on a worktop.
 
 Source of the bounds: Franka Emika, Franka Control Interface documentation, limits for the Panda.
 """
@@ -25,12 +26,13 @@ BASE = read_only(transform(np.eye(3), [-0.2, 0.13, 0.6]))
 IN_FLANGE = read_only(transform(rot_z(-np.pi / 4), [0, 0, 0.1034]))
 # The pose of the gripper when it grasps from above.
 IN_MUG = read_only(transform(rot_x(np.pi), [0, 0, 0.06]))
-# Metres: the table's height, the mug's cylinder, and the handle's ball (centre x, y, z and radius).
-_TABLE = 0.6
+# These are in metres: the height of the worktop, the cylinder of the mug, and the ball of its
+# handle (centre x, y, z and radius).
+_WORKTOP = 0.6
 _MUG_RADIUS = 0.035
 _MUG_HEIGHT = 0.09
 _HANDLE = (0.05, 0, 0.05, 0.02)
-# Between two rows a trajectory is looked at in steps of so many radians, and of at most so many.
+# Between two rows a trajectory is examined in steps of _STEP radians, but in at most _MAX_STEPS.
 _STEP = 0.02
 _MAX_STEPS = 50
 # Rows of balls along the links: the number of a frame of arms.panda().frames, the first and last
@@ -50,7 +52,7 @@ _GRIPPER = [((-0.065, -0.07), (0.065, -0.07), 0.035, 3)]
 _GRIPPER += [((0.048 * side, -0.035), (0.048 * side, -0.005), 0.008, 3) for side in (-1, 1)]
 
 
-_FLANGE = 7  # the number of its frame
+_FLANGE = 7  # the number of the flange's frame
 
 
 def _balls():
@@ -66,8 +68,8 @@ def _balls():
 
 
 _FRAME, _CENTRE, _RADIUS = _balls()
-# Which balls must stay apart: those of the gripper and of links 0 to 4, and those of links 5 and 6
-# and of links 0 to 2. Links that are neighbours touch always.
+# The balls of the gripper must stay apart from those of links 0 to 4, and the balls of links 5
+# and 6 from those of links 0 to 2. Neighbouring links always touch.
 _GRIPPER_AND_ARM = (_FRAME[:, None] == _FLANGE) & (_FRAME <= 4)
 _WRIST_AND_SHOULDER = (_FRAME[:, None] >= 5) & (_FRAME <= 2)
 _SEPARATE = np.argwhere(_GRIPPER_AND_ARM | _WRIST_AND_SHOULDER)
@@ -105,9 +107,9 @@ def between(trajectory):
 
 
 def clearances(joints, T_mug):
-    """Return how far the arm and its open gripper are from table, mug and itself.
+    """Return the distances of the arm and its open gripper from the worktop, the mug and itself.
 
-    A distance is negative where they touch.
+    A distance is negative if they touch.
 
     Parameters
     ----------
@@ -119,20 +121,20 @@ def clearances(joints, T_mug):
     Returns
     -------
     dict
-        The distances (...) in metres for "table", "mug" and "itself".
+        The distances (...) in metres for "worktop", "mug" and "itself".
 
     Examples
     --------
     >>> mug = transform(np.eye(3), [0.3, 0, 0.6])
     >>> distances = clearances([0, -0.8, 0, -2.4, 0, 1.6, 0.8], mug)
     >>> {name: float(distance.round(2)) for name, distance in distances.items()}
-    {'table': 0.26, 'mug': 0.41, 'itself': 0.06}
+    {'worktop': 0.26, 'mug': 0.41, 'itself': 0.06}
     """
     joints, T_mug = real_array(joints, "joints", (7,)), checked_pose(T_mug, "T_mug", (4, 4))
     frames = (BASE @ panda().frames(joints))[..., _FRAME, :, :]
     centres = (frames[..., :3, :3] @ _CENTRE[..., None])[..., 0] + frames[..., :3, 3]
-    # In the mug's frame. How far a centre is beyond the cylinder's side and beyond its ends gives
-    # its distance; inside the cylinder the distance is 0.
+    # These coordinates are in the mug's frame. The distance of a centre from the cylinder follows
+    # from how far it is beyond the side and beyond the ends. Inside the cylinder it is 0.
     x, y, z = np.moveaxis((centres - T_mug[:3, 3]) @ T_mug[:3, :3], -1, 0)
     beyond_side = np.hypot(x, y) - _MUG_RADIUS
     beyond_end = np.abs(z - _MUG_HEIGHT / 2) - _MUG_HEIGHT / 2
@@ -141,9 +143,9 @@ def clearances(joints, T_mug):
     one, other = _SEPARATE.T
     between_centres = np.linalg.norm(centres[..., one, :] - centres[..., other, :], axis=-1)
     gaps = between_centres - _RADIUS[one] - _RADIUS[other]
-    moving = _FRAME > 0  # the base stands on the table
+    moving = _FRAME > 0  # the base stands on the worktop
     return {
-        "table": (centres[..., moving, 2] - _TABLE - _RADIUS[moving]).min(-1),
+        "worktop": (centres[..., moving, 2] - _WORKTOP - _RADIUS[moving]).min(-1),
         "mug": (np.minimum(cup, handle) - _RADIUS).min(-1),
         "itself": gaps.min(-1),
     }
@@ -152,18 +154,18 @@ def clearances(joints, T_mug):
 def shares(trajectory):
     """Return what share of the motors' bounds a trajectory uses at each row.
 
-    1 is the most that the motors allow.
+    A share of 1 is the most that the motors allow.
 
     Parameters
     ----------
     trajectory : array_like (n, 8)
-        As for between. The arm is at rest before and after it.
+        As for `between`. The arm is at rest before and after the trajectory.
 
     Returns
     -------
     speed, acceleration : array (n,)
-        Of the joint nearest to its bound: speeds between each row and the next, and their changes
-        at each row.
+        The shares of the joint nearest to its bound. A speed is taken between each row and the
+        next, and an acceleration is the change of speed at a row.
 
     Examples
     --------

@@ -6,7 +6,7 @@ from course_lib.figures.tables import table
 
 
 def dh_tables(modified, standard):
-    """Print two DH tables side by side, their angles in degrees.
+    """Print two DH tables side by side, with their angles in degrees.
 
     Parameters
     ----------
@@ -27,8 +27,8 @@ def mirrored(n, as_given, corrected):
     Parameters
     ----------
     n : int
-        Number of points. Of three points rounding decides: no two machines count the same, and the
-        words are "about half".
+        Number of points. For three points rounding decides, so no two machines count the same, and
+        the words are "about half of" all sets.
     as_given, corrected : array_like, shape (m,)
         Errors in degrees, one for each set of points.
 
@@ -42,17 +42,17 @@ def mirrored(n, as_given, corrected):
     count = int((np.asarray(as_given) > np.asarray(corrected) + 1e-6).sum())
     words = f"{count} of {shapes}"
     if n == 3 and 0.36 * shapes < count < 0.64 * shapes:
-        words = "about half"
+        words = f"about half of {shapes}"
     return words, float(np.median(corrected))
 
 
 def reached(results, rough=()):
-    """Print how often each method reaches its targets, and in how many iterations.
+    """Print how often each method reaches its targets, and how many iterations it takes.
 
     Parameters
     ----------
     results : dict
-        Method to which targets it reached, a bool array (n,), and its iterations, shape (n,).
+        For each method, which targets it reached, a bool array (n,), and its iterations (n,).
     rough : sequence of str, optional
         Methods whose numbers are rounded to one digit, because rounding errors decide many of
         their targets.
@@ -76,8 +76,8 @@ def share_mirrored(n, mirrored):
     Parameters
     ----------
     n : int
-        Number of points. Of three points rounding decides: no two machines count the same, and the
-        words are "about half".
+        Number of points. For three points rounding decides, so no two machines count the same, and
+        the words are "about half".
     mirrored : array_like of bool, shape (m,)
 
     Returns

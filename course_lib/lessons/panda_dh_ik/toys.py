@@ -9,7 +9,7 @@ from course_lib.figures.toys.toy import numbers, solid
 from course_lib.lessons.panda_dh_ik.pick import IN_MUG
 from course_lib.rigid import inverse, is_se
 
-# White spots on the mug, in its frame, in metres: each is seen from its side and from above.
+# White spots on the mug, in its frame, in metres. Each spot is seen in both pictures.
 SPOTS = np.array(
     [
         [-0.0107, -0.0328, 0.068],
@@ -24,12 +24,12 @@ SPOTS = np.array(
 
 
 def click(K, T_mc, T_wc, T_wm):
-    """Return a figure for `alive`: a mug in two pictures, f(pixels, depths) answers with its pose
-    from what is clicked.
+    """Return a figure for `alive` that shows a mug in two pictures.
 
-    The first picture shows the template, the mug in its own frame; the second one the scene. Points
-    that nobody has clicked come from a list: whole pixels near the spots, off by about a pixel as
-    clicks are.
+    f(pixels, depths) answers with the mug's pose, computed from what is clicked. The first picture
+    shows the template, which is the mug in its own frame. The second picture shows the scene.
+    Points that nobody has clicked come from a list. They are whole pixels near the spots, off by
+    about a pixel as clicks are.
 
     Parameters
     ----------
@@ -71,16 +71,13 @@ def click(K, T_mc, T_wc, T_wm):
     }
     model |= {"clicks": clicks.tolist(), "solid": solid(Model.of([Part(0, 0, meshes.mug())]))}
     alt = (
-        "Two pictures of a mug with seven white spots, from its side and on a table from above. In "
-        "each, the spots can "
-    )
-    alt += (
-        "be clicked; the mug and the gripper's grasp are drawn over the second picture where the"
-        " clicks place them."
+        "Two pictures of a mug with seven white spots. The first shows the mug from its side, the "
+        "second shows it on a worktop from above. In each picture the spots can be clicked. The "
+        "mug and the gripper's grasp are drawn over the second picture where the clicks place them."
     )
     return Figure(
         model,
         alt,
-        "Click each white spot in both pictures. What does a click beside the mug do?",
+        "Click each white spot in both pictures. What happens if you click beside the mug?",
         ask,
     )
