@@ -62,7 +62,7 @@ PREDICTIONS = (
             "b": (
                 "Yes. Row 2 of the table has a = 0, because axes 1 and 2 meet. It has alpha = 90 "
                 "or -90 degrees, because x1 may point either way. Row 3 has a = 0.425, the "
-                "distance of the parallel axes 2 and 3."
+                "distance between the parallel axes 2 and 3."
             ),
             "c": (
                 "That is the standard convention, in which frame i lies on the axis of joint i + 1."
