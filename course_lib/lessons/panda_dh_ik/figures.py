@@ -200,7 +200,7 @@ def conventions(modified, standard, base):
 
 
 def _numbers(frames):
-    """Return the numbers of the frames (n, 4, 4) with their origins; frames of one origin share a key."""
+    """Return the numbers of the frames (n, 4, 4) with their origins, once for each origin."""
     names = {}
     for i, origin in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(origin), []).append(str(i))
@@ -491,7 +491,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
 
 
 def matches(template, scene_points, T, wrong):
-    """Return a mug's key points in its own frame, and those of the scene with the mug placed on them.
+    """Return the key points of a mug in its own frame, and those of the scene with the mug on them.
 
     Parameters
     ----------
