@@ -62,6 +62,27 @@ def test_each_arm_holds_its_glass_at_the_beginning_and_at_the_end():
         assert on_the_rim.sum() >= 16
 
 
+# ---- one motion, two observers ----
+
+
+def drawn_velocities(ax):
+    """Return the start and the end of each arrow of a velocity, and the places of the dots."""
+    arrows = [(tuple(text.xyann), tuple(text.xy)) for text in ax.texts if text.arrow_patch]
+    dots = [tuple(line.get_xydata()[0]) for line in ax.lines if line.get_marker() == "o"]
+    return arrows, dots
+
+
+def test_each_observer_s_velocity_is_drawn_at_the_origin_of_its_own_frame():
+    turntable, door = figures.two_observers().fig.axes
+    about_z = np.array([[0, -1], [1, 0]])  # omega x p for a rotation about z at 1 rad/s
+    origin_a, origin_b = np.zeros(2), np.array([1.0, 0])
+    for ax, axle in ((turntable, origin_b), (door, origin_a)):
+        arrows, dots = drawn_velocities(ax)
+        (moving,) = [origin for origin in (origin_a, origin_b) if any(origin != axle)]
+        assert (tuple(moving), tuple(moving + about_z @ (moving - axle))) in arrows
+        assert dots == [tuple(axle)]
+
+
 # ---- the dimensioned drawings ----
 
 

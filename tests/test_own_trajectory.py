@@ -187,7 +187,7 @@ def test_a_file_of_six_joints_is_refused_with_both_numbers(tmp_path, capsys):
     (tmp_path / "own.csv").write_text(a_few_rows("t," + ",".join(f"q{i + 1}" for i in range(6)), 6))
     with contextlib.chdir(NOTEBOOK.parent):
         assert load_cell({}, tmp_path / "own.csv")["shipped"]
-    assert "this file has 6 joints, the iiwa 7" in capsys.readouterr().out
+    assert "this file has 6 joints, but the iiwa has 7" in capsys.readouterr().out
 
 
 def test_the_cell_says_which_column_each_joint_came_from(tmp_path, capsys):

@@ -19,12 +19,14 @@ from course_lib.figures.style import (
     CRIMSON,
     FRAME_COLOURS,
     GREY,
+    LINK_BLUE,
     plane_figure,
 )
 from course_lib.figures.toys.film import beside, film
-from course_lib.rigid import inverse, transform
+from course_lib.rigid import adjoint, inverse, transform
+from course_lib.rotations import rot_z
 
-# Below it rounding decides a number, and rounding differs between machines: it is drawn as zero.
+# Rounding decides numbers below this bound, and it differs between machines. They are drawn as zero.
 _ROUNDING = 1e-8
 
 
@@ -59,7 +61,7 @@ def wrong_frame(arm, motions, table):
         corner = np.array([-1.0, path[0, 1] - 0.25, table - _BOARD])
         opposite = np.array([-0.2, path[0, 1] + 0.25, table])
         pale = [_placed(part, first) for part in body]
-        pale.append(Part(0, DARK, box(corner, opposite, 0.05, 8)))  # see what is below it
+        pale.append(Part(0, DARK, box(corner, opposite, 0.05, 8)))  # shows what is below it
         pale.append(Part(0, LIGHT_BLUE, _glass().moved(poses[0] @ glass_in_gripper)))
         groups[label] = solid, pale, [(path, colour, ())], []
         moved[label] = 100 * np.linalg.norm(path[-1] - path[0])
@@ -71,12 +73,13 @@ def wrong_frame(arm, motions, table):
     farthest, nearest = max(moved, key=moved.get), min(moved, key=moved.get)
     caption = (
         f"{_capital(farthest)}: the gripper ends {moved[farthest]:.0f} cm from where it began. "
-        f"{_capital(nearest)}: it stays there. The beginning is translucent."
+        f"{_capital(nearest)}: the gripper stays where it is. The translucent arm shows the "
+        "beginning of the motion."
     )
     return beside(
         groups,
         1.3,
-        f"The arm with a glass in its gripper, above a table, at the end of its motion. {ends}. "
+        f"The arm holds a glass above a table. It is shown at the end of its motion. {ends}. "
         f"{through}",
         caption,
         view=(0.3, 1.0, 0.16),
@@ -103,8 +106,18 @@ def _capital(words):
 
 
 def arc_of_a_twist(a):
-    """Return the arc of an origin that moves with |v| = a m/s and rotates by a rad in a second, and
-    its two legs."""
+    """Return the arc of an origin that moves at a m/s and rotates by a rad in a second.
+
+    Parameters
+    ----------
+    a : float
+        The angle of the rotation in radians, and the length of v in m/s.
+
+    Returns
+    -------
+    Picture
+        The arc, and how far it leads forward and sideways.
+    """
     fig, (ax,) = plane_figure(5.2, 3.6)
     t, (x, y) = np.linspace(0, a, 60), (np.sin(a), 1 - np.cos(a))
     ax.plot(np.sin(t), 1 - np.cos(t), color=GREY, linewidth=3)
@@ -120,11 +133,15 @@ def arc_of_a_twist(a):
         )
         ax.text((start[0] + end[0]) / 2 + 0.05, (start[1] + end[1]) / 2 - 0.1, words, color=colour)
     in_metres(ax, xlim=(-0.2, 2.05), ylim=(-0.2, 1.2))
-    alt = f"A quarter of a circle of radius 1 m about (0, 1), from (0, 0) to ({x:.3g}, {y:.3g}) m."
+    alt = (
+        "The origin moves along a quarter of a circle of radius 1 m about (0, 1), from (0, 0) to "
+        f"({x:.3g}, {y:.3g}) m."
+    )
     return Picture(
         fig,
         alt,
-        "The origin runs along an arc: forward along $v$, and sideways along $n \\times v$.",
+        "The origin moves along an arc. It comes forward along $v$, and sideways along "
+        "$n \\times v$.",
     )
 
 
@@ -155,12 +172,12 @@ def digits_lost(formula):
     large = "below" if errors[angles > 9e-4].max() < 1e-9 else "above"
     tiny = "1" if np.allclose(errors[angles < 5e-9], 1) else "another number"
     alt = (
-        f"The relative error of (1 - cos a)/a over the angle a, on logarithmic axes: {large} 1e-9 "
-        f"from 0.001 rad on, larger for smaller angles, and {tiny} below 5e-9 rad."
+        "The relative error of (1 - cos a)/a over the angle a, on logarithmic axes. It is "
+        f"{large} 1e-9 from 0.001 rad on, larger for smaller angles, and {tiny} below 5e-9 rad."
     )
     caption = (
-        "With each power of ten by which the angle falls, two digits are lost. Below $10^{-8}$ "
-        "none is left."
+        "Each time the angle becomes ten times smaller, the formula loses two more digits. Below "
+        "$10^{-8}$ rad no digit is left."
     )
     return Picture(fig, alt, caption)
 
@@ -168,8 +185,17 @@ def digits_lost(formula):
 def screw_motion(poses, through, axis):
     """Return a frame at four instants of its motion along a screw, and the path of its origin.
 
-    poses: (n, 4, 4). through, axis: (3,), a point on the screw axis and its direction, a unit
-    vector.
+    Parameters
+    ----------
+    poses : array_like, shape (n, 4, 4)
+    through : array_like, shape (3,)
+        A point on the screw axis.
+    axis : array_like, shape (3,)
+        The direction of the screw axis, a unit vector.
+
+    Returns
+    -------
+    Picture
     """
     path = poses[:, :3, 3]
     along = (path - through) @ axis
@@ -187,12 +213,116 @@ def screw_motion(poses, through, axis):
         [0.0],
         f"A frame moves along a helix about a screw axis, which it does not touch, and rises by "
         f"{rise:.2f} m.",
-        "The frame rotates about the axis and slides along it; its origin keeps its distance from "
-        "the axis.",
+        "The frame rotates about the screw axis S and slides along it. Its origin keeps its "
+        "distance from the axis. The numbers 1 to 4 mark four instants.",
         paths=[(path, BLUE, ())],
         words=[(word, point, BLACK) for word, point in words.items()],
         view=(1.4, 0.9, 0.6),
     )
+
+
+def two_observers():
+    """Return two motions, each as two frames a and b see it, from above.
+
+    A turntable stands still at the origin of b, and a door at the origin of a.
+
+    Returns
+    -------
+    Picture
+    """
+    fig, axes = plane_figure(8.6, 3.9, columns=2)
+    omega = np.array([0.0, 0, 1])
+    turntable = transform(np.eye(3), [1.0, 0, 0]), np.zeros(3)
+    door = transform(rot_z(np.pi / 2), [1.0, 0, 0]), np.array([1.0, 0, 0])
+    in_words = []
+    for ax, title, (T_ab, v_b) in zip(
+        axes, ("a turntable", "a door"), (turntable, door), strict=True
+    ):
+        v_a = (adjoint(T_ab) @ np.hstack([omega, v_b]))[3:]
+        along_a = T_ab[:3, :3] @ v_b
+        _draw_frame(ax, np.eye(4), "a")
+        _draw_frame(ax, T_ab, "b")
+        _draw_velocity(ax, np.zeros(3), v_a, f"$v_a = {_in_whole_numbers(v_a)}$", CRIMSON)
+        _draw_velocity(ax, T_ab[:3, 3], along_a, f"$v_b = {_in_whole_numbers(v_b)}$", BLUE)
+        ax.set_title(title)
+        in_words.append(
+            f"{title}: v_a is {_in_whole_numbers(v_a)}, v_b is {_in_whole_numbers(v_b)}"
+        )
+    _draw_turntable(axes[0], turntable[0][:2, 3])
+    _draw_door(axes[1], door[0][:2, 3])
+    for ax in axes:
+        in_metres(ax, xlim=(-0.75, 2.25), ylim=(-1.35, 1.35))
+    return Picture(
+        fig,
+        "Two motions from above, with frame a at the origin and the origin of frame b at (1, 0). "
+        f"Both rotate at 1 rad/s. {_capital('; '.join(in_words))}.",
+        "The vector $v_b$ belongs to the body's point at the origin of b, and $v_a$ to its point "
+        "at the origin of a. The dashed circle is the turntable, imagined larger. The numbers of "
+        "$v_b$ are along the axes of b.",
+    )
+
+
+def _in_whole_numbers(vector):
+    """Return a vector of whole numbers, such as "(0, -1, 0)"."""
+    return f"({', '.join(f'{round(number):d}' for number in vector)})"
+
+
+def _draw_frame(ax, pose, name):
+    """Draw the x and the y axis of a frame (4, 4), seen from above, and its name."""
+    origin = pose[:2, 3]
+    for axis, colour, letter in zip(pose[:2, :2].T, FRAME_COLOURS, "xy", strict=False):
+        tip = origin + 0.36 * axis
+        ax.plot(*np.transpose([origin, tip]), color=colour, linewidth=6, zorder=3)
+        # Beside the axis, because along it the arrow of a velocity may follow.
+        beside = tip + 0.13 * np.array([abs(axis[1]), -abs(axis[0])])
+        ax.annotate(f"${letter}_{name}$", beside, color=colour, ha="center", va="center")
+    ax.annotate(name, origin, (-12, -17), textcoords="offset points", fontstyle="italic")
+
+
+def _draw_velocity(ax, point, velocity, label, colour):
+    """Draw the velocity (3,) of a point as an arrow, or as a dot if it is zero, with its label."""
+    start, end = point[:2], (point + velocity)[:2]
+    if np.allclose(velocity, 0):
+        ax.plot(*start, "o", color=colour, markersize=11, zorder=4)
+        ax.annotate(label, start, (2, -34), textcoords="offset points", color=colour)
+        return
+    arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 2.5}
+    ax.annotate("", end, start, arrowprops=arrow, zorder=4)
+    ax.annotate(
+        label,
+        end,
+        (0, 10 * np.sign(velocity[1])),
+        textcoords="offset points",
+        color=colour,
+        ha="center",
+        va="center",
+    )
+
+
+def _draw_turntable(ax, axle):
+    """Draw a turntable about an axle (2,), and the circle on which the origin of a moves."""
+    angles = np.linspace(0, 2 * np.pi, 100)
+    circle = np.array([np.cos(angles), np.sin(angles)])
+    ax.fill(*(axle[:, None] + 0.7 * circle), color=LINK_BLUE, zorder=1)
+    ax.plot(*(axle[:, None] + circle), "--", color=GREY, linewidth=1, zorder=1)
+    _draw_rotation(ax, axle, 0.85, (20, 70))
+
+
+def _draw_door(ax, handle):
+    """Draw a door from its hinge at the origin to its handle (2,)."""
+    ax.plot(*np.transpose([(0, 0), 1.12 * handle]), color=LINK_BLUE, linewidth=14, zorder=1)
+    _draw_rotation(ax, np.zeros(2), 0.8, (15, 60))
+
+
+def _draw_rotation(ax, centre, radius, degrees):
+    """Draw a counter-clockwise arc from one angle to another, as an arrow, with the letter omega."""
+    angles = np.radians(np.linspace(*degrees, 30))
+    arc = centre[:, None] + radius * np.array([np.cos(angles), np.sin(angles)])
+    ax.plot(*arc, color=BLACK, linewidth=1.5)
+    arrow = {"arrowstyle": "-|>", "color": BLACK, "linewidth": 1.5}
+    ax.annotate("", arc[:, -1], arc[:, -3], arrowprops=arrow)
+    middle = arc[:, len(angles) // 2]
+    ax.annotate("$\\omega$", middle, (8, 8), textcoords="offset points", color=BLACK)
 
 
 def arm_movie(arm, motion):
@@ -206,8 +336,8 @@ def arm_movie(arm, motion):
         [*shell(arm), *scene.triad(arm.n, arm.home[-1], 0.16)],
         link_poses(arm, motion.q),
         motion.t,
-        f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory; its "
-        f"end-effector has {size}.",
+        f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory. Its "
+        f"end-effector moves within {size}.",
         "The end-effector follows the dashed path.",
         name="iiwa",
         paths=[(path, BLUE, (7, 5))],
@@ -247,10 +377,14 @@ def plane_projections(t, path):
         charts.add_points(fig, path[:1, i], path[:1, j], "start", panel=panel, colour=CRIMSON)
     size = " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
     alt = (
-        f"The path of the end-effector in the three coordinate planes; in space it takes {size} m."
+        f"The path of the end-effector in the three coordinate planes. In space it extends over "
+        f"{size} m."
     )
     return Picture(
-        fig, alt, "One path in space, three projections. In which of them does it cross itself?"
+        fig,
+        alt,
+        "The three panels are projections of one path in space. In which of them does the path "
+        "cross itself?",
     )
 
 
@@ -281,7 +415,7 @@ def _without_rounding(values):
 def velocities_over_time(t, v):
     """Return the components of linear velocities over time, one panel for each frame.
 
-    The panels share their time axis: who zooms in one of them zooms in all.
+    The panels share their time axis, so zooming in one of them zooms in all.
 
     Parameters
     ----------
@@ -320,9 +454,10 @@ def velocities_over_time(t, v):
     )
     return Picture(
         fig,
-        f"{len(v)} panels: the components of the linear velocity over time, as each frame sees it: "
-        f"{speeds}.",
-        "The body and the hybrid twist have the same speed at each instant; only the axes differ.",
+        f"{len(v)} panels show the components of the linear velocity over time, one for each frame. "
+        f"The largest components are: {speeds}.",
+        "The body twist and the hybrid twist have the same speed at each instant, because only "
+        "their axes differ.",
     )
 
 
@@ -373,9 +508,9 @@ def velocities_against_each_other(t, v):
     fig.layout.showlegend = False  # each panel has its frame for a title
     return Picture(
         fig,
-        f"Components of the linear velocity plotted against one another, a row for each of: "
-        f"{', '.join(v)}.",
-        "A row for each frame: in which one can you name the curves?",
+        "The components of the linear velocity are plotted against one another, with a row of "
+        f"panels for each of the frames {', '.join(v)}.",
+        "There is one row of panels for each frame. In which row can you name the curves?",
     )
 
 
@@ -414,11 +549,15 @@ def singular_values(arm, generic, straight):
         charts.add_line(fig, angles, smallest, name)
         words = name.replace("<sub>", "").replace("</sub>", "")
         minima.append(f"{words}: least {smallest.min():.2g} at {angles[smallest.argmin()]:.2f} rad")
-    alt = f"The smallest singular value of the Jacobian over an angle. {'; '.join(minima)}."
+    alt = (
+        "The smallest singular value of the Jacobian over an angle, for three motions. "
+        f"{'; '.join(minima)}."
+    )
     return Picture(
         fig,
         alt,
-        "Where a curve touches zero the arm is singular; a straight wrist alone is not enough.",
+        "The arm is singular where a curve touches zero. A straight wrist alone does not make it "
+        "singular.",
     )
 
 
@@ -467,10 +606,10 @@ def near_its_bounds(t, manipulability, q, limits):
     nearest = shares.max(0)
     return Picture(
         fig,
-        f"Two panels over time. The manipulability is between {np.min(manipulability):.3f} and "
+        f"Two panels show curves over time. The manipulability is between {np.min(manipulability):.3f} and "
         f"{np.max(manipulability):.3f}. Joint {nearest.argmax() + 1} comes nearest to a limit, "
-        f"{nearest.max():.0f} % of the way.",
+        f"at {nearest.max():.0f} % of the way.",
         "The nearer the manipulability is to zero, the nearer the arm is to a singular "
-        "configuration. The angles are measured from the middle between their limits. Zoom in one "
-        "panel: the other follows.",
+        "configuration. The angles are measured from the middle between their limits. If you zoom "
+        "in one panel, the other follows.",
     )
