@@ -79,7 +79,7 @@ def wrong_frame(arm, motions, table):
     return beside(
         groups,
         1.3,
-        f"The arm holds a glass above a table. It is shown at the end of its motion. {ends}. "
+        f"The arm holds a glass above a table. It is shown at the end of its motion. {_capital(ends)}. "
         f"{through}",
         caption,
         view=(0.3, 1.0, 0.16),
@@ -305,7 +305,7 @@ def _draw_turntable(ax, axle):
     circle = np.array([np.cos(angles), np.sin(angles)])
     ax.fill(*(axle[:, None] + 0.7 * circle), color=LINK_BLUE, zorder=1)
     ax.plot(*(axle[:, None] + circle), "--", color=GREY, linewidth=1, zorder=1)
-    _draw_rotation(ax, axle, 0.85, (20, 70))
+    _draw_rotation(ax, axle, 1.12, (20, 60))
 
 
 def _draw_door(ax, handle):
