@@ -256,8 +256,8 @@ def two_observers():
         fig,
         "Two motions from above, with frame a at the origin and the origin of frame b at (1, 0). "
         f"Both rotate at 1 rad/s. {_capital('; '.join(in_words))}.",
-        "The vector $v_b$ belongs to the body's point at the origin of b, and $v_a$ to its point "
-        "at the origin of a. The dashed circle is the turntable, imagined larger. The numbers of "
+        "The vector $v_b$ belongs to the body's point at the origin of b, and $v_a$ to the "
+        "body's point at the origin of a. The dashed circle is the turntable, imagined larger. The numbers of "
         "$v_b$ are along the axes of b.",
     )
 
