@@ -26,7 +26,7 @@ from course_lib.figures.toys.film import beside, film
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import rot_z
 
-# Rounding decides numbers below this bound, and it differs between machines. They are drawn as zero.
+# Rounding decides numbers below this bound, and differs between machines. They are drawn as zero.
 _ROUNDING = 1e-8
 
 
@@ -79,8 +79,8 @@ def wrong_frame(arm, motions, table):
     return beside(
         groups,
         1.3,
-        f"The arm holds a glass above a table. It is shown at the end of its motion. {_capital(ends)}. "
-        f"{through}",
+        f"The arm holds a glass above a table. It is shown at the end of its motion. "
+        f"{_capital(ends)}. {through}",
         caption,
         view=(0.3, 1.0, 0.16),
         high=1.0,
@@ -257,8 +257,8 @@ def two_observers():
         "Two motions from above, with frame a at the origin and the origin of frame b at (1, 0). "
         f"Both rotate at 1 rad/s. {_capital('; '.join(in_words))}.",
         "The vector $v_b$ belongs to the body's point at the origin of b, and $v_a$ to the "
-        "body's point at the origin of a. The dashed circle is the turntable, imagined larger. The numbers of "
-        "$v_b$ are along the axes of b.",
+        "body's point at the origin of a. The dashed circle is the turntable, imagined "
+        "larger. The numbers of $v_b$ are along the axes of b.",
     )
 
 
@@ -315,7 +315,7 @@ def _draw_door(ax, handle):
 
 
 def _draw_rotation(ax, centre, radius, degrees):
-    """Draw a counter-clockwise arc from one angle to another, as an arrow, with the letter omega."""
+    """Draw a counter-clockwise arc between two angles, as an arrow, with the letter omega."""
     angles = np.radians(np.linspace(*degrees, 30))
     arc = centre[:, None] + radius * np.array([np.cos(angles), np.sin(angles)])
     ax.plot(*arc, color=BLACK, linewidth=1.5)
@@ -454,8 +454,8 @@ def velocities_over_time(t, v):
     )
     return Picture(
         fig,
-        f"{len(v)} panels show the components of the linear velocity over time, one for each frame. "
-        f"The largest components are: {speeds}.",
+        f"{len(v)} panels show the components of the linear velocity over time, one for each "
+        f"frame. The largest components are: {speeds}.",
         "The body twist and the hybrid twist have the same speed at each instant, because only "
         "their axes differ.",
     )
@@ -606,7 +606,8 @@ def near_its_bounds(t, manipulability, q, limits):
     nearest = shares.max(0)
     return Picture(
         fig,
-        f"Two panels show curves over time. The manipulability is between {np.min(manipulability):.3f} and "
+        f"Two panels show curves over time. The manipulability is between "
+        f"{np.min(manipulability):.3f} and "
         f"{np.max(manipulability):.3f}. Joint {nearest.argmax() + 1} comes nearest to a limit, "
         f"at {nearest.max():.0f} % of the way.",
         "The nearer the manipulability is to zero, the nearer the arm is to a singular "
