@@ -1,5 +1,5 @@
-# `make` alone lists what there is. Every target sets up .venv by itself the first time, from
-# environment.txt; what is written goes to build/. Works with GNU make 3.81 (macOS) and any POSIX sh.
+# `make` alone lists what there is. Every target first sets up .venv from environment.txt, if it is
+# not there yet; what is written goes to build/. Works with GNU make 3.81 (macOS) and any POSIX sh.
 
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
@@ -31,13 +31,13 @@ environment:
 
 # Jupyter refuses to run as root unless told to. The settings of the folder named first keep it from asking about news
 # and updates, from warning of plain-text connections to kernels, and from loading nbgrader, which only authors have.
-lab: environment ## open the exercises in JupyterLab, from exercises/; SOLUTIONS=yes for the authors' notebooks
+lab: environment ## open the exercises in JupyterLab, from exercises/; SOLUTIONS=yes opens the authors' notebooks
 	@$(if $(filter yes,$(SOLUTIONS)),,$(PY) -m course_lib.pack.release.exercises)
 	@JUPYTER_CONFIG_PATH="$(CURDIR)/course_lib/jupyter$${JUPYTER_CONFIG_PATH:+:$$JUPYTER_CONFIG_PATH}" \
 		$(PY) -m jupyter lab $(if $(filter 0,$(shell id -u)),--allow-root) \
 		$(if $(filter yes,$(SOLUTIONS)),notebooks,exercises)/01_rotations.ipynb
 
-update: environment ## take newer notebooks into exercises/, with your answers
+update: environment ## make newer notebooks in exercises/, with your answers in them
 	@$(PY) -m course_lib.pack.release.exercises --update
 
 # Formats and lints JavaScript: an author's tool, from npm, which no student needs.
@@ -46,28 +46,28 @@ BIOME = $(shell command -v biome || ls node_modules/.bin/biome 2>/dev/null)
 # One pytest run, so that its summary comes last; with ONLY, one process, because few tests take seconds. Matplotlib
 # builds its font list beforehand: it reports on stderr if that takes long, and nbval would compare that too. The cells
 # of a notebook share a kernel, so it stays in one worker (loadfile); conftest.py says which files go first.
-test: environment ## lint, unit tests, and every notebook run against its stored outputs; ONLY=poe_kuka_iiwa for what has that in its name, LAB=all for all notebooks in JupyterLab
+test: environment ## run the linters, the tests, and every notebook against its stored outputs; ONLY=poe_kuka_iiwa runs what has that in its name, LAB=all runs all notebooks in JupyterLab
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	$(PY) -m ruff format --no-cache --check --quiet course_lib tests
 	.venv/bin/lint-imports --no-cache --no-logo
-	$(if $(BIOME),"$(BIOME)" ci course_lib,@echo "JavaScript is not checked, because Biome is not installed: npm install --no-save @biomejs/biome@2.6")
+	$(if $(BIOME),"$(BIOME)" ci course_lib,@echo "JavaScript is not checked, because Biome is not installed. To install it: npm install --no-save @biomejs/biome@2.6")
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
 	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
 		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules $(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)
 
-html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no for students, build/html-students/; SOLUTIONS=model with the answers to the written questions
+html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no leaves the solutions out and writes build/html-students/, SOLUTIONS=model shows there the answers to the written questions
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)")
 
-pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no for students, build/course-students.pdf
+pdf: environment ## write the pages as one PDF, build/course.pdf; SOLUTIONS=no leaves the solutions out and writes build/course-students.pdf
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") \
 		--pdf build/course$(if $(filter no model,$(SOLUTIONS)),-students).pdf
 
-student: environment ## write the release to students, without solutions, build/student.zip; MORE=no without More
+student: environment ## write the release for students, without solutions, build/student.zip; MORE=no leaves More out
 	@$(PY) -m course_lib.pack.release $(if $(MORE),--more "$(MORE)")
 
 # Each setting is an option of the same name in small letters; --help explains them.
-grade: environment ## grade what students handed in: make grade SUBMISSIONS=folder; without it, the settings are listed
+grade: environment ## grade what students handed in: make grade SUBMISSIONS=folder; without a folder it lists the settings
 	@$(PY) -m course_lib.pack.grade $(if $(JOBS),--jobs "$(JOBS)") $(if $(OUTPUT),--output "$(OUTPUT)") \
 		$(if $(SEED),--seed "$(SEED)") $(if $(CLUSTER),--cluster "$(CLUSTER)") $(if $(DEADLINE),--deadline "$(DEADLINE)") $(if $(LATE),--late "$(LATE)") \
 		$(if $(TIMES),--times "$(TIMES)") $(if $(EXTENSIONS),--extensions "$(EXTENSIONS)") \
@@ -75,26 +75,28 @@ grade: environment ## grade what students handed in: make grade SUBMISSIONS=fold
 		$(if $(LMS),--lms "$(LMS)") $(if $(STUDENTS),--students '$(STUDENTS)') $(if $(ROSTER),--roster "$(ROSTER)") $(if $(GRADEBOOK),--gradebook "$(GRADEBOOK)") \
 		$(if $(ISOLATION),--isolation "$(ISOLATION)") -- "$(SUBMISSIONS)"
 
-notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb for one
+notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb runs one
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)
+	@$(PY) -m course_lib.pack.pictures
 
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
 	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
+	@$(PY) -m course_lib.pack.pictures
 
 data: environment ## compute a trajectory of the iiwa with exact velocities, build/data/iiwa_trajectory.csv
 	@$(PY) -m course_lib.pack.data
 
-lock: ## write environment.txt from pyproject.toml; UPGRADE=numpy for a newer numpy, UPGRADE=yes for all packages
+lock: ## write environment.txt from pyproject.toml; UPGRADE=numpy takes a newer numpy, UPGRADE=yes takes newer versions of all packages
 	@sh course_lib/pack/environment.sh lock
 
 # One thread for all, so that what is compared is the work and not how it is spread.
-bench: ## measure the library beside others, in an environment of its own, and write README's table of speed
+bench: ## compare the speed of the library with others, in an environment of its own, and write README's table
 	@sh course_lib/pack/environment.sh bench
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
 		.venv-bench/bin/python -m course_lib.pack.bench
 
-clean: ## delete build/ and caches; .venv, .venv-bench, and in build/grades/ the marks and their seed stay
-	@[ ! -f build/grades/questions.csv ] || echo "build/grades/questions.csv and seed stay: delete them yourself."
+clean: ## delete build/ and caches; .venv, .venv-bench and, in build/grades/, the marks and their seed stay
+	@[ ! -f build/grades/questions.csv ] || echo "build/grades/questions.csv and seed stay. If you do not need the marks any more, delete these two files yourself."
 	[ ! -d build ] || find build -depth ! -path build/grades/questions.csv ! -path build/grades/seed \
 		\( ! -type d -o -empty \) -delete
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,6 +1,6 @@
 """Checks of arguments, which return a usable value or raise a ValueError.
 
-The message names the argument, what it should be and what came.
+The message names the argument, what it should be and what was given.
 """
 
 import os

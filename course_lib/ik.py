@@ -35,7 +35,7 @@ _NEAR = 0.01
 _STANDSTILL = 1e-9
 # Random configurations, of which the one nearest to the target becomes a start.
 _CANDIDATES = 8
-# The same for a descent by itself, which costs more than choosing well.
+# The number of these for a single descent, which costs more than choosing well.
 _CANDIDATES_ALONE = 32
 # Descents for a single target before many are tried at once.
 _ONE_BY_ONE = 4
@@ -136,7 +136,7 @@ class _Search:
     N descents are their joint angles (n, N), targets (N,), steps taken (N,) and squared errors
     before the last (N,). They lie along the last axis, as in course_lib.batching, where a hundred
     cost little more than one. So when few are left, the unsolved targets get several new starts at
-    once. A single target is first tried by itself, because one descent by matrix products is faster
+    once. A single target is first tried alone, because one descent by matrix products is faster
     than one by arrays.
     """
 

@@ -196,6 +196,7 @@ COMMANDS = (
     "site",
     "notebooks",
     "animations",
+    "pictures",
     "bench",
     "data",
 )

@@ -7,30 +7,79 @@ import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
+from unittest import mock
 
 import nbformat
 import numpy as np
-from matplotlib.image import imread
+import pytest
+from PIL import Image, ImageSequence
 
+from course_lib.lessons.rotations import check
+from course_lib.pack import pictures
 from course_lib.pack.site.gather import PAGE, hours_in_words, sittings
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 
 
-def test_its_picture_is_the_still_of_a_figure_in_a_notebook():
-    (picture,) = re.findall(r"!\[[^\]]{40,}\]\((\S+)\)", README)
-    shown, found = imread(ROOT / picture), []
-    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")):
-        outputs = [
-            output for cell in nbformat.read(path, 4).cells for output in cell.get("outputs", [])
-        ]
-        found += [
-            output.data["image/png"] for output in outputs if "image/png" in output.get("data", {})
-        ]
-    stills = [imread(io.BytesIO(base64.b64decode(still))) for still in found]
-    distances = [np.abs(still - shown).mean() for still in stills if still.shape == shown.shape]
-    assert min(distances) < 0.005, "copy the new still of the figure"
+def small(picture):
+    """Return a picture as an array of one size, with numbers from 0 to 1."""
+    return np.asarray(picture.convert("RGB").resize((120, 90)), float) / 255
+
+
+def opened(path):
+    return Image.open(io.BytesIO(path.read_bytes()))
+
+
+def stored_pictures(shape):
+    """Yield the pictures of a shape that the notebooks store, as small arrays."""
+    for path in NOTEBOOKS:
+        for cell in nbformat.read(path, 4).cells:
+            for output in cell.get("outputs", []):
+                if "image/png" in output.get("data", {}):
+                    content = base64.b64decode(output.data["image/png"])
+                    picture = Image.open(io.BytesIO(content))
+                    if picture.width * shape[1] == picture.height * shape[0]:
+                        yield small(picture)
+
+
+def test_its_film_is_a_film_of_a_notebook_and_small():
+    (name,) = re.findall(r"!\[[^\]]{40,}\]\((\S+)\)", README)
+    film = opened(ROOT / name)
+    assert (ROOT / name).stat().st_size < pictures.MAX_FILM_BYTES
+    frames = np.array([small(frame) for frame in ImageSequence.Iterator(film)])
+    assert len(frames) > 20
+    distances = [
+        np.abs(frames - still).mean((1, 2, 3)).min() for still in stored_pictures(film.size)
+    ]
+    assert min(distances) < 0.01, "run make animations, then python -m course_lib.pack.pictures"
+
+
+def test_it_links_every_notebook_with_its_cover():
+    for path in NOTEBOOKS:
+        number = int(path.name[:2])
+        assert f"[{number}]: notebooks/{path.name}" in README
+        assert f"[p{number}]: .github/pictures/{path.stem}.png" in README
+        assert README.count(f"][{number}]") == 2, "the title and the cover"
+        assert README.count(f"][p{number}]") == 1
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_cover_is_that_of_the_notebook_as_it_is_stored(path):
+    shown = ROOT / f".github/pictures/{path.stem}.png"
+    assert shown.stat().st_size < 20_000
+    stored = Image.open(io.BytesIO(pictures.cover(path)))
+    difference = np.abs(small(opened(shown)) - small(stored)).mean()
+    assert difference < 0.005, "run python -m course_lib.pack.pictures"
+
+
+def test_the_answer_of_the_check_is_what_the_check_says():
+    code, answer = re.search(r"```python\n(def .*?)```\n\n```text\n(.*?)```", README, re.S).groups()
+    outputs = []
+    with mock.patch("IPython.display.display", lambda data, **options: outputs.append(data)):
+        exec(code, {"np": np, "check": check})
+    assert outputs[-1]["text/plain"].strip() == answer.strip()
 
 
 def test_it_and_the_changes_say_how_long_a_sitting_takes():

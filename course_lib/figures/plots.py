@@ -221,7 +221,7 @@ def in_columns(titles, width, height, *, xlabel, ylabel):
     fig, axes = plane_figure(width * len(titles), height, len(titles), sharey=True)
     for ax, title in zip(axes, titles, strict=True):
         ax.set(title=title, xlabel=xlabel, ylabel=ylabel)
-        ax.tick_params(labelleft=True)  # on a phone it stands by itself
+        ax.tick_params(labelleft=True)  # on a phone it stands alone
     return fig, axes
 
 

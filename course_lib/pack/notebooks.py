@@ -261,7 +261,7 @@ def tidy(notebook: nbformat.NotebookNode) -> None:
     for number, cell in enumerate(notebook.cells):
         cell.metadata = nbformat.from_dict(keep(cell.metadata, CELL_KEYS))
         if TAG in cell.metadata.get("tags", []):
-            # This folds the section also where an author had opened it.
+            # This folds the section even where an author had opened it.
             cell.metadata["jp-MarkdownHeadingCollapsed"] = True
         cell.setdefault("id", f"cell-{number}")  # a notebook written before ids were
 

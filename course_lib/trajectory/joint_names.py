@@ -35,7 +35,7 @@ def _matches(names, columns):
     matches = {}
     wanted = [tuple(words_of(name)) for name in names]
     for column in columns:
-        # wrist_1 is in wrist_1_joint, and also where a longer name of the list stands.
+        # wrist_1 is in wrist_1_joint, and even where a longer name of the list stands.
         fitting = [(len(name), i) for i, name in enumerate(wanted) if _at(name, column) is not None]
         if not fitting or column.quantity in ("time", "label", "name"):
             continue

@@ -119,7 +119,7 @@ def _numbered(table, columns, q, qd):
                     table,
                     f"{joint} occurs twice: columns {' and '.join(places)} have this title.",
                     columns,
-                    f'Write the numbers of the right ones: columns={{"{name}1": {places[0]},'
+                    f'Write the numbers of the right columns: columns={{"{name}1": {places[0]},'
                     " ...}.",
                 )
     q, qd = (tuple(numbers[i][0] for i in sorted(numbers)) for numbers in (q, qd))

@@ -246,7 +246,7 @@ def _with_unit(table, column, key, unit, chosen):
 
 
 def _refuse_wrong_units(table, columns, kind):
-    """Refuse columns whose unit in the header is none of their quantity."""
+    """Refuse columns whose unit in the header is not one of their quantity."""
     what, kinds = _UNITS_IN_WORDS[kind], _FILE_UNITS[kind]
     known = ", ".join(name for name, (unit_kind, _) in UNITS.items() if unit_kind in kinds)
     for number, column in enumerate(columns, 1):

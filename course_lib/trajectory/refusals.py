@@ -71,7 +71,7 @@ def _meaning(table, column):
     }
     unit = column.unit or ""
     if unit.startswith("?"):
-        return f"{kinds[column.quantity]}, but {unit[1:]} is none of its units"
+        return f"{kinds[column.quantity]}, but {unit[1:]} is not one of its units"
     target = (
         "target of a " if column.commanded and column.quantity in ("position", "velocity") else ""
     )

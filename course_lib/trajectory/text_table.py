@@ -285,7 +285,7 @@ def _header(before, data, lines_before, comments, separator):
         return [f"{title} [{unit}]" if unit else title for title, unit in pairs], data
     if before and len(before[-1]) in (width, common):
         return before[-1], data
-    # Perhaps the header is a comment, or has another separator than the rows.
+    # Perhaps the header is a comment, or its separator differs from that of the rows.
     for line in [*lines_before[::-1], *comments[::-1]]:
         for other in (separator, ",", ";", "\t", " "):
             titles = _split([line], other)

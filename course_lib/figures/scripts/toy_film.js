@@ -1,5 +1,5 @@
 // Films and stills. meta.times are those of the stored positions; between them bodies move along
-// screws in space, and corners along lines in the plane. A film begins by itself, unless the reader
+// screws in space, and corners along lines in the plane. A film begins to play, unless the reader
 // prefers reduced motion, plays while it is in view, and begins again at its end.
 (() => {
   "use strict";

@@ -193,7 +193,7 @@ def fly(start, goal, *, quaternions=False):
 
 
 def table(at):
-    """Return a figure for `alive`: a position to drag, and the 2R arm that is to reach it.
+    """Return a figure for `alive`: a position to drag, and the 2R arm that should reach it.
 
     f(position) answers with the arm's two joint angles. The true arm, with links of 1 m, is drawn
     beside it. For pages, f is asked beforehand at `at` and 0.1 m apart, and there the query goes

@@ -326,7 +326,7 @@ def _step(theta, error, J):
     # A step of step2 in theta2 is one of 2 theta2 step2 in its square.
     square = np.maximum(theta2 * (theta2 + 2 * step2), _MIN_SQUARE)
     moved = np.copysign(np.sqrt(square), theta2)
-    # theta2 has moved by another amount than step2. Theta1 makes up for the difference as far as it
+    # theta2 has not moved by step2 exactly. Theta1 makes up for the difference as far as it
     # can, by least squares of the two columns of the Jacobian.
     slide = (a * b + c * d) / (a * a + c * c)
     return np.stack([theta1 + step1 + slide * (step2 - (moved - theta2)), moved])

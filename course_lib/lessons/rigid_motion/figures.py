@@ -39,7 +39,7 @@ _CAPTIONS = {  # of films
         "While the body rotates its path bends; in the third part it moves sideways, without "
         "rotating."
     ),
-    "arm-interpolated": "Both joints move in proportion, and the tip draws a curve.",
+    "arm-interpolated": "Both joints move in proportion to each other, and the tip draws a curve.",
     "arm-linear": (
         "Left linear in time, right cubic: one path, one duration. Which arm starts abruptly?"
     ),
@@ -487,7 +487,7 @@ def arm_paths(contents):
         ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
         in_words.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
     caption = (
-        "Left, the joints move in proportion and the path is a curve; right, the path is a "
+        "Left, the joints move in proportion to each other, and the path is a curve; right, the path is a "
         "straight line."
     )
     return Picture(draw_arms(titled, 10), " ".join(in_words), caption)

@@ -32,7 +32,7 @@ PREDICTIONS = (
         {
             "a": (
                 "A thousand errors of half a percent do not stay half a percent: each product"
-                " stretches what the one before has stretched."
+                " stretches what the products before it have stretched."
             ),
             "b": (
                 "That adds the errors up, 1 + 1000 * 0.0049. But each factor multiplies the length "

@@ -309,7 +309,7 @@ def _draw_projection(ax, i, u, s, tip, size, colour):
 
 
 def on_sphere(samples):
-    """Return rotations on spheres that can be turned: a dot at R e_x, and a tick towards R e_y.
+    """Return rotations on spheres that the reader can rotate: a dot at R e_x, and a tick towards R e_y.
 
     A rotation is its axis R e_x, a point of the sphere, and a rotation about this axis, which the
     short tick shows. The spheres turn together.
@@ -380,7 +380,7 @@ def on_sphere(samples):
         down = np.mean(R[:, 2, 0] < -0.9)
         in_words.append(f"{title}: {up:.0%} in the cap above 0.9, {down:.0%} below -0.9")
     alt = (
-        "Spheres, which can be turned, with a dot where each rotation takes the x axis and a "
+        "Spheres, which you can rotate, with a dot where each rotation takes the x axis and a "
         f"short tick towards where it takes the y axis. {'; '.join(in_words)}."
     )
     caption = (

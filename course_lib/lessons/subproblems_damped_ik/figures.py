@@ -45,7 +45,7 @@ TRIED_ANGLES = 721  # half a degree apart, on a circle
 
 
 def rotated_onto(k, p, g, theta):
-    """Return subproblem 1: the circle of p about k, and R(k, theta) p beside the goal g.
+    """Return subproblem 1: the circle of p about k, R(k, theta) p, and the goal g.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Students whose code is alike beyond what the tasks force, side by side, for a person to judge.
+"""Students whose code is more similar than the tasks force, side by side, for a person to judge.
 
 What is compared are passages: runs of tokens, wherever they stand, in which all names are equal
 (the fingerprints of Schleimer, Wilkerson and Aiken, "Winnowing", SIGMOD 2003, with a window of

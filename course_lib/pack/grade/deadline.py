@@ -197,7 +197,7 @@ def _times(typed: str) -> dict:
 
 
 def _due(typed: str) -> float | None:
-    """Return a deadline in seconds since 1970, None if it is none.
+    """Return a deadline in seconds since 1970, or None if the text is not a time.
 
     A date alone stands for the end of its day.
     """
@@ -206,8 +206,7 @@ def _due(typed: str) -> float | None:
 
 
 def _time(typed: str) -> float | None:
-    """Return a time in ISO 8601, or as a platform writes it, in seconds since 1970; None if it is
-    none."""
+    """Return a time in ISO 8601, or as a platform writes it, in seconds since 1970, or None."""
     text = " ".join(typed.split())
     try:
         return datetime.fromisoformat(text).timestamp()

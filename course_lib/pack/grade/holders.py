@@ -100,7 +100,7 @@ def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:
 
 
 def read_pattern(typed: str) -> str:
-    """Return the pattern that was typed for STUDENTS=; raises GradingStopped if it is none."""
+    """Return the pattern that was typed for STUDENTS=; raises GradingStopped if it is not one."""
     parts = typed.split("/")
     if typed and (len(parts) > MAX_LEVELS or "" in parts or {".", "..", "**"} & {*parts}):
         raise GradingStopped(

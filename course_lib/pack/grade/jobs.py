@@ -146,7 +146,7 @@ class Begun:
 def _finished(pool, begun: dict, offered):
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
-    A result that is none is named with its worker, and the submission is graded once more, by
+    An invalid result is named with its worker, and the submission is graded once more, by
     another worker if there is one. Those that failed are not kept: the next run tries them again.
     """
     for path, outcome in pool.finished():

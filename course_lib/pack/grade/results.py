@@ -21,7 +21,7 @@ OPTIONAL_TEXTS = ("mistake", "blames", "task", "state")
 
 
 class NotAResult(ValueError):
-    """What came is not the result of a submission; the text says what is wrong with it."""
+    """What was read is not the result of a submission; the text says what is wrong with it."""
 
 
 def points_offered() -> dict[str, dict[str, int]]:
@@ -89,7 +89,7 @@ def _validate_row(row: dict, kind: str) -> None:
     _expect(isinstance(row.get("more", False), bool), f"whether {name} is in More is not said")
     if kind == "question":
         return
-    _expect(row["state"] in STATES, f"the state of {name} is none that there is")
+    _expect(row["state"] in STATES, f"the state of {name} is not a known state")
     _expect(_is_points(row.get("points")), f"the points of {name} are no number")
     within = row["points"] <= row["of"]
     _expect(within, f"{name} has {row['points']:g} points of {row['of']:g}")

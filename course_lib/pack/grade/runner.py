@@ -223,8 +223,8 @@ def in_a_child(asked: dict, answer: Callable, checks: types.ModuleType, pass_on:
 def read_reply(from_child: int, to_child: int, max_bytes: int, pass_on: Callable):
     """Read lines from the child: calls, which begin with ?, then its reply.
 
-    Return the reply and why it was cut. Only the reply is bounded by max_bytes, and each call by
-    itself: a test may call its candidates some thousand times.
+    Return the reply and why it was cut. Only the reply is bounded by max_bytes, and each call
+    separately: a test may call its candidates some thousand times.
     """
     buffer = b""
     while True:

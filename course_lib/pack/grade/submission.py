@@ -92,7 +92,7 @@ class Outcome:
     whole : bool
         Whether the whole notebook was run.
     called : tuple of str
-        The names of the functions that it called and in whose place right ones answered.
+        The names of the functions that it called and that were replaced by right functions.
     instead : tuple of str
         The same, if the verdict that counts was formed so.
     remark : str
@@ -334,7 +334,7 @@ def _is_taken_away(exercise: Exercise) -> bool:
     return any(name.startswith("course_lib.") for name in exercise.forbidden)
 
 
-# ---- with right functions in place of wrong ones ----
+# ---- with right functions in place of wrong functions ----
 
 
 def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
@@ -700,7 +700,7 @@ class Student:
 
     @property
     def called(self) -> tuple[str, ...]:
-        """The names of the functions in whose place right ones answered."""
+        """The names of the functions that were replaced by right functions."""
         return tuple(self._right_ones.called)
 
     def reply(self, questions: str, consult: Callable | None = None) -> str:
@@ -761,7 +761,7 @@ class EachApart(Student):
     """Asks a student's test about each candidate in a sandbox of its own, in which that candidate
     alone answers.
 
-    So nothing can compare candidates. Their order is another one than when all were asked together.
+    So nothing can compare candidates. Their order differs from the order in which all were asked together.
 
     Parameters
     ----------

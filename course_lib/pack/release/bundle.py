@@ -174,7 +174,7 @@ def write_zip(path: Path, files: dict[str, bytes], date: tuple[int, ...]) -> Non
     with zipfile.ZipFile(content, "w") as archive:
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=date)
-            # 3 is Unix, also when this runs on Windows; then the upper half is the permissions.
+            # 3 is Unix, even when this runs on Windows; then the upper half is the permissions.
             entry.create_system = 3
             entry.external_attr = 0o100644 << 16
             archive.writestr(entry, files[name])

@@ -11,8 +11,8 @@ from course_lib.pack.site.prepare import OPENING
 
 ZIP = "robot-kinematics.zip"  # beside the pages
 LINK = '<a href="{name}" download>Download the course</a> ({size:.1f} MB, without solutions)'
-RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder;
-without make, follow its README. Then open <code>notebooks/{name}</code>.</p>"""
+RUN = """<p><strong>Run it.</strong> {link}, unpack it and type <code>make lab</code> in its folder.
+Without make, follow the README in this folder. Then open <code>notebooks/{name}</code>.</p>"""
 
 
 def students_zip(root: Path, path: Path) -> Path | None:

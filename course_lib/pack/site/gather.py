@@ -32,8 +32,8 @@ NUMBERS = [
 ]
 
 CORE = (
-    "The core of all takes about {:g} hours, in two sittings a notebook; folded sections, More, "
-    "are optional."
+    "The core of all notebooks takes about {:g} hours, in two sittings for each notebook. The "
+    "folded sections named More are optional."
 )
 
 PAGE = """---
@@ -47,9 +47,9 @@ myst:
 # Robot kinematics
 
 For students of engineering or computer science who know matrices and a little Python, and for
-those who teach them. Read a little, predict, move a robot, write a few lines of code: every answer
-is checked at once. Each notebook reproduces the numbers of a published homework report, and proves
-its errors by computation.{time}
+those who teach them. In six notebooks you read a little, predict what will happen, move a robot,
+and write a few lines of code. Every answer is checked at once. Each notebook also reproduces the
+numbers of a published homework report, and shows where the report is wrong.{time}
 
 {toy}
 
@@ -82,21 +82,22 @@ its errors by computation.{time}
 
 ## Run it yourself
 
-{zip}With Python 3.11 to 3.14, in the course's folder,
+{zip}You need Python 3.11 to 3.14. In the course's folder, this command opens the notebooks in
+JupyterLab:
 
 ```
 make lab
 ```
 
-opens the notebooks in JupyterLab; the first time it installs everything that they need. Without
-make, in the same folder, on macOS and Linux:
+When you run it for the first time, it installs everything that the notebooks need. Without make,
+run these commands in the same folder on macOS and Linux:
 
 ```
 python3 -m venv .venv
 .venv/bin/pip install -r environment.txt -e . && .venv/bin/jupyter lab notebooks
 ```
 
-and on Windows:
+On Windows, run these:
 
 ```
 py -m venv .venv
@@ -105,21 +106,26 @@ py -m venv .venv
 
 ## Teach with it
 
-In the project's folder, `make student` writes the notebooks without solutions, `make grade` grades
-what is handed in, isolated from your machine, with feedback for each student,
-`make html SOLUTIONS=no` writes these pages for your class, and `make pdf` writes all of them as one
-file. The guide is `course_lib/pack/README.md`.
+Run these commands in the project's folder:
+
+- `make student` writes the notebooks without solutions, as a zip for your students.
+- `make grade` grades what they hand in, and writes feedback for each student. Their code runs
+  isolated from your files.
+- `make html SOLUTIONS=no` writes these pages for your class, without solutions.
+- `make pdf` writes all pages as one file.
+
+The guide for instructors, `course_lib/pack/README.md`, explains them.
 
 {more}
 
 ## Licence, citation
 
-No licence is granted yet: ask the owner. Cite as *Robot kinematics in six notebooks*, version
-{version}, with the date on which you read it.
+No licence is granted yet. If you want to use the course, ask its owner. Cite it as *Robot
+kinematics in six notebooks*, version {version}, with the date on which you read it.
 """
 ABOUT = (
-    "Six notebooks from rotations to inverse kinematics: move robots, write code, have each answer "
-    "checked at once."
+    "Six notebooks lead from rotations to inverse kinematics. You move robots and write code, and "
+    "each answer is checked at once."
 )
 
 # What a student may write, for the home page, and the notebook whose check judges it.
@@ -181,7 +187,7 @@ def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
     ]
     pages = {page.name for page in others}
     if "reports.md" in pages:
-        steps.append("[Each report, and its numbers beside ours](reports.md)")
+        steps.append("[Each report, and its numbers next to ours](reports.md)")
     if "errata.ipynb" in pages:
         steps.append("[Errors in the published reports](errata.ipynb)")
     return PAGE.format(

@@ -21,22 +21,22 @@ PAGES = {
     "errata": (
         """# Errata
 
-Errors in the published reports, and remarks on them, from the notebooks' appendices. A title links
-to its notebook, which has the functions and exercises that are named here. *Above* and *this
-notebook* refer to it.""",
+This page puts the errors in the published reports together, and remarks on the reports, from the
+appendices of the notebooks. Each title links to its notebook, which has the functions and exercises
+that are named here. The words *above* and *this notebook* refer to that notebook.""",
         {
             "### Errors in it": """## Errors
 
-What a report prints, the computed evidence against it, and what is right.""",
+Each entry quotes what a report prints, gives the evidence against it, and says what is right.""",
             "### Remarks": """## Remarks
 
-Choices that we would make differently. They are not errors.""",
+The remarks are about choices that we would make differently. These choices are not errors.""",
         },
     ),
     "sources": (
         """# Sources
 
-The books, articles and reports that each notebook uses.""",
+This page lists the books, articles and reports that each notebook uses.""",
         {"## Sources": ""},
     ),
 }

@@ -20,7 +20,7 @@ globalThis.course.arm = (() => {
       const error = M.poseError(M.frames(arm, q).at(-1), target);
       return M.add(q, M.dampedStep(J, error, DAMPING));
     }
-    /** The null vector along the one before; at first, the one whose first entry has the sign. */
+    /** The null vector along the previous one; at first, the one whose first entry has the sign. */
     function direction(q, before, sign) {
       const v = M.nullVector(M.geometricJacobian(arm, q));
       if (!v) return null;

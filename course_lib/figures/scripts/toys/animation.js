@@ -1,4 +1,4 @@
-// What moves by itself in a card, one motion at a time.
+// What moves without being dragged in a card, one motion at a time.
 (() => {
   "use strict";
   const P = globalThis.course.parts;

@@ -33,7 +33,7 @@
   const HINT_TIME = 7000; // milliseconds
   let isHinted = false; // on this page
 
-  /** Write once on a page, in a picture, how a picture is turned by a device. */
+  /** Write once on a page, in a picture, how one rotates a picture with a device. */
   function showHint(box, device) {
     if (isHinted) return;
     isHinted = true;
@@ -44,7 +44,7 @@
   /**
    * @param {object} view the stage
    * @param {{azimuth: number, elevation: number, zoom: number}} camera is changed
-   * @param {{azimuth: number, elevation: number, zoom: number}} start to which it can be turned
+   * @param {{azimuth: number, elevation: number, zoom: number}} start to which it can be rotated
    *   back
    * @param {(pixel: number[]) => object | null} take the body at a pixel that can be dragged
    */

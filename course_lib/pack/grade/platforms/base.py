@@ -159,7 +159,7 @@ class Platform:
         return typed
 
     def read_time(self, typed: str) -> float | None:
-        """Return a time of the platform's table in seconds since 1970, None if it is none."""
+        """Return a time of the platform's table in seconds since 1970, or None if it is not one."""
         return None
 
     # ---- the gradebook ----

@@ -217,7 +217,7 @@ class Update:
 def carry_folder(
     older: Path, newer: Path, shown: str = "", only: Sequence[str] | None = None
 ) -> Update:
-    """Carry all notebooks of one folder over into another, each by itself, and the student's files.
+    """Carry all notebooks of one folder over into another, one at a time, and the student's files.
 
     shown: how messages name the older folder, if that will have another name when they are read.
     only: the names of the new notebooks to carry over; all, and the other files, if None. The older

@@ -13,7 +13,7 @@
 })();
 
 // Open what a link or a search leads into, sections and answers alike; not every browser does that
-// by itself.
+// unasked.
 (() => {
   "use strict";
   /** Open all that an element is folded into, and itself. */
