@@ -255,8 +255,8 @@ def of_notebook(path: Path) -> str:
 
 READERS = {".ipynb": of_notebook, ".py": lambda path: of_python(path.read_text("utf-8"))}
 READERS[".js"] = lambda path: of_javascript(path.read_text("utf-8"))
-PLAIN = (".md", ".yml", ".sh", "Makefile")
-PLACES = ("*.md", "Makefile", ".github/**/*", "notebooks/*.md", "notebooks/*.ipynb")
+PLACES = ("*.md", "Makefile", ".github/**/*.md", ".github/**/*.yml", "notebooks/*.md")
+PLACES += ("notebooks/*.ipynb",)
 PLACES += tuple(f"course_lib/**/*{ending}" for ending in (".py", ".js", ".sh", ".md", "Makefile"))
 FILES = sorted({path for place in PLACES for path in ROOT.glob(place) if path.is_file()})
 

@@ -21,7 +21,7 @@ def joint_label(table, columns):
 
 
 def pivoted(table, columns, label):
-    """Return a table with a row for each time, from one with a row for each time and joint."""
+    """Return a table with a row for each time, from a table with a row for each time and joint."""
     clock = time_of(table, columns)
     if len(clock) != 1:
         raise unclear(
