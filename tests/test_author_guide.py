@@ -136,6 +136,7 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
                 EXERCISE, OTHER
             )
     notebook = new_notebook(cells=book)
+    notebook.metadata.course = {"sittings": [2]}
     notebook.metadata.kernelspec = {
         "name": "python3",
         "display_name": "Python 3",

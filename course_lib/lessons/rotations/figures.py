@@ -309,7 +309,7 @@ def _draw_projection(ax, i, u, s, tip, size, colour):
 
 
 def on_sphere(samples):
-    """Return rotations on spheres that the reader can rotate: a dot at R e_x, and a tick towards R e_y.
+    """Return rotations on spheres to be rotated: a dot at R e_x, and a tick towards R e_y.
 
     A rotation is its axis R e_x, a point of the sphere, and a rotation about this axis, which the
     short tick shows. The spheres turn together.

@@ -164,7 +164,7 @@ def _submissions(chosen: argparse.Namespace) -> list[Submission]:
 
 
 def _folder(chosen: argparse.Namespace) -> Path:
-    """Return the folder of submissions; stop if there is no such folder, or if the output folder is in it."""
+    """Return the folder of submissions; stop if there is none, or if the output folder is in it."""
     folder, output = Path(chosen.submissions), chosen.output.resolve()
     if folder.is_file():
         raise GradingStopped(f"{folder} is a file: name the folder that contains it.")

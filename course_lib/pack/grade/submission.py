@@ -761,7 +761,8 @@ class EachApart(Student):
     """Asks a student's test about each candidate in a sandbox of its own, in which that candidate
     alone answers.
 
-    So nothing can compare candidates. Their order differs from the order in which all were asked together.
+    So nothing can compare candidates. Their order differs from the one in which all were asked
+    together.
 
     Parameters
     ----------
