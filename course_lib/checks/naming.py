@@ -265,7 +265,9 @@ class Naming:
             return False
         if not mistake.answers:
             return True
-        if any(self._is_right(mistake.answers[0], i) for i in wrong):
+        # Where the answer is nearly right, so is whatever explains it.
+        clearly_wrong = [i for i in wrong if not self.looks_right(i)]
+        if any(self._is_right(mistake.answers[0], i) for i in clearly_wrong):
             # a list of solutions in reverse order, for example: this is not what is wrong
             return False
         changed = [

@@ -1,0 +1,110 @@
+"""The project holds what its guides promise: folders, packages, workflows and sections."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import nbformat
+import pytest
+import yaml
+from helpers import unavailable
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+PLAN = (ROOT / "course_lib/pack/semester.md").read_text(encoding="utf-8")
+TOP_LEVEL = {"Makefile", "README.md", "course_lib", "environment.txt", "notebooks", "tests"}
+TOP_LEVEL |= {"pyproject.toml"}  # from which environment.txt is written
+# Where each package of the table is used; the pattern stands in one of the files.
+USED_IN = {
+    "numpy": ("course_lib/*.py", r"^import numpy"),
+    "SymPy": ("notebooks/*.ipynb", r"\"import sympy"),
+    "matplotlib": ("course_lib/figures/plots.py", r"^(import|from) matplotlib"),
+    "plotly": ("course_lib/figures/charts.py", r"(import|from) plotly"),
+    "kaleido": ("course_lib/pack/draw_charts.py", r"(import|from) kaleido"),
+    "JupyterLab": ("Makefile", r"-m jupyter lab"),
+    "nbval": ("Makefile", r"--nbval"),
+    "scikit-learn": ("notebooks/06_*.ipynb", r"from sklearn"),
+}
+
+
+def workflow(name):
+    return yaml.safe_load((ROOT / f".github/workflows/{name}.yml").read_text(encoding="utf-8"))
+
+
+def commands(job):
+    return [step["run"] for step in job["steps"] if "run" in step]
+
+
+@pytest.mark.tools("git")
+def test_the_top_level_holds_seven_names_and_hidden_settings():
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True)
+    if listed.returncode:
+        unavailable("this is not a git repository")
+    names = {line.split("/")[0] for line in listed.stdout.splitlines()}
+    assert {name for name in names if not name.startswith(".")} == TOP_LEVEL
+
+
+def test_the_folders_that_the_readme_lists_are_there():
+    table = README.partition("| folder |")[2].partition("\n\n")[0]
+    folders = re.findall(r"^\| `([\w/]+/)(?:\*\.py)?`", table, re.MULTILINE)
+    assert len(folders) == 7
+    assert all((ROOT / folder).is_dir() for folder in folders)
+
+
+def test_the_packages_that_the_readme_lists_are_locked():
+    table = README.partition("| package |")[2].partition("\n\n")[0]
+    packages = re.findall(r"^\| \[([\w-]+)\]", table, re.MULTILINE)
+    lock = (ROOT / "environment.txt").read_text(encoding="utf-8").lower()
+    assert set(packages) == USED_IN.keys()
+    assert all(re.search(rf"^{package.lower()}==", lock, re.MULTILINE) for package in packages)
+
+
+@pytest.mark.parametrize("package", USED_IN)
+def test_a_package_is_used_where_the_readme_says(package):
+    pattern, words = USED_IN[package]
+    files = [path.read_text(encoding="utf-8") for path in ROOT.glob(pattern)]
+    assert any(re.search(words, text, re.MULTILINE) for text in files)
+
+
+def test_the_workflow_for_forks_runs_the_notebooks_on_each_push():
+    settings = workflow("notebooks")
+    assert settings[True].keys() == {"push", "workflow_dispatch"}  # YAML reads `on` as True
+    runs = commands(settings["jobs"]["notebooks"])
+    assert any(run.startswith(".venv/bin/pytest --nbval ") for run in runs)
+    assert {"make html", "make html SOLUTIONS=no"} <= set(runs)
+    kept = [step["with"]["path"] for step in settings["jobs"]["notebooks"]["steps"][-2:]]
+    assert kept == ["build/html", "build/html-students"]
+
+
+def test_the_workflow_publishes_the_pages_without_solutions_where_pages_are_switched_on():
+    pages = workflow("notebooks")["jobs"]["pages"]
+    assert "github.event.repository.has_pages" in pages["if"]
+    assert pages["steps"][0]["with"]["name"] == "site-for-students"
+
+
+def test_the_workflow_for_changes_tests_every_version_of_python():
+    settings = workflow("test")
+    assert settings[True].keys() == {"pull_request", "workflow_dispatch"}
+    matrix = settings["jobs"]["test"]["strategy"]["matrix"]
+    assert matrix["python"] == ["3.11", "3.12", "3.13", "3.14"]
+    assert {line["versions"] for line in matrix["include"]} == {"lowest-direct", "highest"}
+
+
+def sections(number):
+    (path,) = (ROOT / "notebooks").glob(f"0{number}_*.ipynb")
+    words = [cell.source for cell in nbformat.read(path, 4).cells if cell.cell_type == "markdown"]
+    return re.findall(r"^## (.*)$", "\n".join(words), re.MULTILINE)
+
+
+def test_the_plan_of_a_semester_names_sections_of_the_notebooks():
+    weeks = re.findall(r"^\| \d+ \| (\d), \w+ \|.*\| \*([^*]+)\*", PLAN, re.MULTILINE)
+    assert len(weeks) == 12
+    for number, title in weeks:
+        assert any(section.startswith(title) for section in sections(number)), title
+    assert "Where is the mug?" in sections(5)
+
+
+def test_the_plan_keeps_functions_that_later_notebooks_use():
+    kept = re.search(r"^Keep (.*?), because", PLAN, re.MULTILINE)[1]
+    exercises = {path.stem for path in ROOT.glob("course_lib/lessons/*/exercises/*.py")}
+    assert set(re.findall(r"`(\w+)`", kept)) <= exercises
