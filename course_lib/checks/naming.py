@@ -267,7 +267,7 @@ class Naming:
             return True
         # Where the answer is nearly right, so is whatever explains it.
         clearly_wrong = [i for i in wrong if not self.looks_right(i)]
-        if any(self._is_right(mistake.answers[0], i) for i in clearly_wrong):
+        if not clearly_wrong or any(self._is_right(mistake.answers[0], i) for i in clearly_wrong):
             # a list of solutions in reverse order, for example: this is not what is wrong
             return False
         changed = [
