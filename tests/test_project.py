@@ -2,12 +2,15 @@
 
 import re
 import subprocess
+import sys
 from pathlib import Path
 
 import nbformat
 import pytest
 import yaml
 from helpers import unavailable
+from nbformat.v4 import new_code_cell, new_output
+from site_notebooks import write
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -108,3 +111,21 @@ def test_the_plan_keeps_functions_that_later_notebooks_use():
     kept = re.search(r"^Keep (.*?), because", PLAN, re.MULTILINE)[1]
     exercises = {path.stem for path in ROOT.glob("course_lib/lessons/*/exercises/*.py")}
     assert set(re.findall(r"`(\w+)`", kept)) <= exercises
+
+
+@pytest.mark.parametrize(("stored", "failed"), [("42\n", 0), ("43\n", 1)])
+def test_nbval_compares_each_output_with_the_stored_one(tmp_path, stored, failed):
+    cell = new_code_cell("print(6 * 7)", execution_count=1)
+    cell.outputs = [new_output("stream", name="stdout", text=stored)]
+    write(tmp_path, "01_small.ipynb", cell)
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "--nbval",
+        "--assert=plain",
+        "-p",
+        "no:cacheprovider",
+    ]
+    done = subprocess.run([*command, tmp_path], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == failed, done.stdout
