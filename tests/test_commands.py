@@ -102,6 +102,14 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
     (course / path).unlink()
 
 
+def test_the_pictures_of_the_readme_are_written_once(course):
+    command = (".venv/bin/python", "-m", "course_lib.pack.pictures")
+    shutil.rmtree(course / ".github", ignore_errors=True)
+    assert ".github/pictures/01_rotations.png written" in run(course, *command).stdout
+    assert run(course, *command).stdout == ""
+    assert (course / ".github/pictures/01_rotations.png").read_bytes().startswith(b"\x89PNG")
+
+
 @pytest.mark.tools("browser")
 def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
     path, whole = "notebooks/01_small.ipynb", course / "notebooks/01_rotations.ipynb"
