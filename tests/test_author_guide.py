@@ -142,7 +142,6 @@ def test_a_new_notebook_passes_the_commands_of_the_guide(course):
         "display_name": "Python 3",
         "language": "python",
     }
-    notebook.metadata.course = {"sittings": [2]}
     nbformat.write(notebook, course / f"notebooks/07_{NOTEBOOK}.ipynb")
     count_as_set_up(course)
     made(course, "notebooks", f"NOTEBOOKS=notebooks/07_{NOTEBOOK}.ipynb")
