@@ -145,7 +145,8 @@
   // ---- in the plane ----
 
   /**
-   * meta.shapes holds the corners of each thing that moves at each time; meta.still lines and dots.
+   * meta.shapes holds the corners of each thing that moves at each time, meta.colours a colour for
+   * each, or nothing; meta.still holds lines and dots.
    */
   function filmInThePlane(card, meta) {
     const { times, half, centre, proportion, closed, title } = meta;
@@ -157,18 +158,19 @@
       if (points.length > 1) plane.line(points, colour, 2, { dash });
       else plane.dot(points[0], colour, 6);
     }
-    function drawMoving(corners) {
+    function drawMoving(corners, number) {
+      const colour = meta.colours?.[number] ?? COLOURS.crimson;
       const [i, share] = placeOf(times, state.at);
       const now = corners[i].map((p, k) => {
         if (!share) return p;
         return M.add(p, M.subtract(corners[i + 1][k], p), share);
       });
       if (closed) {
-        plane.line(now, COLOURS.crimson, 2.5, { closed, fill: 0.25 });
+        plane.line(now, colour, 2.5, { closed, fill: 0.25 });
         return;
       }
-      plane.line(now, COLOURS.crimson, 7);
-      for (const joint of now) plane.dot(joint, COLOURS.crimson, 5.5, { hollow: true });
+      plane.line(now, colour, 7);
+      for (const joint of now) plane.dot(joint, colour, 5.5, { hollow: true });
     }
     return () => {
       plane.begin();

@@ -129,6 +129,7 @@ def flat_film(
     centre=(0, 0),
     proportion=1.0,
     closed=False,
+    colours=(),
 ):
     """Return a film in the plane, around a centre, with `half` metres to both sides.
 
@@ -153,6 +154,8 @@ def flat_film(
         Height over width.
     closed : bool, optional
         Whether the last corner is joined to the first.
+    colours : sequence of str, optional
+        One for each thing that moves; all are crimson by default.
 
     Returns
     -------
@@ -172,6 +175,8 @@ def flat_film(
         "closed": closed,
         "movie": name,
     }
+    if colours:
+        meta["colours"] = list(colours)
     return Toy("film", meta, alt, caption=caption)
 
 

@@ -82,6 +82,44 @@ PREDICTIONS = (
             ),
         },
     ),
+    Prediction(
+        "short_path",
+        "c",
+        {
+            "a": (
+                "How far does the body get in the 2 s in which it accelerates to 2 m/s? The path "
+                "has to hold the braking as well."
+            ),
+            "b": (
+                "Accelerating to 2 m/s takes 2 s and covers 2 m, which is the whole path. Where "
+                "would the body brake?"
+            ),
+            "c": (
+                "After one metre, half of the path, the body has to brake. With 1 m/s² it has "
+                "reached only the root of 2 m/s there."
+            ),
+        },
+        more=True,
+    ),
+    Prediction(
+        "corner",
+        "c",
+        {
+            "a": (
+                "The blend does take twice as long. But during this time the body moves, and "
+                "twice as fast. What does the formula say?"
+            ),
+            "b": (
+                "The change of the velocity is twice as large. With which power does it occur in "
+                "the formula?"
+            ),
+            "c": (
+                "The change of the velocity is twice as large, and the blend takes twice as long: "
+                "together, four times the distance."
+            ),
+        },
+        more=True,
+    ),
 )
 MORE = ("cubic_time_scaling", "log_se2", "two_link_angles")
 STOP = ("interpolate_body_screw", "Following a plan")

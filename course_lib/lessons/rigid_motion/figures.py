@@ -27,13 +27,14 @@ from course_lib.figures.words import interval
 from course_lib.planar import pose_matrix
 
 HALF = 10  # metres from the middle of the scene to its edge
+GHOST = "#6b7177"  # the grey of lines in toys, which has another shade on a dark page
 RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
 _CAPTIONS = {  # of films
     "body-interpolated": (
-        "The body is slow at both ends, and rotates in proportion to the distance that it has "
-        "moved."
+        "The red body follows the cubic time scaling, and is slow at both ends; the grey one "
+        "follows the linear time scaling. When is which one ahead?"
     ),
     "body-propagated": (
         "While the body rotates its path bends; in the third part it moves sideways, without "
@@ -170,7 +171,7 @@ def wheels(left, right, track):
 # ---- a body ----
 
 
-def body_movie(name, poses, times):
+def body_movie(name, poses, times, ghost=None):
     """Return a film of the body, outlined in red, moving along its dashed blue path.
 
     Parameters
@@ -180,6 +181,8 @@ def body_movie(name, poses, times):
     poses : ndarray, shape (n, 3)
     times : array_like, shape (n,)
         Of the poses, in seconds.
+    ghost : ndarray, shape (n, 3), optional
+        Poses of a second body at these times, which is outlined in grey behind the first.
 
     Returns
     -------
@@ -192,11 +195,14 @@ def body_movie(name, poses, times):
         f"{_rotation(poses[:, 2])}."
     )
     still = [(track, BLUE, (7, 5)), (track[:1], BLUE, ()), (track[-1:], BLUE, ())]
-    outlines = [outline(pose) for pose in poses]
-    caption = _CAPTIONS.get(name, "")
-    return flat_film(
-        [outlines], times, alt, caption, name=name, still=still, half=HALF, closed=True
-    )
+    bodies = [[outline(pose) for pose in poses]]
+    look = {"still": still, "half": HALF, "closed": True}
+    if ghost is not None:
+        bodies.insert(0, [outline(pose) for pose in ghost])
+        look["colours"] = [GHOST, CRIMSON]
+        apart = np.linalg.norm(track - ghost[:, :2], axis=1).max()
+        alt += f" A second body, outlined in grey, is up to {apart:.2f} m away from the first."
+    return flat_film(bodies, times, alt, _CAPTIONS.get(name, ""), name=name, **look)
 
 
 def longer_arc(wrapped, unwrapped):
@@ -419,6 +425,91 @@ def _add_impulses(fig, first_velocity, last_velocity, largest, colour):
             arrowcolor=colour,
         )
     fig.update_layout({f"yaxis{y_axis[1:]}": {"range": [-1.15 * height, 1.15 * height]}})
+
+
+def speed_profiles(profiles):
+    """Return motions along straight paths: distance, speed and acceleration over time.
+
+    Parameters
+    ----------
+    profiles : dict
+        Name to (times, distances, speeds, accelerations), each of shape (n,), in s, m, m/s, m/s².
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        ["", "", ""],
+        xlabel="time (s)",
+        ylabel=["distance (m)", "speed (m/s)", "acceleration (m/s²)"],
+        columns=1,
+        share="x",
+        height=620,
+    )
+    in_words = []
+    for name, (times, *curves) in profiles.items():
+        for panel, curve in enumerate(curves):
+            charts.add_line(fig, times, curve, name, panel=panel)
+        distance, speed, acceleration = curves
+        in_words.append(
+            f"{name}: {distance[-1]:.3g} m in {times[-1]:.2f} s, speed up to {speed.max():.2f} "
+            f"m/s, acceleration up to {acceleration.max():.2f} m/s²."
+        )
+    alt = f"Motions from rest to rest over time. {' '.join(in_words)}"
+    caption = (
+        "No motion passes a limit. At each instant a trapezoidal profile uses one limit fully; "
+        "the cubic touches its limit only at its ends."
+    )
+    return Picture(fig, alt, caption)
+
+
+def past_via_points(points, motions):
+    """Return paths that pass by via points with blends, and their speeds.
+
+    Parameters
+    ----------
+    points : ndarray, shape (m, 2)
+        The via points, in metres.
+    motions : dict
+        Name to (times, path), shapes (n,) and (n, 2), in s and m.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        ["path", "speed"],
+        xlabel=["x (m)", "time (s)"],
+        ylabel=["y (m)", "speed (m/s)"],
+        columns=2,
+        height=330,
+    )
+    fig.layout.xaxis.constrain = "domain"  # one metre is as long along y as along x
+    fig.layout.yaxis.update(scaleanchor="x", constrain="domain")
+    charts.add_line(fig, *points.T, "via points", colour=GREY, dash="dot", markers=True)
+    in_words = []
+    for dash, (name, (times, path)) in zip(charts.DASHES, motions.items(), strict=False):
+        charts.add_line(fig, *path.T, name, dash=dash, details={"time (s)": times})
+        velocity = np.gradient(path, times, axis=0)
+        speed = np.linalg.norm(velocity, axis=1)
+        charts.add_line(fig, times, speed, name, dash=dash, panel=1)
+        nearest = [np.linalg.norm(path - p, axis=1).min() for p in np.unique(points, axis=0)]
+        in_words.append(
+            f"{name}: takes {times[-1]:.2f} s and passes the farthest corner at "
+            f"{max(nearest):.3f} m."
+        )
+    fig.update_traces(line={"simplify": False})  # else plotly draws the blends as polygons
+    count = len(np.unique(points, axis=0))
+    alt = (
+        f"Paths along straight lines between {count} points with blends, and the speed over "
+        f"time. {' '.join(in_words)}"
+    )
+    caption = (
+        "Zoom in on a corner: the faster body passes it farther away. In a blend around a right "
+        "angle the speed falls to 71 %, because the velocity changes along a straight line."
+    )
+    return Picture(fig, alt, caption)
 
 
 # ---- arms ----
