@@ -1,5 +1,5 @@
-"""The page on the reports: what it says they print they print, and ours is what the notebooks have
-computed."""
+"""The page on the reports: numbers, errors and figures, theirs as printed, ours as the notebooks
+hold them."""
 
 import json
 import re
@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from course_lib import arms, rigid, rotations
+from course_lib.pack.site import heading_anchor
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 PAGE = (NOTEBOOKS / "reports.md").read_text(encoding="utf-8")
@@ -20,26 +21,46 @@ PARTS = dict(
     zip(sorted(path.name for path in NOTEBOOKS.glob("0*.ipynb")), PUBLISHED, strict=False)
 )  # the first six
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
+LINK = re.compile(r"\[[^\]]+\]\(([\w.]+)#((?:[^()]|\([^()]*\))+)\)")
 
 
-def rows(notebook):
-    """The rows of the table below the link to a notebook: what is printed, and ours."""
+def table(notebook, first_column):
+    """The rows of one of the tables in the part of a notebook, by the name of its first column."""
     (part,) = [part for part in PAGE.split("\n## ") if f"]({notebook}#Reproduce)" in part]
-    lines = [
-        [cell.strip() for cell in line.strip("|").split("|")]
-        for line in re.findall(r"^\|.*", part, re.MULTILINE)
-    ]
-    return lines[2:]
+    tables = [text for text in part.split("\n\n") if text.startswith(f"| {first_column} |")]
+    lines = [line for text in tables for line in text.splitlines()[2:]]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+
+
+def cells_of(notebook):
+    return nbformat.read(NOTEBOOKS / notebook, 4).cells
 
 
 def stored(notebook):
     """The numbers in what a notebook printed, as printed."""
-    cells = nbformat.read(NOTEBOOKS / notebook, 4).cells
-    return set(
-        re.findall(
-            NUMBER, " ".join(o.get("text", "") for cell in cells for o in cell.get("outputs", []))
-        )
-    )
+    outputs = [output for cell in cells_of(notebook) for output in cell.get("outputs", [])]
+    return set(re.findall(NUMBER, " ".join(output.get("text", "") for output in outputs)))
+
+
+def sections(notebook):
+    """The text and the outputs below each heading of a notebook, by the heading's anchor."""
+    texts, levels = {}, []
+    for cell in cells_of(notebook):
+        pieces = [cell.source]
+        if cell.cell_type == "markdown":
+            pieces = re.split(r"^(?=#{2,4} )", cell.source, flags=re.MULTILINE)
+        for output in cell.get("outputs", []):
+            pieces.append(output.get("text", ""))
+            data = output.get("data", {})
+            pieces += [data.get(kind, "") for kind in ("text/markdown", "text/plain")]
+        for number, piece in enumerate(pieces):
+            heading = re.match(r"(#{2,4}) (.*)", piece)
+            if cell.cell_type == "markdown" and heading and number < len(pieces):
+                level, anchor = len(heading[1]), heading_anchor(heading[2])
+                levels = [kept for kept in levels if kept[0] < level] + [(level, anchor)]
+            for _, anchor in levels:
+                texts[anchor] = texts.get(anchor, "") + "\n" + piece
+    return texts
 
 
 def printed(value):
@@ -62,11 +83,20 @@ def printed(value):
         yield from (value, 100 * value)
 
 
+def digits_that_agree(theirs, ours):
+    """How many significant digits of a printed number agree, and how many it has."""
+    significant = len(re.sub(r"e.*|\.", "", theirs).lstrip("-0"))
+    first = np.floor(np.log10(abs(float(theirs))))
+    off = abs(float(theirs) - float(ours))
+    agree = sum(off <= 0.5 * 10.0 ** (first - n) for n in range(significant))
+    return f"{agree} of {significant}"
+
+
 @pytest.mark.parametrize("notebook", PARTS)
 def test_each_number_is_the_reports_or_ours(notebook):
-    table, numbers = rows(notebook), list(printed(PARTS[notebook]))
-    assert table
-    for what, theirs, ours in table:
+    rows, numbers = table(notebook, "quantity"), list(printed(PARTS[notebook]))
+    assert rows
+    for what, theirs, ours, _ in rows:
         if theirs != "none":
             shown = float(theirs)
             digits = len(theirs.partition("e")[0].partition(".")[2])
@@ -74,6 +104,55 @@ def test_each_number_is_the_reports_or_ours(notebook):
             assert min(abs(shown - number) for number in numbers) <= near, what
         for number in re.findall(NUMBER, ours):
             assert number in stored(notebook), what
+
+
+@pytest.mark.parametrize("notebook", PARTS)
+def test_the_digits_that_agree_are_counted_right(notebook):
+    for what, theirs, ours, agreement in table(notebook, "quantity"):
+        if agreement == "in the range":
+            low, high = map(float, re.findall(NUMBER, ours))
+            assert low < float(theirs) < high, what
+        elif agreement not in ("–", "misprint"):
+            assert agreement == digits_that_agree(theirs, ours), what
+        else:
+            assert theirs == "none" or float(theirs) != ours, what
+
+
+@pytest.mark.parametrize("notebook", PARTS)
+def test_every_error_is_listed_with_a_line_that_the_notebook_quotes(notebook):
+    words = "\n".join(cell.source for cell in cells_of(notebook) if cell.cell_type == "markdown")
+    titles = re.findall(r"^#### (\d+) · (.*)$", words, re.MULTILINE)
+    rows = table(notebook, "error")
+    listed = [re.match(r"\[(\d+)\]\(\S+\) (.*)", title).groups() for title, _ in rows]
+    assert listed == titles
+    for title, line in rows:
+        quoted = re.findall(r'^"(.*)"|^`(.*)`|^(\$.*\$)', line)
+        assert quoted, f"{title}: quote the line"
+        (quotation,) = [text for text in quoted[0] if text]
+        assert quotation in words, title
+
+
+@pytest.mark.parametrize("notebook", PARTS)
+def test_every_figure_has_ours_in_the_section_that_its_link_names(notebook):
+    rows, texts = table(notebook, "figure"), sections(notebook)
+    assert rows
+    for figure, what, ours in rows:
+        name, anchor = LINK.match(ours).groups()
+        assert name == notebook, figure
+        assert anchor in texts, f"{figure}, {what}: no section {anchor}"
+        (words,) = re.findall(r"\): \*(.+)\*$", ours)
+        assert words in texts[anchor], f"{figure}, {what}: {words!r} is not in {anchor}"
+
+
+def test_the_numbered_figures_of_two_reports_are_all_listed():
+    for notebook, count in (("03_subproblems_damped_ik.ipynb", 12), ("04_poe_kuka_iiwa.ipynb", 16)):
+        numbers = [int(n) for row in table(notebook, "figure") for n in row[0].split(", ")]
+        assert numbers == list(range(1, count + 1)), notebook
+
+
+def test_each_link_leads_to_a_section():
+    for name, anchor in LINK.findall(PAGE):
+        assert anchor in sections(name), f"{name} has no section {anchor}"
 
 
 def test_the_two_bases_of_the_public_cases_follow_from_the_data():

@@ -128,6 +128,25 @@ PREDICTIONS = (
         },
         more=True,
     ),
+    Prediction(
+        "other_frame",
+        "b",
+        {
+            "a": (
+                "A distance should have this property. Do roll, pitch and yaw of R R1 depend on R "
+                "in a simple way?"
+            ),
+            "b": (
+                "The rotation from one to the other, R1^T R2, stays the same, and so do its angle "
+                "and its quaternion. Roll, pitch and yaw change by different amounts."
+            ),
+            "c": (
+                "The quaternion distance is 1 - cos(a/2), a function of the angle. If the angle "
+                "stays, so does this distance."
+            ),
+        },
+        more=True,
+    ),
 )
 
 STOP = ("gyroscope", "Back again: the logarithm")

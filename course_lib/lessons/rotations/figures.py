@@ -449,6 +449,53 @@ def angles(samples):
     return Picture(fig, alt, "The dashed curve is $f(a)$, the density of uniform rotations.")
 
 
+def distances(d_a, d_E, d_q):
+    """Return two distances of pairs of rotations over the angle between them.
+
+    Parameters
+    ----------
+    d_a : ndarray, shape (n,)
+        The angle of each pair, in radians.
+    d_E : ndarray, shape (n,)
+        The difference of the Euler angles, in radians.
+    d_q : ndarray, shape (n,)
+        One minus the absolute inner product of the quaternions.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        ["Euler angles", "quaternions"],
+        xlabel="angle (degrees)",
+        ylabel=["d<sub>E</sub> (rad)", "d<sub>q</sub>"],
+        columns=2,
+    )
+    degrees = np.rad2deg(d_a)
+    curve = np.linspace(0, np.pi, 91)
+    pairs = "a pair of rotations"
+    charts.add_points(fig, degrees, d_E, pairs, size=4, opacity=0.6)
+    charts.add_points(fig, degrees, d_q, pairs, panel=1, size=4, opacity=0.6)
+    as_functions = {
+        "d<sub>a</sub>": (0, curve),
+        "1 − cos(d<sub>a</sub>/2)": (1, 1 - np.cos(curve / 2)),
+    }
+    for name, (panel, values) in as_functions.items():
+        charts.add_line(fig, np.rad2deg(curve), values, name, panel=panel)
+    right_angles = np.abs(degrees - 90) < 10
+    alt = (
+        f"Two distances of {len(d_a)} pairs of rotations over the angle between them. The "
+        f"difference of the Euler angles spreads: near 90 degrees it is between "
+        f"{d_E[right_angles].min():.1f} and {d_E[right_angles].max():.1f} rad. The quaternion "
+        "distance lies on one curve, from 0 to 1."
+    )
+    caption = (
+        "Left, pairs with the same angle have very different $d_E$, and hardly any lies on the "
+        "line $d_E = d_a$. Right, all pairs lie on one curve."
+    )
+    return Picture(fig, alt, caption)
+
+
 def _size_of_errors(errors):
     """How large errors are, in words that rounding does not change."""
     for bound in ("1e-4", "1e-8", "1e-12"):

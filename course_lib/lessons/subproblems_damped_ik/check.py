@@ -102,6 +102,25 @@ PREDICTIONS = (
         },
         more=True,
     ),
+    Prediction(
+        "within_limits",
+        "b",
+        {
+            "a": (
+                "One is certain, the one that was drawn. But its wrist has a second configuration, "
+                "and the elbow another one. Are all of these beyond a limit?"
+            ),
+            "b": (
+                "About half of the eight are lost: the arm cannot reach over its shoulder far "
+                "enough, or the elbow cannot bend that far."
+            ),
+            "c": (
+                "Joint 1 reaches nearly all directions, but joint 3 bends up to 110 degrees to one "
+                "side and 70 degrees to the other. What becomes of the second elbow?"
+            ),
+        },
+        more=True,
+    ),
 )
 
 MORE = ("subproblem4", "subproblem3", "euler_yxy", "rate_matrix")

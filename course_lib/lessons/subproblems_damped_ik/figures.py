@@ -329,6 +329,43 @@ def arm_by_hand():
     return Picture(fig, alt, caption)
 
 
+def choices(times, counts):
+    """Return how long a motion to each candidate takes, and how many candidates poses have.
+
+    Parameters
+    ----------
+    times : ndarray, shape (n,)
+        Of the motions to the candidates of one pose, in seconds, the shortest first.
+    counts : sequence of int
+        How many of the eight configurations are within the limits, for each of some poses.
+
+    Returns
+    -------
+    Picture
+    """
+    fig = charts.panels(
+        ["one pose", f"{len(counts)} poses"],
+        xlabel=["candidate", "configurations within limits"],
+        ylabel=["time of the motion (s)", "number of poses"],
+        columns=2,
+    )
+    charts.add_bars(fig, np.arange(len(times) + 1) + 0.5, times, "time")
+    tally = np.bincount(counts, minlength=9)
+    charts.add_bars(fig, np.arange(10) - 0.5, tally, "poses", panel=1)
+    fig.update_layout(xaxis={"dtick": 1}, xaxis2={"dtick": 1}, showlegend=False)
+    commonest = int(tally.argmax())
+    alt = (
+        f"Bars of the times to {len(times)} candidates, from {times[0]:.2f} to {times[-1]:.2f} s. "
+        f"Bars that count poses by their configurations within the limits: most often "
+        f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
+    )
+    caption = (
+        "Left, the candidates of the example, the fastest first. Right, how many of the eight "
+        "configurations of a pose are within the limits."
+    )
+    return Picture(fig, alt, caption)
+
+
 def joint_motion(motions):
     """Return the joint motion that a step commands over the bend of the last joint.
 
