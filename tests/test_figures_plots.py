@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 
 from course_lib import rotations
 from course_lib.arms import planar_arm
-from course_lib.figures.style import BLUE
+from course_lib.figures.style import BLUE, CRIMSON
 from course_lib.lessons.decomposition_ik import figures as nb6
 from course_lib.lessons.panda_dh_ik import figures as nb5
 from course_lib.lessons.poe_kuka_iiwa import figures as nb4
@@ -204,3 +204,12 @@ def test_the_body_stands_at_each_pose_with_its_nose_ahead():
         nose = np.array(corners)[np.argmax((corners - np.array([x, y])) @ ahead)]
         assert_allclose(nose, [x, y] + 1.4 * ahead, atol=ROUNDED)
         assert_allclose(nb2.outline([x, y, theta]), corners, atol=1e-9)
+
+
+def test_a_second_body_stands_behind_the_first_in_grey():
+    film = nb2.body_movie("body", POSES, TIMES, POSES[::-1]).meta
+    assert film["colours"] == [nb2.GHOST, CRIMSON]
+    for behind, pose in zip(film["shapes"][0], POSES[::-1], strict=True):
+        assert_allclose(behind, nb2.outline(pose), atol=ROUNDED)
+    for before, pose in zip(film["shapes"][1], POSES, strict=True):
+        assert_allclose(before, nb2.outline(pose), atol=ROUNDED)

@@ -3,6 +3,7 @@ hold them."""
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import nbformat
@@ -32,16 +33,19 @@ def table(notebook, first_column):
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
 
 
+@cache
 def cells_of(notebook):
     return nbformat.read(NOTEBOOKS / notebook, 4).cells
 
 
+@cache
 def stored(notebook):
     """The numbers in what a notebook printed, as printed."""
     outputs = [output for cell in cells_of(notebook) for output in cell.get("outputs", [])]
     return set(re.findall(NUMBER, " ".join(output.get("text", "") for output in outputs)))
 
 
+@cache
 def sections(notebook):
     """The text and the outputs below each heading of a notebook, by the heading's anchor."""
     texts, levels = {}, []

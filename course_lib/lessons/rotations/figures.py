@@ -482,16 +482,16 @@ def distances(d_a, d_E, d_q):
     }
     for name, (panel, values) in as_functions.items():
         charts.add_line(fig, np.rad2deg(curve), values, name, panel=panel)
-    right_angles = np.abs(degrees - 90) < 10
+    apart = d_a > 0
+    ratios = d_E[apart] / d_a[apart]
     alt = (
         f"Two distances of {len(d_a)} pairs of rotations over the angle between them. The "
-        f"difference of the Euler angles spreads: near 90 degrees it is between "
-        f"{d_E[right_angles].min():.1f} and {d_E[right_angles].max():.1f} rad. The quaternion "
-        "distance lies on one curve, from 0 to 1."
+        f"difference of the Euler angles is {ratios.min():.1f} to {ratios.max():.1f} times the "
+        "angle. The quaternion distance lies on one curve, from 0 to 1."
     )
     caption = (
-        "Left, pairs with the same angle have very different $d_E$, and hardly any lies on the "
-        "line $d_E = d_a$. Right, all pairs lie on one curve."
+        "Left, pairs with the same angle have very different $d_E$, some of them more than twice "
+        "the angle. Right, all pairs lie on one curve."
     )
     return Picture(fig, alt, caption)
 
