@@ -349,14 +349,16 @@ def choices(times, counts):
         ylabel=["time of the motion (s)", "number of poses"],
         columns=2,
     )
-    charts.add_bars(fig, np.arange(len(times) + 1) + 0.5, times, "time")
+    charts.add_points(fig, np.arange(len(times)) + 1, times, "time", size=10)
     tally = np.bincount(counts, minlength=9)
-    charts.add_bars(fig, np.arange(10) - 0.5, tally, "poses", panel=1)
-    fig.update_layout(xaxis={"dtick": 1}, xaxis2={"dtick": 1}, showlegend=False)
+    charts.add_points(fig, np.arange(9), tally, "poses", panel=1, size=10, symbol="diamond")
+    fig.update_xaxes(dtick=1)
+    fig.update_yaxes(rangemode="tozero")
+    fig.update_layout(showlegend=False)
     commonest = int(tally.argmax())
     alt = (
-        f"Bars of the times to {len(times)} candidates, from {times[0]:.2f} to {times[-1]:.2f} s. "
-        f"Bars that count poses by their configurations within the limits: most often "
+        f"The times to {len(times)} candidates are {times[0]:.2f} to {times[-1]:.2f} s. Beside "
+        f"them, dots count poses by their configurations within the limits: most often "
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
