@@ -352,6 +352,7 @@ def choices(times, counts):
     charts.add_points(fig, np.arange(len(times)) + 1, times, "time", size=10)
     tally = np.bincount(counts, minlength=9)
     charts.add_points(fig, np.arange(9), tally, "poses", panel=1, size=10, symbol="diamond")
+    fig.update_traces(cliponaxis=False)  # dots at zero are whole
     fig.update_xaxes(dtick=1)
     fig.update_yaxes(rangemode="tozero")
     fig.update_layout(showlegend=False)
