@@ -30,6 +30,16 @@ TITLE, PROMISE = (
     "You draw them uniformly, $R^\\top R = I$. 40 minutes.",
 )
 PAGES = {"01.html", "02_rotations.html", "03_rigid_motion.html", "index.html", "search.html"}
+# What an answer computes, and the score of what is given: they are no verdicts.
+PRINTED = """as you sent it: [0. 0. 0.] m/s
+your table misses by 0.04 cm
+the rows that you read off agree: True
+targets out of reach: 1 of 400
+"""
+CHOICES = (
+    '<div class="course-predict" role="status">No choice yet.'
+    "<details><summary>a</summary>In vain.</details></div>"
+)
 ANSWERS = {
     "Solution": "gooseberry",
     "Model answer": "stay orthogonal",
@@ -53,6 +63,11 @@ def notebooks(tmp_path_factory):
         cell(output({"text/html": "<p>A result</p>"}), source="turn()"),
         cell(
             new_output("stream", text="raisins: 3\nyour score: 94 of 100\n"), source="score(turn)"
+        ),
+        cell(
+            new_output("stream", text=PRINTED),
+            output({"text/html": CHOICES}),
+            source="check.turn.use(turn)",
         ),
         cell(source="import numpy as np\n\nraisins = 3"),
         cell(
@@ -165,6 +180,32 @@ def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site
         if words in text
     ]
     assert "orthogon" not in (site[False] / "searchindex.js").read_text(encoding="utf-8")
+
+
+def test_left_out_no_printed_line_goes_for_a_word_in_it(site):
+    text = (site[False] / "01.html").read_text(encoding="utf-8")
+    assert [line for line in PRINTED.splitlines() if line not in text] == []
+
+
+def test_left_out_the_score_of_given_code_stays(tmp_path):
+    given = new_output("stream", text="your score: 21 of 100\n")
+    write(
+        tmp_path / "notebooks",
+        "01.ipynb",
+        new_markdown_cell("# Answers"),
+        cell(source=SOLUTION, nbgrader=NBGRADER),
+        cell(given, source="def mine():\n    return 1\n\n\nscore(mine)"),
+    )
+    build(tmp_path / "notebooks", tmp_path / "html", solutions=False)
+    assert "your score: 21 of 100" in (tmp_path / "html" / "01.html").read_text(encoding="utf-8")
+
+
+def test_left_out_the_replies_to_a_prediction_can_be_opened(site, browser):
+    with Visit(browser, site[False] / "01.html") as visit:
+        choice = visit.page.locator(".course-predict details", has_text="In vain.")
+        assert not choice.evaluate("choice => choice.open")
+        choice.locator("summary").press("Enter")
+        assert choice.evaluate("choice => choice.open")
 
 
 def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks, tmp_path):

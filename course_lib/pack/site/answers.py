@@ -6,12 +6,24 @@ Imports and lines that only draw are folded too.
 import ast
 import re
 
+from nbformat import NotebookNode
+from nbformat.v4 import new_output
+
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
 from course_lib.pack.site import COVER, HOME, SiteError
 
-# A printed line that addresses the person who wrote the answers.
-OWN = re.compile(r"^.*\b(?:you|yours?)\b.*\n?", re.MULTILINE | re.IGNORECASE)
+# A printed line that says how many points, or how many cases, an answer got. What an answer
+# computes is no verdict, whomever the line addresses: numbers and truth values stay.
+PRINTED_VERDICT = re.compile(
+    r"^.*\b(?:score|right)\b[:,]? *\(?\d+ of \d+.*\n?", re.MULTILINE | re.IGNORECASE
+)
+# The class of the box that lists the choices of a prediction, each with its reply.
+PREDICTION = "course-predict"
+
+PROGRESS = "check.progress()"  # the summary at the end of a sitting
+IN_JUPYTERLAB = """<p class="in-jupyterlab">In JupyterLab this cell lists your points, and the
+exercise with which to go on. A page runs no code.</p>"""
 
 # Written as MyST-NB writes a folded code cell, so that both look the same.
 FOLDED = """<div class="cell docutils container"><details class="admonition hide above-input">
@@ -90,25 +102,52 @@ def _only_draws(statement) -> bool:
     )
 
 
-def leave_out(cell, place: str) -> None:
+def leave_out(cell: NotebookNode, place: str, answers: set[str]) -> None:
     """Leave out what students do not find in their notebooks.
 
-    That is the answer, and the check's verdict on it. Other outputs stay as they are stored, except
-    printed lines that address the author of the answers. Raises SiteError if an answer cannot be
-    separated from the rest.
+    That is the answer, and a verdict on it: the box of a check, and the printed score of a cell
+    that uses one of the `answers`, which are the names that the answer cells define. All other
+    outputs stay as they are stored, the choices of predictions among them. Raises SiteError if an
+    answer cannot be separated from the rest.
     """
     try:
         take_answer(cell, place)
     except ReleaseError as error:
         raise SiteError(str(error)) from error
-    if cell.cell_type == "code":
-        if _is_answer(cell):
-            cell.outputs = []
-        cell.outputs = [output for output in cell.outputs if not _is_verdict(output)]
+    if cell.cell_type != "code":
+        return
+    if _is_answer(cell):
+        cell.outputs = []
+    if cell.source.strip() == PROGRESS:
+        cell.outputs = [new_output("display_data", data={"text/html": IN_JUPYTERLAB})]
+    cell.outputs = [output for output in cell.outputs if not _is_verdict(output)]
+    if names_in(cell.source, ast.Load) & answers:
         for output in cell.outputs:
             if output.output_type == "stream":
-                output.text = OWN.sub("", output.text)
-        cell.outputs = [output for output in cell.outputs if output.get("text") != ""]
+                output.text = PRINTED_VERDICT.sub("", output.text)
+    cell.outputs = [output for output in cell.outputs if output.get("text") != ""]
+
+
+def defined_answers(book: NotebookNode) -> set[str]:
+    """Return the names of the functions and variables that a notebook's answer cells define."""
+    cells = [cell for cell in book.cells if cell.cell_type == "code" and _is_answer(cell)]
+    return set().union(*(names_in(cell.source, ast.Store) for cell in cells))
+
+
+def names_in(source: str, use: type[ast.expr_context]) -> set[str]:
+    """Return the names that code reads (`ast.Load`) or defines at its top level (`ast.Store`)."""
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:  # one of IPython's magics, such as %matplotlib
+        return set()
+    if use is ast.Store:
+        functions = {part.name for part in tree.body if isinstance(part, ast.FunctionDef)}
+        assignments = [part for part in tree.body if isinstance(part, ast.Assign)]
+        parts = [part for assignment in assignments for part in ast.walk(assignment)]
+    else:
+        functions, parts = set(), ast.walk(tree)
+    names = [part for part in parts if isinstance(part, ast.Name)]
+    return functions | {name.id for name in names if isinstance(name.ctx, use)}
 
 
 def is_written(cell) -> bool:
@@ -123,6 +162,9 @@ def _is_answer(cell) -> bool:
 def _is_verdict(output) -> bool:
     """Return whether an output is a check's box.
 
-    It says right or wrong, or lists what is done.
+    It says right or wrong, or lists what is done. The box of a prediction that nobody has made says
+    nothing of an answer.
     """
-    return 'role="status"' in output.get("data", {}).get("text/html", "")
+    page = output.get("data", {}).get("text/html", "")
+    is_open_question = PREDICTION in page and "<details" in page
+    return 'role="status"' in page and not is_open_question

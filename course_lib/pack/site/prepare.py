@@ -19,9 +19,21 @@ from course_lib.figures.stills import TOY
 from course_lib.figures.stored_chart import PLOTLY, size
 from course_lib.pack.more import TAG, heading_level
 from course_lib.pack.site import SiteError
-from course_lib.pack.site.answers import fold, fold_what_serves, is_written, leave_out
+from course_lib.pack.site.answers import (
+    defined_answers,
+    fold,
+    fold_what_serves,
+    is_written,
+    leave_out,
+)
 
 OPENING = 4  # cells, with the first figure among them
+# The words of a prediction's box before its choices, and what a page says instead: it runs no code.
+OPEN_QUESTION = re.compile(r'(<div class="course-predict"[^>]*>)[^<]*(?=<details)')
+HOW_TO_CHOOSE = (
+    r"\1Choose before you read on. Then open your choice: it holds the reply. "
+    "(In JupyterLab you write your choice into the cell.)"
+)
 # MyST keeps no tags of text; conf.py folds the sections of this class
 MORE = "```{rst-class} more\n```\n\n"
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
@@ -44,13 +56,17 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
     if code_cells and not any(cell.outputs for cell in code_cells):
         raise SiteError(f"{notebook.name} holds no outputs. Run it and save it first.")
 
+    answers = defined_answers(book)
     for number, cell in enumerate(book.cells, 1):
         place = f"{notebook.name}, cell {number}"
         if cell.cell_type == "code" and cell.source.strip() and cell.execution_count is None:
             raise SiteError(
                 f"{place} was changed, and not run since. Run the notebook and save it."
             )
-        fold(cell) if solutions or (model and is_written(cell)) else leave_out(cell, place)
+        if solutions or (model and is_written(cell)):
+            fold(cell)
+        else:
+            leave_out(cell, place, answers)
         if TAG in cell.metadata.get("tags", []) and heading_level(cell):
             cell.source = MORE + cell.source
         if cell.cell_type == "code":
@@ -81,7 +97,8 @@ def show(output, place: str, folder: Path) -> None:
         shown = picture(output, image, "picture", alternative(output, place), folder)
         output.data = {"text/html": _captioned(shown, output)}
     elif "text/html" in output.data:
-        output.data["text/html"] = mark_dollars(output.data["text/html"])
+        page = mark_dollars(output.data["text/html"])
+        output.data["text/html"] = OPEN_QUESTION.sub(HOW_TO_CHOOSE, page)
 
 
 def _move_captions(cell) -> None:
