@@ -1,0 +1,71 @@
+"""The pages as one PDF: the order of its chapters, its contents and its bookmarks."""
+
+import re
+import subprocess
+
+import pytest
+from bs4 import BeautifulSoup
+from nbformat.v4 import new_markdown_cell
+from site_notebooks import write
+from sphinx_builds import build
+
+from course_lib.pack.site import pdf
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pdf") / "notebooks"
+    write(folder, "01_rotations.ipynb", new_markdown_cell("# Rotations\n\nSee [it](notation.md)."))
+    write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion"))
+    (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
+    build(folder, folder.parent / "html")
+    return folder.parent / "html"
+
+
+def test_notation_stands_before_the_notebooks_and_the_other_pages_after_them(site):
+    book = BeautifulSoup(pdf._book(site, {}), "html.parser")
+    chapters = [chapter["id"] for chapter in book.select(".chapter")]
+    assert chapters == ["notation", "01_rotations", "02_rigid_motion", "semester"]
+    assert len(book.select(".book-contents li")) == 4
+
+
+# As Chromium writes them: pages in their order, whatever the numbers of the objects, and anchors.
+PRINTED = b"""2 0 obj\n<</Type /Page\n/Resources <<>>>>\nendobj
+41 0 obj\n<</Type /Page\n/Parent 5 0 R>>\nendobj\n5 0 obj\n<</Type /Pages\n/Count 3>>\nendobj
+7 0 obj\n<</Type /Page\n/Parent 5 0 R>>\nendobj
+8 0 obj\n<</notation [41 0 R /XYZ 0 8 0]\n/01_rotations-x [7 0 R /XYZ 0 8 0]>>\nendobj
+9 0 obj\n<</Title (Go \\(on\\)Go \\(on\\))\n/Dest [7 0 R /XYZ 0 8 0]>>
+10 0 obj\n<</Title <FEFF0031002000B70031002000B7>\n/Dest [7 0 R /XYZ 0 8 0]>>
+11 0 obj\n<</Title (Once)\n/Dest [7 0 R /XYZ 0 8 0]>>
+"""
+
+
+def test_an_anchor_is_on_the_page_that_comes_so_many_pages_after_the_first():
+    assert pdf.first_pages(PRINTED) == {"notation": 2, "01_rotations-x": 3}
+
+
+def test_a_pdf_written_in_another_way_has_no_page_numbers():
+    assert pdf.first_pages(b"%PDF-1.7 compressed") == {}
+
+
+def test_no_bookmark_says_its_name_twice():
+    named = pdf.name_bookmarks_once(PRINTED)
+    assert rb"(Go \(on\))" in named
+    assert b"<FEFF0031002000B7>" in named
+    assert b"(Once)" in named
+    assert len(named) == len(PRINTED), "the places of the objects stay"
+
+
+@pytest.mark.tools("pdftotext")
+def test_the_contents_give_the_page_on_which_each_chapter_begins(site, tmp_path, browser):
+    pdf.write_pdf(site, tmp_path / "course.pdf")
+    printed = subprocess.run(
+        ["pdftotext", "-layout", tmp_path / "course.pdf", "-"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    pages = printed.stdout.split("\f")
+    for title in ("Notation", "Rotations", "Rigid motion"):
+        (number,) = re.findall(rf"^ *{title} +(\d+)$", pages[0], re.MULTILINE)
+        assert pages[int(number) - 1].lstrip().startswith(title)
