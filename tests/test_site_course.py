@@ -6,11 +6,14 @@ Each page is opened once, on a phone in the dark, and later made as wide as a de
 import re
 from itertools import pairwise
 from pathlib import Path
-from urllib.parse import unquote
+from urllib.parse import quote_plus, unquote
 
 import pytest
+from bs4 import BeautifulSoup
 from playwright.sync_api import expect
 from site_visits import OPEN, SETTLED, SHIFT, Visit, assert_readable, violations
+
+from course_lib.pack.site.sources import ADDRESSES
 
 FIRST, *OTHERS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 NOTEBOOKS = [
@@ -19,7 +22,7 @@ NOTEBOOKS = [
 ]  # the second one first: pytest then tests the keyboard on it while it is open
 PAGES = {notebook.stem: notebook for notebook in NOTEBOOKS}
 PAGES |= dict.fromkeys(
-    ("index", "errata", "sources", "notation", "search", "reports", "places", "changes")
+    ("index", "errata", "sources", "notation", "search", "reports", "places", "changes", "semester")
 )
 PLAIN = ("index", "errata", "sources", "notation")
 PHONE, DESKTOP = 390, 1400
@@ -158,6 +161,49 @@ def parsed(course, browser):
         }
 
 
+def test_every_column_of_a_table_has_a_name(course):
+    count = 0
+    for file in course.glob("*.html"):
+        for head in BeautifulSoup(file.read_text("utf-8"), "html.parser").select("thead th"):
+            # Above the names of rows pandas leaves a corner empty.
+            if not head.find_parent(class_="dataframe"):
+                assert head.get_text(strip=True), f"{file.name}: {head.parent}"
+                count += 1
+    assert count > 50
+
+
+def test_the_page_after_the_last_notebook_is_the_next_one(course):
+    page = BeautifulSoup((course / f"{OTHERS[-1].stem}.html").read_text("utf-8"), "html.parser")
+    assert page.select_one(".prev-next-area .right-next")["href"] == "reports.html"
+
+
+def test_sections_and_notebooks_that_a_text_names_are_links(course):
+    for notebook in (FIRST, *OTHERS):
+        page = BeautifulSoup((course / f"{notebook.stem}.html").read_text("utf-8"), "html.parser")
+        named = [link for link in page.select("article a") if link.em and "#" in link["href"]]
+        assert len(named) >= 5, notebook.stem
+    semester = BeautifulSoup((course / "semester.html").read_text("utf-8"), "html.parser")
+    assert len(semester.select("td a:has(em)")) >= 10
+
+
+def test_each_known_source_is_a_link(course):
+    page = BeautifulSoup((course / "sources.html").read_text("utf-8"), "html.parser")
+    links = {link.get_text(): link["href"] for link in page.select("article li a[href^=https]")}
+    missing = [words for words, address in ADDRESSES.items() if links.get(words) != address]
+    assert missing == [], "a source that no notebook names in these words any more"
+
+
+def test_every_figure_and_every_equation_has_a_number_of_its_own(course):
+    for number, notebook in enumerate((FIRST, *OTHERS), 1):
+        page = BeautifulSoup((course / f"{notebook.stem}.html").read_text("utf-8"), "html.parser")
+        captions = [part.get_text() for part in page.select("figure[id] .figure-number")]
+        assert captions == [f"Figure {number}.{k}." for k in range(1, len(captions) + 1)]
+        assert len(captions) == len(page.select("figcaption")) > 10
+        equations = [part.get_text() for part in page.select(".equation[id] .equation-number")]
+        assert equations == [f"({number}.{k})" for k in range(1, len(equations) + 1)]
+        assert len(equations) > 4
+
+
 def test_every_link_leads_somewhere(course, parsed):
     count = 0
     for name, page in parsed.items():
@@ -174,18 +220,58 @@ def test_every_link_leads_somewhere(course, parsed):
 
 
 @pytest.mark.parametrize(
-    ("word", "page"), [("adjoint", "Product of exponentials"), ("quaternion", "Rotations")]
+    ("words", "page"),
+    [
+        ("adjoint", "Product of exponentials"),
+        ("quaternion", "Rotations"),
+        ("SO(3)", "Rotations"),
+        ("θ", "Subproblems"),
+        ("0.1222", "decomposition"),
+        ("1.301", "Product of exponentials"),
+        ("50,000", "decomposition"),
+        ("50000", "decomposition"),
+        ("rotation matrices", "Rotations"),
+    ],
 )
-def test_search_finds(course, browser, word, page):
-    with Visit(browser, course / "search.html", query=f"?q={word}") as visit:
-        first = visit.page.locator("#search-results .search a").first
+def test_the_search_leads_to_the_marked_words(course, browser, words, page):
+    with Visit(browser, course / "search.html", query=f"?q={quote_plus(words)}") as visit:
+        assert visit.page.title() == "Search — Robot kinematics"
+        first = visit.page.locator("#search-results a").first
         expect(first).to_contain_text(page)
+        expect(visit.page.locator("#search-results li mark").first).to_be_visible()
         with visit.at_width(320):
             assert visit.page.evaluate("document.documentElement.scrollWidth") <= 320
+        assert violations(visit) == []
         first.click()
-        expect(visit.page.locator("article .highlighted").first).to_be_in_viewport()
+        expect(visit.page.locator("article .highlighted").first).to_be_visible()
+        visit.page.wait_for_function(MARK_IN_VIEW)
         assert page in visit.page.title()
         assert visit.complaints == []
+
+
+# Of the words that are marked, some are in the window.
+MARK_IN_VIEW = """() => [...document.querySelectorAll("article .highlighted")].some((mark) => {
+  const { top, bottom, height } = mark.getBoundingClientRect();
+  return height > 0 && top >= 0 && bottom <= innerHeight;
+})"""
+
+
+def found_pages(visit, words):
+    """The pages of the sections that the search lists."""
+    visit.page.goto(f"{visit.page.url.split('?')[0]}?q={quote_plus(words)}")
+    links = visit.page.locator("#search-results a").all()
+    return {
+        Path(unquote(link.get_attribute("href")).split("?")[0].split("#")[0]).stem for link in links
+    }
+
+
+def test_the_search_lists_only_pages_that_hold_the_word(course, browser):
+    with Visit(browser, course / "search.html") as visit:
+        for word in ("manipulability", "quaternion", "adjoint"):
+            pages = found_pages(visit, word)
+            assert pages, word
+            for page in pages:
+                assert word in (course / f"{page}.html").read_text("utf-8").lower(), page
 
 
 def test_pages_are_light(course, parsed):

@@ -46,10 +46,11 @@ def said(part):
 
 def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(article):
     home, hours = article("index"), []
-    assert len(home.select(".first-steps a")) == 4
+    assert len(home.select(".first-steps a")) == 5
+    assert home.select(".first-steps a[href='notation.html#what-you-need']")
     for notebook in NOTEBOOKS:
         title = re.match("# (.*)", first_cell(notebook))[1]
-        (link,) = home.select(f"h2 a[href='{notebook.stem}.html']")
+        (link,) = home.select(f"h3 a[href='{notebook.stem}.html']")
         assert link.get_text() == title
         card = said(link.find_parent(class_="card"))
         question = words(card.replace(title, "")).split(" About ")[0]

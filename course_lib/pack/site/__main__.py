@@ -38,6 +38,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "model answers to the written questions",
     )
     parser.add_argument(
+        "--repository",
+        default="",
+        metavar="ADDRESS",
+        help="the address of the public repository on GitHub that holds these notebooks: pages "
+        "then have a button that opens them on Binder",
+    )
+    parser.add_argument(
         "--pdf", type=Path, metavar="FILE", help="also write the pages as one PDF, to this file"
     )
     chosen = parser.parse_args(arguments)
@@ -48,7 +55,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             check_browser()
         solutions = chosen.solutions == "yes"
         output = chosen.output or Path("build", "html" if solutions else "html-students")
-        build(chosen.notebooks, output, solutions=solutions, model=chosen.solutions == "model")
+        build(
+            chosen.notebooks,
+            output,
+            solutions=solutions,
+            model=chosen.solutions == "model",
+            repository=chosen.repository.removesuffix("/"),
+        )
         if chosen.pdf:
             write_pdf(output, chosen.pdf)
             print(f"Wrote {chosen.pdf}, {chosen.pdf.stat().st_size / 1e6:.1f} MB.")

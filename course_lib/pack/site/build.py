@@ -15,24 +15,40 @@ import nbformat
 from nbformat import NotebookNode
 
 from course_lib.figures.toys.toy import script, script_names
-from course_lib.pack.release.bundle import PAGES
+from course_lib.pack.release.bundle import PAGES, release_date
 from course_lib.pack.site import SiteError, gather, icons, sections
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
 from course_lib.pack.site.prepare import prepare
+from course_lib.pack.site.search import write_index
 
 HERE = Path(__file__).parent
+UNKNOWN = 2000  # the year that release_date gives to files whose date nothing says
+REPOSITORY = re.compile(r"https://github\.com/[\w.-]+/[\w.-]+")
 
 
-def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = False) -> None:
+def build(
+    notebooks: Path,
+    output: Path,
+    solutions: bool = True,
+    model: bool = False,
+    repository: str = "",
+) -> None:
     """Write the numbered notebooks of one folder, as they were saved, to `output` as a static site.
 
     No cell is executed and no notebook is changed.
 
     `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left
-    out; with `model` those to written questions are folded. Raises SiteError if a notebook cannot
-    be published; `output` then stays as it was.
+    out; with `model` those to written questions are folded. `repository` is the address of a public
+    repository on GitHub that holds these notebooks; each page then has a button that opens its
+    notebook on Binder. Raises SiteError if a notebook cannot be published, or the address is no
+    such one; `output` then stays as it was.
     """
+    if repository and not REPOSITORY.fullmatch(repository):
+        raise SiteError(
+            f"REPOSITORY={repository} is no address of a repository on GitHub, such as "
+            "https://github.com/owner/name."
+        )
     sources = sorted(notebooks.glob("[0-9][0-9]*.ipynb"))
     if not sources:
         raise SiteError(f"There are no notebooks in {notebooks}.")
@@ -48,11 +64,12 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
     with tempfile.TemporaryDirectory(dir=output.parent, prefix="site-") as work:
         pages, site = Path(work, "pages"), Path(work, "html")
         release = students_zip(notebooks.parent, Path(work, ZIP))
-        _gather(sources, pages, solutions, model, release)
+        _gather(sources, pages, solutions, model, release, repository)
         _copy_own_files(pages / "_static")
         print(f"Making pages of {len(sources)} notebooks with Sphinx")
-        _run_sphinx(pages, site, Path(work, "doctrees"))
+        _run_sphinx(pages, site, Path(work, "doctrees"), repository)
         finish(site)
+        write_index(site)
         if release:
             release.rename(site / ZIP)
         if output.exists():
@@ -66,7 +83,12 @@ def build(notebooks: Path, output: Path, solutions: bool = True, model: bool = F
 
 
 def _gather(
-    sources: list[Path], pages: Path, solutions: bool, model: bool, release: Path | None
+    sources: list[Path],
+    pages: Path,
+    solutions: bool,
+    model: bool,
+    release: Path | None,
+    repository: str,
 ) -> None:
     """Fill `pages` with what Sphinx reads: notebooks, the files they show, settings and more pages.
 
@@ -75,6 +97,7 @@ def _gather(
     # The notebooks' texts link to pictures and data beside them.
     shutil.copytree(sources[0].parent, pages, ignore=shutil.ignore_patterns("*.ipynb", ".*"))
     shutil.copy(HERE / "conf.py", pages)
+    shutil.copytree(HERE / "templates", pages / "_templates")
     for source in sources:
         prepare(source, pages, solutions, model)
         if release:
@@ -92,8 +115,15 @@ def _gather(
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(
-        gather.home(notebooks, others, offered(release)), encoding="utf-8"
+        gather.home(notebooks, others, offered(release), _year(sources[0]), repository),
+        encoding="utf-8",
     )
+
+
+def _year(notebook: Path) -> int | None:
+    """Return the year of the project that holds a notebook, or None where nothing says it."""
+    year = release_date(notebook.parent.parent)[0]
+    return year if year > UNKNOWN else None
 
 
 def _linked(books: dict[str, NotebookNode], pages: Path) -> list[Path]:
@@ -126,9 +156,10 @@ def _copy_own_files(static: Path) -> None:
     shutil.copy(files("plotly") / "package_data" / "plotly.min.js", static)  # for charts.js
 
 
-def _run_sphinx(pages: Path, site: Path, doctrees: Path) -> None:
+def _run_sphinx(pages: Path, site: Path, doctrees: Path, repository: str = "") -> None:
     """Run Sphinx on `pages`; every warning is an error, because readers would see its effect."""
     settings = ["-b", "html", "-q", "-N", "-W", "--keep-going", "-d", doctrees]
+    settings += ["-D", f"course_repository={repository}"]
     command = [sys.executable, "-m", "sphinx", *settings, pages, site]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:

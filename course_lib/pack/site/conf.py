@@ -2,14 +2,17 @@
 
 import html
 import re
+from functools import cache
+from pathlib import Path
 
+import nbformat
 from docutils import nodes
 from sphinx.util import logging
 
-from course_lib.pack.site import formulas
+from course_lib.pack.site import formulas, glossary, links
 
 project = "Robot kinematics"
-html_title = ""  # it would follow the title of each page
+html_title = project  # it follows the title of each page
 html_favicon = "_static/icon.svg"
 language = "en"
 
@@ -33,16 +36,18 @@ html_math_renderer = "built"  # below
 html_theme = "sphinx_book_theme"
 html_static_path = ["_static"]
 html_css_files = ["icons.css", "site.css"]
-html_js_files = ["page.js"]
+html_js_files = ["page.js", ("symbols.js", {"defer": "defer"})]
 html_copy_source = False
 html_use_index = False
 html_show_copyright = False
-# For the summary the page would fetch others, which browsers refuse to pages in a folder.
-html_show_search_summary = False
+# The course has a search of its own, in search.py and search.js.
+templates_path = ["_templates"]
+html_additional_pages = {"search": "search.html"}
 # Without it the theme logs an error on a reader's first visit.
 html_context = {"default_mode": "auto"}
 html_theme_options = {
     "use_download_button": False,
+    "search_bar_text": "Search the course",
     "toc_title": "On this page",
     # It would hold a place for advertisements.
     "primary_sidebar_end": [],
@@ -54,6 +59,27 @@ html_theme_options = {
 }
 # The title is already the first entry there, and the theme's own title is outside every landmark.
 html_sidebars = {"**": ["search-button-field.html", "sbt-sidebar-nav.html"]}
+
+
+def offer_binder(app, config):
+    """Let the theme put a button on the notebooks' pages that opens them on Binder."""
+    if config.course_repository:
+        config.html_theme_options |= {
+            "repository_url": config.course_repository,
+            "path_to_docs": "notebooks",
+            "launch_buttons": {
+                "binderhub_url": "https://mybinder.org",
+                "notebook_interface": "jupyterlab",
+            },
+        }
+
+
+def name_tables_of_symbols(app, document):
+    """Give the tables of symbols a class, by which a phone sets them in another way."""
+    for table in document.findall(nodes.table):
+        head = next(iter(table.findall(nodes.thead)), None)
+        if head is not None and head.astext().startswith("symbol"):
+            table["classes"].append("symbols-table")
 
 
 def find_dollars(app, document):
@@ -84,6 +110,30 @@ def leave_unnumbered(app, document):
             node["ids"].clear()
 
 
+def number_equations(app, document):
+    """Give each equation of a notebook that stands on a line of its own a number and an anchor."""
+    notebook = links.notebook_number(app.env.docname)
+    if not notebook:
+        return
+    for number, node in enumerate(document.findall(nodes.math_block), 1):
+        node["numbered"] = (notebook, number)
+
+
+def link_what_is_named(app, document, docname):
+    """Make links of the notebooks, sections and sources that a text names."""
+
+    def address_of(page):
+        return app.builder.get_relative_uri(docname, page)
+
+    titles = {}
+    for page in app.env.found_docs:
+        references = app.env.tocs[page].findall(nodes.reference)
+        titles[page] = {part.astext(): part["anchorname"] for part in references}
+    links.link_notebooks(document, docname, address_of, sorted(app.env.found_docs))
+    links.link_sections(document, docname, address_of, titles)
+    links.link_sources(document)
+
+
 def fold_more(app, document, docname):
     """Fold each section of More.
 
@@ -100,6 +150,17 @@ def fold_more(app, document, docname):
         begin, end, close = (nodes.raw("", text, format="html") for text in texts)
         section.children = []
         section.extend([begin, title, *promise, end, *rest, close])
+
+
+def do_without_sphinx_search(app):
+    """Let Sphinx write no search page and no index."""
+    app.builder.search = False
+
+
+def name_the_course_once(app, pagename, templatename, context, doctree):
+    """Leave the course's name out of the tab's title where it is the title of the page."""
+    if context.get("title") == project:
+        context["docstitle"] = ""
 
 
 def load_scripts_where_needed(app, pagename, templatename, context, doctree):
@@ -128,8 +189,48 @@ def set_formula(translator, node):
             "formula: %s: %s", error, " ".join(text.split())[:70], location=node
         )
         made = ""
+    if made and "numbered" in node:
+        notebook, number = node["numbered"]
+        made = (
+            f'<div class="equation" id="equation-{number}">{made}'
+            f'<span class="equation-number">({notebook}.{number})</span></div>'
+        )
     translator.body.append(made)
     raise nodes.SkipNode
+
+
+def number_figures(app, pagename, templatename, context, doctree):
+    """Give each figure of a notebook that has a caption a number and an anchor."""
+    notebook = links.notebook_number(pagename)
+    if not notebook:
+        return
+    first, *others = context["body"].split('<figure class="shown">')
+    parts = [first]
+    for number, part in enumerate(others, 1):
+        caption = f'<figcaption><span class="figure-number">Figure {notebook}.{number}.</span> '
+        part = part.replace("<figcaption>", caption, 1)
+        parts.append(f'<figure class="shown" id="figure-{number}">{part}')
+    context["body"] = "".join(parts)
+
+
+@cache
+def _table_of_symbols(file):
+    """Return the entries of the tables of symbols in a page of Markdown or a notebook."""
+    if not file.exists():
+        return []
+    text = file.read_text(encoding="utf-8")
+    if file.suffix == ".ipynb":
+        cells = nbformat.reads(text, as_version=4).cells
+        text = "\n\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+    return glossary.entries(text, formulas.mathml_of)
+
+
+def add_glossary(app, pagename, templatename, context, doctree):
+    """Add the meanings of the symbols on the page of a notebook, which symbols.js shows."""
+    if links.notebook_number(pagename):
+        own = _table_of_symbols(Path(app.srcdir, f"{pagename}.ipynb"))
+        common = _table_of_symbols(Path(app.srcdir, "notation.md"))
+        context["body"] += glossary.glossary(context["body"], own, common)
 
 
 def _in_output(found):
@@ -150,12 +251,21 @@ def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
 
 def setup(app):
     """Register the functions above."""
+    app.add_config_value("course_repository", "", "html")
+    app.connect("config-inited", offer_binder, priority=1)
+    app.connect("doctree-read", name_tables_of_symbols)
+    app.connect("builder-inited", do_without_sphinx_search)
+    app.connect("html-page-context", name_the_course_once)
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
+    app.connect("doctree-read", number_equations)
+    app.connect("doctree-resolved", link_what_is_named)
     app.connect("doctree-resolved", fold_more)
     app.add_html_math_renderer(
         "built", inline_renderers=(set_formula, None), block_renderers=(set_formula, None)
     )
+    app.connect("html-page-context", number_figures)
+    app.connect("html-page-context", add_glossary)
     app.connect("html-page-context", set_formulas_in_outputs)
     app.connect("build-finished", lambda app, error: formulas.close())
     app.connect("html-page-context", load_scripts_where_needed)

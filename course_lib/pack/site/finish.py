@@ -8,16 +8,25 @@ from pathlib import Path
 NOT_NEEDED = re.compile(
     r'<script[^>]*fontawesome\.js[^>]*></script>|<footer class="bd-footer.*?</footer>', re.DOTALL
 )
-# The search, on pages that do not search.
+# Sphinx's own search, which the theme loads on every page.
 SEARCH = re.compile(r"<script[^>]*(?:searchtools|language_data|searchindex)\.js[^>]*></script>")
-FILES = ("vendor", "locales", "scripts/*.map", "scripts/fontawesome.js", "styles/*.map")
+FILES = (
+    "vendor",
+    "locales",
+    "scripts/*.map",
+    "scripts/fontawesome.js",
+    "styles/*.map",
+    "searchtools.js",
+    "language_data.js",
+)
 
 
 def finish(site: Path) -> None:
     """Correct all pages of a site in place, and delete files."""
     for page in site.glob("*.html"):
         text = NOT_NEEDED.sub("", page.read_text(encoding="utf-8"))
-        text = text if page.stem == "search" else SEARCH.sub("", text)
+        if page.stem != "search":
+            text = SEARCH.sub("", text)
         # A script chooses light or dark, which paper and readers without scripts do not wait for.
         text = text.replace('data-theme="auto"', 'data-theme="light"')
         # A screen reader shall read the line that the page shows, "Solution", not MyST-NB's name

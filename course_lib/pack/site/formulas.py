@@ -11,6 +11,8 @@ from importlib.resources import files
 
 from py_mini_racer import MiniRacer
 
+from course_lib.pack.site.glossary import symbols_in
+
 PARTS = (
     "loader",
     "core",
@@ -69,6 +71,20 @@ def close() -> None:
         typeset.cache_clear()
 
 
+def mathml_of(text: str) -> str:
+    """Return the MathML of a formula; raises FormulaError with MathJax's message."""
+    return _set(text, False)[1]
+
+
+def _set(text: str, display: bool) -> tuple[str, str]:
+    """Return a formula as a picture and as MathML."""
+    picture, words = json.loads(_mathjax().eval(f"set({json.dumps(text)}, {json.dumps(display)})"))
+    error = re.search(r'<merror data-mjx-error="([^"]*)"', words)
+    if error:
+        raise FormulaError(html.unescape(error[1]))
+    return picture, words
+
+
 @cache
 def typeset(text: str, display: bool = False) -> str:
     """Return HTML for a formula: a picture, and MathML for readers who do not see it.
@@ -76,10 +92,7 @@ def typeset(text: str, display: bool = False) -> str:
     `text` is TeX without dollars; `display` puts it on a line of its own. Raises FormulaError with
     MathJax's message.
     """
-    picture, mathml = json.loads(_mathjax().eval(f"set({json.dumps(text)}, {json.dumps(display)})"))
-    error = re.search(r'<merror data-mjx-error="([^"]*)"', mathml)
-    if error:
-        raise FormulaError(html.unescape(error[1]))
+    picture, mathml = _set(text, display)
     # Attributes for MathJax's own menu, and an outline of width zero around each letter, are not
     # needed.
     picture = re.sub(r' (?:data-[a-z-]+|role|xmlns:xlink|xmlns)="[^"]*"', "", picture).replace(
@@ -89,16 +102,18 @@ def typeset(text: str, display: bool = False) -> str:
         ' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"'
     )
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
+    symbols = html.escape(" ".join(symbols_in(mathml)))
+    named = f' data-symbols="{symbols}"' if symbols else ""
     mathml = re.sub(r"\n\s*", "", mathml)
     made = f'{picture}<span class="visually-hidden">{mathml}</span>'
     if display:
-        return f'<div class="math">{made}</div>'
+        return f'<div class="math"{named}>{made}</div>'
     # On a phone a wide formula scrolls in a box, which then needs the vertical alignment of its
     # letters.
     depth = re.search(r"vertical-align: ([^;]*);", picture)[1]
     width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
     wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
-    return f'<span class="math{wide}">{made}</span>'
+    return f'<span class="math{wide}"{named}>{made}</span>'
 
 
 def letters_of(page: str) -> str:

@@ -59,6 +59,8 @@ numbers of a published homework report, and shows where the report is wrong.{tim
 
 </nav>
 
+## Six notebooks
+
 <div class="cards">
 
 {notebooks}
@@ -120,9 +122,18 @@ The guide for instructors, `course_lib/pack/README.md`, explains them.
 
 ## Licence, citation
 
-No licence is granted yet. If you want to use the course, ask its owner. Cite it as *Robot
-kinematics in six notebooks*, version {version}, with the date on which you read it.
+No licence is granted yet. If you want to use the course, ask its owner. Cite it with the version
+that you used:
+
+```bibtex
+{citation}
+```
 """
+PREREQUISITES = "## What you need"  # the heading of the page of notation
+CITATION = """@misc{{robot-kinematics,
+  title = {{Robot kinematics in six notebooks}},{more}
+  note = {{Version {version}}},
+}}"""
 ABOUT = (
     "Six notebooks lead from rotations to inverse kinematics. You move robots and write code, and "
     "each answer is checked at once."
@@ -173,11 +184,18 @@ def read(source: Path, book: NotebookNode, pages: Path) -> Notebook:
     )
 
 
-def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
+def home(
+    notebooks: list[Notebook],
+    others: list[Path],
+    offered: str,
+    year: int | None,
+    repository: str = "",
+) -> str:
     """Return the home page in MyST.
 
-    `others` are the pages beside the notebooks, and `offered` is the link to the students' zip as
-    HTML, or "".
+    `others` are the pages beside the notebooks, `offered` is the link to the students' zip as HTML,
+    or "". `year` is that of the course's version, None if it is not known, and `repository` its
+    address, or "".
     """
     hours = [notebook.hours for notebook in notebooks]
     time = f" {CORE.format(sum(hours))}" if all(hours) else ""
@@ -186,13 +204,16 @@ def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
         "[Run it yourself](#Run-it-yourself)",
     ]
     pages = {page.name for page in others}
+    notation = next((page for page in others if page.name == "notation.md"), None)
+    if notation and PREREQUISITES in notation.read_text(encoding="utf-8").splitlines():
+        steps.insert(1, "[What you need to know first](notation.md#What-you-need)")
     if "reports.md" in pages:
         steps.append("[Each report, and its numbers next to ours](reports.md)")
     if "errata.ipynb" in pages:
         steps.append("[Errors in the published reports](errata.ipynb)")
     return PAGE.format(
         time=time,
-        version=version("course_lib"),
+        citation=_citation(year, repository),
         toy="".join(notebook.toy for notebook in notebooks),
         about=ABOUT,
         answer=ANSWER,
@@ -203,6 +224,14 @@ def home(notebooks: list[Notebook], others: list[Path], offered: str) -> str:
         more=REFERENCE.format("\n".join(page.stem for page in others)) if others else "",
         pages="\n".join(notebook.name for notebook in notebooks),
     )
+
+
+def _citation(year: int | None, repository: str) -> str:
+    """Return how to cite the course, in BibTeX."""
+    more = f"\n  year = {{{year}}}," if year else ""
+    if repository:
+        more += f"\n  howpublished = {{\\url{{{repository}}}}},"
+    return CITATION.format(version=version("course_lib"), more=more)
 
 
 def _check_of(answer: str) -> str:
@@ -237,7 +266,7 @@ def _card(notebook: Notebook) -> str:
     hours = f"About {notebook.hours:g} hours." if notebook.hours else ""
     words = " ".join(filter(None, [notebook.question, hours]))
     # No heading in Markdown: that would begin a section, which ends outside of the card.
-    title = f'<h2><a href="{notebook.name}.html">{html.escape(notebook.title)}</a></h2>'
+    title = f'<h3><a href="{notebook.name}.html">{html.escape(notebook.title)}</a></h3>'
     parts = ['<div class="card">', notebook.picture, title, words, "</div>"]
     return "\n\n".join(filter(None, parts))
 

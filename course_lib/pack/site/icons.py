@@ -11,6 +11,8 @@ DRAWN = {
     "bars": "<path d='M3 5h18M3 12h18M3 19h18'/>",
     "list": "<path d='M9 5h12M9 12h12M9 19h12M3 5h1M3 12h1M3 19h1'/>",
     "expand": "<path d='M3 9V3h6M15 3h6v6M21 15v6h-6M9 21H3v-6'/>",
+    "rocket": "<path d='M12 2c4 3 5 8 4 14H8C7 10 8 5 12 2zM8 12l-3 3v4l3-2"
+    "M16 12l3 3v4l-3-2M12 18v4'/>",
     "sun": "<circle cx='12' cy='12' r='4'/><path d='M12 2v3M12 19v3M2 12h3M19 12h3"
     "M5 5l2 2M17 17l2 2M19 5l-2 2M7 17l-2 2'/>",
     "moon": "<path d='M20 14A8.5 8.5 0 1 1 10 4a7 7 0 0 0 10 10z'/>",

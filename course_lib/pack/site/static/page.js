@@ -24,6 +24,21 @@
       fold = fold.parentElement.closest("details");
     }
   }
+  // The words that a link of the search names. Sphinx's script, which waits for the page, marks them
+  // in the text. It would also read them from the address, but changes the address then, which
+  // browsers refuse to pages in a folder.
+  const words = new URLSearchParams(location.search).get("find") || "";
+  if (words) localStorage.setItem("sphinx_highlight_terms", words);
+  /** Mark the formulas that hold a word that was searched for. */
+  function markFormulas() {
+    for (const formula of document.querySelectorAll("article .math:has(math)")) {
+      const mathml = formula.querySelector("math").textContent;
+      // Without spaces, and without the signs for what is not printed, such as an applied function.
+      const text = mathml.replace(/[\s\u2061-\u2064]/g, "").toLowerCase();
+      const holds = (word) => word && text.includes(word);
+      if (words.toLowerCase().split(/\s+/).some(holds)) formula.classList.add("highlighted");
+    }
+  }
   function arrive() {
     const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     // A word that was searched for; Sphinx marks it soon after the page is there.
@@ -33,7 +48,10 @@
     (word || part).scrollIntoView();
   }
   window.addEventListener("hashchange", arrive);
-  window.addEventListener("DOMContentLoaded", () => setTimeout(arrive, 50));
+  window.addEventListener("DOMContentLoaded", () => {
+    if (words) markFormulas();
+    setTimeout(arrive, 50);
+  });
   // A link to the place where one is already changes no hash.
   document.addEventListener("click", ({ target }) => {
     const link = target.closest('a[href^="#"]');
