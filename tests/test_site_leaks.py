@@ -33,7 +33,7 @@ def sites(tmp_path_factory):
             lambda output, kind, name, alt, folder: f'<img class="{name}" alt="{alt}">',
         )
         patch.setattr(
-            builder, "_run_sphinx", lambda pages, site, doctrees: shutil.copytree(pages, site)
+            builder, "_run_sphinx", lambda pages, site, *others: shutil.copytree(pages, site)
         )
         builder.build(ROOT / "notebooks", folder / "yes")
         builder.build(ROOT / "notebooks", folder / "no", solutions=False)
