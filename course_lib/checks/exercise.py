@@ -266,11 +266,12 @@ class Exercise:
 
     def _wrong(self, wanted, cases, answers, values, failing):
         case, value = cases[failing[0]], values[failing[0]]
-        found = attempt(wanted.says, value, *case) if wanted.says else None
-        reason = f"{wanted.text}." + (f" {found}" if found else "")
+        remark = attempt(wanted.says, value, *case) if wanted.says else None
+        reason = f"{wanted.text}." + (f" {remark}" if remark else "")
         wrong = {*failing}.union(*(other.failing(cases, values) for other in self.properties))
         naming = Naming(self, cases, values)
-        if naming.looks_right(failing[0]) and " off by " not in reason:
+        says_how_far = any(words in reason for words in (" off by ", " differs by "))
+        if naming.looks_right(failing[0]) and not says_how_far:
             reason += f" Your answer is off by {naming.distance(failing[0]):.1e}."
         mistake = naming.mistake(failing, sorted(wrong)) or wanted.mistake
         if callable(mistake):

@@ -6,7 +6,8 @@ ORDINALS = "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "e
 
 
 def format_tuple(numbers):
-    """Return numbers in the form of a tuple; rounding errors are written as 0.
+    """Return numbers in the form of a tuple, and a single number without brackets; rounding errors
+    are written as 0.
 
     Parameters
     ----------
@@ -18,14 +19,16 @@ def format_tuple(numbers):
 
     Examples
     --------
-    >>> format_tuple([0.1, -2, 1e-17])
-    '(0.1, -2, 0)'
+    >>> format_tuple([0.1, -2, 1e-17]), format_tuple(1 / 3)
+    ('(0.1, -2, 0)', '0.3333')
     """
-    return (
-        "("
-        + ", ".join(f"{0 if abs(number) <= 1e-12 else number:.4g}" for number in np.ravel(numbers))
-        + ")"
-    )
+    if np.ndim(numbers) == 0:
+        return _with_four_digits(numbers)
+    return f"({', '.join(_with_four_digits(number) for number in np.ravel(numbers))})"
+
+
+def _with_four_digits(number):
+    return "0" if abs(number) <= 1e-12 else f"{number:.4g}"
 
 
 def format_array(numbers, digits=4):

@@ -189,9 +189,7 @@ class Naming:
         of_most = 2 * len(set(wrong) & set(ordinary)) >= len(ordinary)
         if not of_most or not self._are_nearly_right(wrong):
             return None  # or digits are lost beside a special value only
-        off = max(self.distance(i) for i in wrong)
-        name = f"the answer is right to its first digits only: it is off by {off:.2g}"
-        return Mistake(name, _FEW_DIGITS)
+        return Mistake("the answer is right to its first digits only", _FEW_DIGITS)
 
     def _are_nearly_right(self, wrong):
         """Return whether each wrong answer is a number or an array that differs from the right one

@@ -252,9 +252,9 @@ def part_is(text, right, part, mistake=None):
     def says(answer, *case):
         right, found = wanted(*case), answer[part]
         return (
-            f"That is {compared(right, found)}."
+            f"The right numbers are {compared(right, found)}."
             if right.ndim < 2
-            else first_off(found, right, "There the {} column")
+            else first_off(found, right, "In this frame the {} column")
         )
 
     return Property(

@@ -90,7 +90,7 @@ EXERCISE.mistake(_ONLY_POINTS, form=(3, 2))
 
 @EXERCISE.mistake(
     "theta2 is taken for the angle from the x axis of the world",
-    "It is measured from the first link: along which direction does the second one point?",
+    "theta2 is measured from the first link: in which direction does the second link point?",
     position_alone=(False, True),
 )
 def from_the_world(theta, position_alone):
@@ -117,7 +117,7 @@ def second_frame_as_first(theta):
 
 
 @EXERCISE.mistake(
-    "each frame is seen from the one before it, not from the base",
+    "each frame is given relative to the previous frame, not to the base",
     "What takes T_12 to T_02?",
     second=(True, False),
     third=(True, False),

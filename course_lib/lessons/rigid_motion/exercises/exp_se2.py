@@ -82,8 +82,8 @@ EXERCISE = Exercise(
             ),
             mistake=Mistake(
                 "the position is not the integral of R(omega t) v from t = 0 to 1",
-                "Integrate the cosine and the sine of omega t, and compare with your formula for "
-                "this omega: where does its sign stand, and is omega used as it came?",
+                "Integrate the cosine and the sine of omega t by t, from 0 to 1, and compare each of "
+                "the two results with your formula, for the omega of this case.",
             ),
         ),
     ),
@@ -157,6 +157,15 @@ def omega_wrapped(twist):
     if abs(wrapped - twist[0]) < EXACT:
         return None
     return _with_position(twist, exp_se2([wrapped, *twist[1:]])[:2, 2])
+
+
+@EXERCISE.mistake(
+    "the arc bends to the wrong side",
+    "A body that drives ahead and rotates counter-clockwise ends on its left: what sign has vx in "
+    "the second coordinate of the position?",
+)
+def arc_to_the_other_side(twist):
+    return _with_position(twist, exp_se2([-twist[0], *twist[1:]])[:2, 2])
 
 
 @EXERCISE.mistake(

@@ -107,11 +107,7 @@ EXERCISE = Exercise(
 
 def _path(start, goal, n, s=None, change=None):
     change = right_change(start, goal) if change is None else change
-    return (
-        shared.straight(start, change, shared.scaling(n) if s is None else s)
-        if shared.one_arc_is_shorter(start, goal, n)
-        else None
-    )
+    return shared.straight(start, change, shared.scaling(n) if s is None else s)
 
 
 shared.add_path_mistakes(EXERCISE, _path)
@@ -119,7 +115,8 @@ shared.add_path_mistakes(EXERCISE, _path)
 
 @EXERCISE.mistake(
     "the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc",
-    "Wrap the difference of the two angles, and only that, before it is scaled.",
+    "Print the difference of the two angles just before it is multiplied by s: between which "
+    "bounds should it lie?",
     difference=(
         lambda a, b: b - a,
         lambda a, b: (b - a) % shared.REVOLUTION,

@@ -69,9 +69,8 @@ def _fits(rows, path, start, goal):
     return shared.deviation(rows, path) <= fine * shared.size(start, goal)
 
 
-def _rows(T, *case):
-    rows = np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
-    return rows if shared.one_arc_is_shorter(*case) else None
+def _rows(T):
+    return np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
 
 
 def _by_matrices(start, goal, n, product, s):
@@ -81,7 +80,7 @@ def _by_matrices(start, goal, n, product, s):
     def move(T):
         return exp_se2(np.multiply.outer(s(np.linspace(0, 1, n)), log_se2(T)))
 
-    return _rows(product(pose_matrix(start), pose_matrix(goal), move), start, goal, n)
+    return _rows(product(pose_matrix(start), pose_matrix(goal), move))
 
 
 EXERCISE = Exercise(
@@ -130,19 +129,17 @@ EXERCISE = Exercise(
 
 
 def _screw(start, goal, n, s):
-    """The path by one rotation, as far as its direction is known."""
-    angle = shared.change(start, goal)[2]
-    return by_screw(start, goal, s, angle) if shared.one_arc_is_shorter(start, goal, n) else None
+    """The path by one rotation."""
+    return by_screw(start, goal, s, shared.change(start, goal)[2])
 
 
 @EXERCISE.mistake(
-    "x, y and theta are interpolated each by itself: a straight line",
-    "Here the velocity is constant in the body's frame. Which function has an arc for that?",
+    "x, y and theta are interpolated separately, so that the path is a straight line",
+    "Here the velocity is constant in the body's frame. On which curve does such a body move?",
     difference=(shared.change, lambda start, goal: np.subtract(goal, start)),
 )
 def straight_line(start, goal, n, difference):
-    path = shared.straight(start, difference(start, goal), shared.scaling(n))
-    return path if shared.one_arc_is_shorter(start, goal, n) else None
+    return shared.straight(start, difference(start, goal), shared.scaling(n))
 
 
 shared.add_path_mistakes(EXERCISE, _screw)

@@ -1,7 +1,7 @@
 """What exercises of notebook 2 share: paths of a body from start to goal, and plans of velocities.
 
 The right path is known except for half a revolution, which is as short in either direction. So the
-properties speak of the other cases first, and no mistake says anything of half a revolution.
+properties speak of the other cases first, and a path in either direction counts as the same.
 """
 
 import numpy as np
@@ -65,9 +65,29 @@ def distance_of_paths(rows, right, start, goal, n):
 
 
 def same_path(rows, predicted, start, goal, n):
-    """Return whether an answer is the path that a mistake predicts."""
-    same_shape = np.shape(rows) == np.shape(predicted)
-    return same_shape and deviation(rows, predicted) <= PREDICTED * size(start, goal)
+    """Return whether an answer is the path that a mistake predicts.
+
+    For half a revolution, which is as short in either direction, the path in the other direction is
+    as good.
+    """
+    if np.shape(rows) != np.shape(predicted):
+        return False
+    paths = [predicted]
+    if half_a_revolution(start, goal, n):
+        paths.append(in_the_other_direction(predicted, start, goal))
+    return any(deviation(rows, path) <= PREDICTED * size(start, goal) for path in paths)
+
+
+def in_the_other_direction(rows, start, goal):
+    """Return the mirror image of a path by half a revolution: x and y at the line from start to
+    goal."""
+    rows, start = np.asarray(rows, float), np.asarray(start, float)
+    ahead = np.subtract(goal, start)[:2]
+    length = np.linalg.norm(ahead)
+    aside = rows[:, :2] - start[:2]
+    if length:
+        aside = 2 * np.outer(aside @ ahead, ahead) / length**2 - aside
+    return np.column_stack([start[:2] + aside, 2 * start[2] - rows[:, 2]])
 
 
 def close(rows, wanted, start, goal):
@@ -100,7 +120,9 @@ ENDS = tuple(
     Property(
         f"the {word} pose is {name}",
         lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], start, goal),
-        says=lambda rows, start, goal, n, k=k: f"That is {compared((start, goal)[k], rows[k])}.",
+        says=lambda rows, start, goal, n, k=k: (
+            f"The right row is {compared((start, goal)[k], rows[k])}."
+        ),
         where=one_arc_is_shorter,
     )
     for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
@@ -118,7 +140,8 @@ SHORTER_ARC = Property(
     "theta takes the shorter arc from start to goal",
     _on_the_shorter_arc,
     says=lambda rows, start, goal, n: (
-        f"From {start[2]:.4g} that is a rotation by {change(start, goal)[2]:.4g} rad."
+        f"From {start[2]:.4g} to {goal[2]:.4g} rad the shorter arc is a rotation by "
+        f"{change(start, goal)[2]:.4g} rad."
     ),
     where=one_arc_is_shorter,
     mistake=Mistake(
@@ -237,7 +260,7 @@ def add_step_mistakes(exercise, move):
 
     @exercise.mistake(
         "each pair begins at start again",
-        "Where did the pair before end?",
+        "Where did the previous pair end?",
     )
     def start_again(start, plan, dt):
         parts = [follow(move)(start, [pair], dt)[1:] for pair in plan]
@@ -372,6 +395,6 @@ STEP_LENGTHS = Property(
     where=lambda start, plan, dt: all(ahead and not any(rest) for (ahead, *rest), _ in plan),
     mistake=Mistake(
         "the steps have other lengths than step_lengths(duration, dt)",
-        "A step goes on where the one before has ended: how long is it itself?",
+        "A step begins where the previous step has ended: how long is each step itself?",
     ),
 )

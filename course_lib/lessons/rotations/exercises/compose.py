@@ -25,8 +25,9 @@ def _agrees(new, R, step, frame):
 
 
 _FACTORS = Mistake(
-    "the answer is not the product of R and step in the right order",
-    "How many rotations act on a point of the body, and which of them acts first?",
+    "the answer is another matrix than the product of R and step for this frame",
+    "Which two matrices does your line multiply, is each of them as it came, and which of them "
+    "acts first on a point of the body?",
 )
 
 EXERCISE = Exercise(
@@ -77,6 +78,15 @@ def world_and_body_swapped(R, step, frame):
 def frame_not_used(R, step, frame, order):
     first, second = (R, step)[::order]
     return first @ second
+
+
+@EXERCISE.mistake(
+    "step rotates in the opposite direction",
+    "Does the task ask for step, or for its inverse? Which line transposes or inverts it?",
+    frames=(("world", "body"), ("world",), ("body",)),
+)
+def step_reversed(R, step, frame, frames):
+    return _right(R, step.T if frame in frames else step, frame)
 
 
 @EXERCISE.mistake(

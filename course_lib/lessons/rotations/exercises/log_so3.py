@@ -111,6 +111,14 @@ def _short_of_pi(R):
     return f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
 
 
+def _angle_or_axis(w, R):
+    """Return in words whether the length of an answer is wrong, or its direction only."""
+    angle, length = _angle(R), np.linalg.norm(w)
+    if abs(length - angle) > 1e-4:
+        return f"The angle of R is {angle:.6g} rad; |w| of your answer is {length:.6g}."
+    return f"|w| is the angle of R, but exp of your answer is off by {_gap(w, R):.2g}."
+
+
 EXERCISE = Exercise(
     name="log_so3",
     points=3,
@@ -130,10 +138,7 @@ EXERCISE = Exercise(
         Property(
             "the exponential of the answer is R again",
             lambda w, R: _gap(w, R) < SIX_DIGITS,
-            says=lambda w, R: (
-                f"The angle of R is {_angle(R):.6g} rad; |w| of your answer is "
-                f"{np.linalg.norm(w):.6g}."
-            ),
+            says=_angle_or_axis,
             where=_between(1e-3, np.pi - 1e-3),
         ),
         Property(

@@ -128,6 +128,15 @@ def divided_by_w(R):
     return np.array([w, *(_vector_over_w(R) / (4 * w))])
 
 
+@EXERCISE.mistake(
+    "the answer is the quaternion of the inverse rotation",
+    "R[2, 1] - R[1, 2] is 4 w x: for a rotation by a small angle about x, which of the two entries "
+    "is positive?",
+)
+def of_the_inverse(R):
+    return matrix_to_quaternion(R.T)
+
+
 def _right_but_for_signs(q, R):
     right = np.abs(matrix_to_quaternion(R))
     return np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6) and np.isfinite(q).all()

@@ -138,8 +138,8 @@ def arvo(R):
 
 _CROWDED = Mistake(
     "the rotations crowd in some directions, or leave some out",
-    "Draw where the axes land. Does each of the numbers go through its whole range, for each draw "
-    "anew?",
+    "Draw where the axes land. Does each random number cover its whole range, is it drawn anew "
+    "for each of the n, and is it independent of the others?",
 )
 
 
@@ -152,9 +152,9 @@ def uniform_rotations(matrices):
             where=many,
             mistake=Mistake(
                 "small rotation angles, or large ones, come too often",
-                "Draw the histogram of your angles beside (1 - cos a)/pi. Has each of the three "
-                "numbers its range, and "
-                "its root?",
+                "Compare the histogram of your angles with (1 - cos a)/pi. Which random numbers "
+                "decide the angle? Do they have the right distribution, and are they drawn anew "
+                "for each of the n?",
             ),
         ),
         *(
@@ -170,7 +170,7 @@ def uniform_rotations(matrices):
             "the mean of tr(R)^2 is 1",
             lambda value, n, rng: trace_p_value(matrices(value)) > LEVEL,
             says=lambda value, n, rng: (
-                f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
+                f"The mean of yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
             ),
             where=many,
         ),

@@ -6,16 +6,19 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import distance_of_lists, same_list
+from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
+    ELBOW,
     SHOULDER,
     WRIST,
     arm_solutions,
+    bent,
     center_of,
     every_solution,
 )
 from course_lib.rotations import rot_y
+from course_lib.subproblems import subproblem2
 
 
 def _cases(rng):
@@ -74,9 +77,44 @@ EXERCISE = Exercise(
 add_nan(EXERCISE, arm_solutions)
 
 
+def _by_subproblem_2(center, p, goal):
+    """The triples of somebody who takes p(q3) for the wrist center, and `goal` for where it goes."""
+    triples = []
+    every_q3 = dict.fromkeys(q3 for _, _, q3 in arm_solutions(center))
+    for q3 in every_q3:
+        pairs = subproblem2(Y, Z, p(q3, list(every_q3)), goal).theta
+        triples += [(-back, q2, q3) for q2, back in pairs]
+    return triples or None
+
+
+@EXERCISE.mistake(
+    "p is measured from the elbow",
+    "About which point does joint 2 rotate? From there to the elbow is a part of p, too.",
+)
+def p_from_the_elbow(center):
+    return _by_subproblem_2(center, lambda q3, _: bent(q3) - (ELBOW - SHOULDER), center - SHOULDER)
+
+
+@EXERCISE.mistake(
+    "center is not measured from the shoulder",
+    "Both axes of subproblem 2 pass through the origin: which point of the arm should that be?",
+)
+def center_from_the_base(center):
+    return _by_subproblem_2(center, lambda q3, _: bent(q3), center)
+
+
+@EXERCISE.mistake(
+    "p of one q3 is used for both",
+    "How many points p are there, and which line of the loop computes the one for its q3?",
+    k=(0, 1),
+)
+def p_of_one_elbow(center, k):
+    return _by_subproblem_2(center, lambda q3, every_q3: bent(every_q3[k]), center - SHOULDER)
+
+
 @EXERCISE.mistake(
     "p is WRIST - SHOULDER, as if joint 3 did not move",
-    "Where has it brought the wrist center when joints 1 and 2 come?",
+    "Where has joint 3 brought the wrist center, before joints 1 and 2 move?",
     recognises=True,
 )
 def wrist_not_moved(found, center):

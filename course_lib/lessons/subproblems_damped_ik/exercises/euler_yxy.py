@@ -189,6 +189,15 @@ def _alone(found, R):
 
 
 @EXERCISE.mistake(
+    "both rows are the same triple, up to multiples of 2 pi",
+    "b2 and -b2 are different angles: which b1 and b3 belong to -b2?",
+    seen=lambda found, R: len(found) == 2 and _alone(found, R),
+)
+def one_twice(R):
+    return _both(R)[[0, 0]]
+
+
+@EXERCISE.mistake(
     "only one triple is returned",
     "Subproblem 2 finds two pairs: what does the other triple look like?",
     seen=_alone,

@@ -86,7 +86,7 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    "this is the angular velocity seen from the rotating end-effector",
+    "the angular velocity is that seen from the rotating end-effector",
     "Which of R' R^T and R^T R' belongs to the fixed frame?",
 )
 def seen_from_the_end_effector(b):
@@ -94,8 +94,9 @@ def seen_from_the_end_effector(b):
 
 
 @EXERCISE.mistake(
-    "an axis is not carried along by the rotations before it",
-    "Which rotations stand to the left of that about b2, and of that about b3?",
+    "an axis is not carried along by the rotations to its left, or by them in the wrong order",
+    "Which rotations stand to the left of the one about b2, and of the one about b3? Which of them "
+    "acts on the axis first?",
     axes=(
         lambda b: (X, rot_x(b[1]) @ Y),
         lambda b: (X, rot_y(b[0]) @ rot_x(b[1]) @ Y),
