@@ -80,15 +80,18 @@ def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(sh
     assert "<div" not in text
 
 
-def test_arguments_and_answer_stand_side_by_side_and_are_folded_if_they_need_many_lines(shown):
+def test_arguments_and_answer_stand_side_by_side(shown):
     Check(NEAREST_SO)(lambda M: right(M) + 1)
     assert "For M = [[2 0 0]    your answer is [[2 1 1]" in words(shown[0])
     assert "<details>" not in shown[0]["text/html"]
+
+
+def test_arguments_and_answer_are_folded_if_they_need_many_lines(shown):
     many = replace(NEAREST_SO, cases=lambda rng: [(np.eye(6),)])
     Check(many)(lambda M: M + np.pi)
-    said, _, folded = shown[1]["text/html"].partition("<details>")
-    assert "What should hold" in said
-    assert "For M = " not in said
+    in_view, _, folded = shown[0]["text/html"].partition("<details>")
+    assert "What should hold" in in_view
+    assert "For M = " not in in_view
     assert "For M = [[1 0" in folded
     assert "4.14159" in folded
 
@@ -121,9 +124,7 @@ def test_markup_in_a_message_is_shown_as_it_is(shown):
         ("Write inverse here.", "it calls inverse, which is not written yet"),
     ],
 )
-def test_an_exercise_not_attempted_has_a_state_of_its_own_and_names_an_unwritten_one(
-    shown, message, said
-):
+def test_an_unwritten_function_is_not_attempted(shown, message, said):
     def unwritten(M):
         raise NotImplementedError(message)
 

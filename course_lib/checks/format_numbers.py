@@ -22,8 +22,8 @@ def format_tuple(numbers):
     >>> format_tuple([0.1, -2, 1e-17]), format_tuple(1 / 3)
     ('(0.1, -2, 0)', '0.3333')
     """
-    if np.ndim(numbers) == 0:
-        return _with_four_digits(numbers)
+    if np.size(numbers) == 1:
+        return _with_four_digits(np.ravel(numbers)[0])
     return f"({', '.join(_with_four_digits(number) for number in np.ravel(numbers))})"
 
 

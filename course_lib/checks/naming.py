@@ -279,10 +279,19 @@ class Naming:
         )
 
     def _is_right(self, answer, position):
+        """Return whether what a mistake predicts is right as well, as a list of solutions is in
+        reverse order.
+
+        A transposed rotation by 1e-7 is close to the right one, but it is not right.
+        """
         case, right = self.cases[position], self.right(position)
-        return right is not None and attempt(
-            self.exercise.alike, right, self._predicted(answer, position), *case
-        )
+        predicted = self._predicted(answer, position)
+        if right is None or predicted is None:
+            return False
+        if self.exercise.distance is difference and self.exercise.alike is not same:
+            return bool(attempt(self.exercise.alike, right, predicted, *case))
+        gap = attempt(self.exercise.distance, predicted, right, *case)
+        return gap is not None and bool(gap <= 1e-12 * max(1, self._size(position)))
 
     def _predicted(self, answer, position):
         """Return what a variant of a mistake answers to a case, or None."""
@@ -586,11 +595,11 @@ _RADIANS = "Angles are in radians throughout."
 _SIGN = "Compare the sign with an example that you can do by hand."
 _ROWS = "Rows and columns have changed places."
 _FACTOR = "Look for a factor 2."
-_UNIT = "In which unit is it asked for?"
+_UNIT = "In which unit does the task ask for the answer?"
 _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
-_HALF = "np.arctan2(y, x) takes sine and cosine apart, and knows the angle on all of the circle."
+_HALF = "np.arctan2(y, x) takes sine and cosine separately, and finds angles on the whole circle."
 _COPIES = (
     "An array that changes in place changes wherever it stands: does a list hold it more than once?"
 )
@@ -631,7 +640,7 @@ _OF_THE_ANSWER = (
     ("the answer is converted from degrees to radians", _RADIANS, np.deg2rad),
     ("the entries of the answer are in reverse order", _ENTRIES, _reversed),
     ("the two halves of the answer have changed places", _HALVES, _halves_swapped),
-    ("the answer is without its signs", "Which line loses the sign?", np.abs),
+    ("the signs of the answer are lost", "Which line loses the sign?", np.abs),
     (
         "0 stands where nan is asked for",
         "Could 0 be a right answer? What would it say here?",
@@ -679,7 +688,7 @@ _OF_AN_ARGUMENT = (
     ("{} is halved", _FACTOR, lambda x: _no_matrix(x / 2)),
     ("the entries of {} are in reverse order", _ENTRIES, _reversed),
     ("the two halves of {} have changed places", _HALVES, _halves_swapped),
-    ("{} is without its signs", "Which line loses the sign?", lambda x: _no_matrix(np.abs(x))),
+    ("the signs of {} are lost", "Which line loses the sign?", lambda x: _no_matrix(np.abs(x))),
     ("{} is not used: the answer is that for 0", _SAME, lambda x: _no_matrix(0.0 * x)),
     (
         "{} is not used: the answer is that for the identity",

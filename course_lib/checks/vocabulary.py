@@ -150,7 +150,7 @@ def same_up_to_sign(value, predicted, *arguments):
 
 def same_angles(value, predicted, *arguments, tolerance=PREDICTED):
     """Return whether angles of any shape are the same up to multiples of 2 pi."""
-    return np.shape(value) == np.shape(predicted) and angle_gap(value, predicted) < tolerance
+    return distance_of_angles(value, predicted) < tolerance
 
 
 def distance_up_to_sign(value, right, *arguments):

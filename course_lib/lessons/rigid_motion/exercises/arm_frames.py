@@ -100,7 +100,8 @@ def from_the_world(theta, position_alone):
 
 @EXERCISE.mistake(
     "a frame is rotated first, and then translated",
-    "Joint 1 stays at the base. To joint 2: first 1 m along link 1, or first the rotation?",
+    "Joint 1 stays at the base. Which comes first on the way to joint 2, 1 m along link 1 or the "
+    "rotation?",
     moved=([True, True, False], [True, True, True], [False, True, True]),
 )
 def links_first(theta, moved):

@@ -120,7 +120,7 @@ EXERCISE = Exercise(
             _is_cubic,
             where=_several,
             mistake=Mistake(
-                "s is no cubic",
+                "s is not a cubic polynomial",
                 "With velocities at its ends a cubic may leave the range from s0 to s1.",
             ),
         ),
@@ -167,7 +167,7 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(
     "the velocities are not multiplied by T, or more than once",
-    "By u = t / T the velocity is ds/du = T ds/dt.",
+    "If u = t / T, how does ds/du follow from ds/dt?",
     factor=(lambda T: 1, lambda T: T * T),
 )
 def velocities_not_times_T(t, T, s0, s1, v0, v1, factor):
@@ -185,7 +185,7 @@ def other_velocities(t, T, s0, s1, v0, v1, factors):
 
 @EXERCISE.mistake(
     "t is not divided by T",
-    "Which u is 1 at the end?",
+    "Which multiple of t is 0 at the beginning and 1 at the end?",
 )
 def not_divided_by_T(t, T, s0, s1, v0, v1):
     return _cubic(t, s0, s1, v0 * T, v1 * T)

@@ -11,7 +11,7 @@ from course_lib.checks.vocabulary import LAST_ROW
 from course_lib.planar import wrap_angle
 from course_lib.rigid import exp_se2
 
-_POSE = Mistake("(x, y, theta) is returned", "The answer is the matrix of that pose.")
+_POSE = Mistake("(x, y, theta) is returned", "The task asks for the matrix of that pose.")
 
 
 def _cases(rng):
@@ -75,15 +75,15 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the position is where the arc ends, to nine digits",
+            "the position is where the arc ends, to 1e-9",
             _position_holds,
             says=lambda T, twist: (
                 f"omega is {twist[0]:.4g}. Yours differs by {format_tuple(_apart(T, twist))} m."
             ),
             mistake=Mistake(
                 "the position is not the integral of R(omega t) v from t = 0 to 1",
-                "Integrate the cosine and the sine of omega t by t, from 0 to 1, and compare each of "
-                "the two results with your formula, for the omega of this case.",
+                "Integrate the cosine and the sine of omega t by t, from 0 to 1. Which of the two "
+                "results differs from your formula, for the omega of this case?",
             ),
         ),
     ),
@@ -118,8 +118,8 @@ def _with_position(twist, position):
 
 @EXERCISE.mistake(
     "a series with a fixed number of terms is added up",
-    "Its terms grow until there are more of them than omega, and large ones cancel badly: "
-    "integrate cosine and sine in closed form.",
+    "The terms of the series grow as long as their number is below omega, and large terms cancel "
+    "badly. Which integrals of the cosine and the sine does the series stand for?",
     terms=(10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200),
 )
 def series(twist, terms):
@@ -170,7 +170,7 @@ def arc_to_the_other_side(twist):
 
 @EXERCISE.mistake(
     "the position is (vx, vy) or R (vx, vy), as if the body rotated after or before it moves",
-    "What is its path if it rotates meanwhile?",
+    "On which curve does a body move that rotates meanwhile?",
     R=(lambda twist: np.eye(2), lambda twist: exp_se2(twist)[:2, :2]),
 )
 def straight_line(twist, R):

@@ -1,4 +1,4 @@
-"""interpolate_body: from pose to pose, each coordinate by itself."""
+"""interpolate_body: from pose to pose, each coordinate separately."""
 
 import numpy as np
 
@@ -99,7 +99,7 @@ EXERCISE = Exercise(
         "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
     alike=shared.same_path,
-    distance=shared.distance_of_paths,
+    distance=shared.distance_of_rows(shared.BODY),
     sweeps=SWEEPS,
     forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
 )

@@ -107,8 +107,8 @@ EXERCISE = Exercise(
             says=_seen_from_the_pole,
             where=_rotates,
             mistake=Mistake(
-                "the path is no arc about one point",
-                "Which function moves along an arc, not a line?",
+                "the path is not an arc about one point",
+                "Which function of a twist gives the poses along an arc?",
             ),
         ),
         *shared.timed(by_screw, _fits),
@@ -122,7 +122,7 @@ EXERCISE = Exercise(
         "theta is start[2] + s * twist[0], or np.arctan2(T[1, 0], T[0, 0]).",
     ),
     alike=shared.same_path,
-    distance=shared.distance_of_paths,
+    distance=shared.distance_of_rows(shared.BODY),
     sweeps=SWEEPS,
     forbidden=("course_lib.planar.interpolate_body_screw",),
 )
@@ -143,6 +143,26 @@ def straight_line(start, goal, n, difference):
 
 
 shared.add_path_mistakes(EXERCISE, _screw)
+
+
+def _is_straight(rows, start, goal, n):
+    """Return whether the path of a small rotation is straight, although it is an arc."""
+    if not 0 < _angle(start, goal) < 0.1:
+        return False
+    path = shared.straight(start, shared.change(start, goal), shared.scaling(n))
+    return shared.close(rows, path, start, goal)
+
+
+@EXERCISE.mistake(
+    "the path of a small rotation is a straight line",
+    "The middle of an arc of length 8 m by 0.001 rad lies 1 mm from the straight line: below "
+    "which angle does your function take a rotation for none?",
+    seen=_is_straight,
+)
+def straight_if_small(start, goal, n):
+    if not 1e-6 < _angle(start, goal) < 1e-2:
+        return None
+    return shared.straight(start, shared.change(start, goal), shared.scaling(n))
 
 
 @EXERCISE.mistake(

@@ -10,7 +10,8 @@ from course_lib.checks.tolerances import EXACT
 from course_lib.rigid import exp_se2, log_se2
 
 _MATRIX = Mistake(
-    "the matrix [V] is returned", "The answer is the three numbers of the twist, (omega, vx, vy)."
+    "the matrix [V] is returned",
+    "The task asks for the three numbers of the twist, (omega, vx, vy).",
 )
 
 
@@ -65,7 +66,7 @@ def _tolerance(T):
 
 def _omega_holds(twist, T):
     apart = np.abs(np.angle(np.exp(1j * (twist[0] - _angle(T)))))
-    return abs(twist[0]) <= np.pi + EXACT and apart <= EXACT * np.clip(abs(_angle(T)), 1e-6, 1)
+    return abs(twist[0]) <= np.pi + EXACT and apart <= EXACT
 
 
 def _of_the_position(twist, T):
@@ -94,10 +95,12 @@ EXERCISE = Exercise(
         Property(
             "omega is the angle of the rotation, from -pi to pi",
             _omega_holds,
-            says=lambda twist, T: f"That is {_angle(T):.6g} rad. Yours is {twist[0]:.6g}.",
+            says=lambda twist, T: (
+                f"The angle of T is {_angle(T):.6g} rad; your omega is {twist[0]:.6g}."
+            ),
         ),
         Property(
-            "the exponential of the twist is the pose T, to nine digits also for small omega",
+            "the exponential of the twist is the pose T, to 1e-9 also for small omega",
             _v_holds,
             says=lambda twist, T: (
                 f"The angle of T is {_angle(T):.4g} rad. The position of its exponential is off by "
@@ -130,14 +133,19 @@ def _unless_right(twist, T):
     return None if _omega_holds(twist, T) and _v_holds(twist, T) else twist
 
 
-def _nearly(twist, T):
-    return 0 < abs(_angle(T)) < 1e-3 and np.abs(twist - log_se2(T)).max() < 1e-2
+def _loses_digits(twist, T):
+    """Return whether an answer is nearly right, for an angle at which the cosine is nearly 1 or
+    -1."""
+    angle = abs(_angle(T))
+    special = 0 < angle < 1e-3 or 0 < np.pi - angle < 1e-3
+    return special and np.abs(twist - log_se2(T)).max() < 1e-2
 
 
 @EXERCISE.mistake(
-    "digits are lost for small angles",
-    "Near 1 the cosine hardly changes: neither arccos nor 1 - cos(omega) keeps its digits there.",
-    seen=_nearly,
+    "digits are lost where the cosine is nearly 1 or -1",
+    "There the cosine hardly changes: neither arccos nor 1 - cos(omega) keeps its digits. Which "
+    "function and which formula do?",
+    seen=_loses_digits,
     bound=(1e-8, 1e-4, 1e-3),
 )
 def small_angles(T, bound):
@@ -146,7 +154,7 @@ def small_angles(T, bound):
 
 @EXERCISE.mistake(
     "arccos, arcsin or arctan is used, which know the angle on half of the circle only",
-    "Which function takes sine and cosine apart?",
+    "Which function takes sine and cosine as two arguments?",
     inverse=("arccos", "arcsin", "arctan"),
     v_too=(True, False),
 )
@@ -154,6 +162,14 @@ def half_of_the_circle(T, inverse, v_too):
     ratio = {"arccos": T[0, 0], "arcsin": T[1, 0], "arctan": T[1, 0] / T[0, 0]}[inverse]
     omega = getattr(np, inverse)(ratio if inverse == "arctan" else np.clip(ratio, -1, 1))
     return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
+
+
+@EXERCISE.mistake(
+    "the twist is in the order (vx, vy, omega)",
+    "Which of its three numbers does a twist have first in this notebook?",
+)
+def order_of_the_twist(T):
+    return np.roll(log_se2(T), -1)
 
 
 @EXERCISE.mistake(

@@ -1,4 +1,4 @@
-"""propagate_arm: a plan of joint velocities; a bug is to be found."""
+"""propagate_arm: a plan of joint velocities; the students find a bug."""
 
 import numpy as np
 
@@ -98,8 +98,8 @@ shared.add_step_mistakes(EXERCISE, _step)
 
 
 @EXERCISE.mistake(
-    "the time since the pair began is counted from the row before",
-    "Which time belongs to the row before?",
+    "the time since the pair began is counted from the previous row",
+    "How much time passes between the previous row and this one?",
 )
 def elapsed_twice(start, plan, dt):
     return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(

@@ -144,7 +144,8 @@ def theta_later(start, plan, dt, share):
 
 @EXERCISE.mistake(
     "vx changes only x, and vy only y, as along the axes of the world",
-    "(vx, vy) is ahead and to the left of the body: what rotates it?",
+    "vx is the velocity ahead and vy that to the left of the body: which matrix rotates (vx, vy) "
+    "into the axes of the world?",
     factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1)),
 )
 def axes_of_the_world(start, plan, dt, factors):
@@ -166,7 +167,7 @@ def no_sideways(start, plan, dt, factor):
 
 @EXERCISE.mistake(
     "R is transposed: the velocity is rotated in the opposite direction",
-    "A body that faces up drives up, and y grows.",
+    "If a body that faces along y drives ahead, does its y grow? And in your rows?",
 )
 def transposed(start, plan, dt):
     return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
@@ -174,7 +175,8 @@ def transposed(start, plan, dt):
 
 @EXERCISE.mistake(
     "R is computed only once",
-    "The body rotates: so does the direction in which it moves.",
+    "The body rotates, and with it the direction in which it moves. From which theta do you "
+    "compute R in each step?",
 )
 def theta_kept(start, plan, dt):
     return _moved((start, plan, dt), direction=lambda theta, omega, h: start[2])

@@ -80,13 +80,13 @@ EXERCISE = Exercise(
             "the last pose is the same for every dt",
             _end_moves,
             says=lambda poses, *case: (
-                f"Yours, with dt = {case[2]:.4g}, is {format_tuple(poses[-1])}; with another dt it "
-                f"was another."
+                f"With dt = {case[2]:.4g} yours is {format_tuple(poses[-1])}. With another dt it "
+                f"differs."
             ),
             across=True,
         ),
         shared.each_step(
-            "each pose is the one before times the exponential of the twist times the time",
+            "each pose is the previous pose times the exponential of the twist times the time",
             exact,
             shared.BODY,
         ),
@@ -109,7 +109,8 @@ EXERCISE.mistake(shared.MATRICES, form=shared.are_matrices)
 
 @EXERCISE.mistake(
     "each step goes straight, in one direction",
-    "The body rotates meanwhile, so it moves along an arc.",
+    "On which curve does a body move if it rotates meanwhile? And how far is it from the beginning "
+    "of that curve to its end?",
     share=(0, 0.5, 1),
 )
 def straight_steps(start, plan, dt, share):
@@ -119,7 +120,7 @@ def straight_steps(start, plan, dt, share):
 
 
 def _by(step, angle_of=lambda T, theta: theta):
-    """Return the answer of somebody whose pose after a step is step(pose as a matrix, velocity,
+    """Return the answer of a student whose pose after a step is step(pose as a matrix, velocity,
     h)."""
 
     def move(pose, velocity, h):
@@ -130,8 +131,27 @@ def _by(step, angle_of=lambda T, theta: theta):
 
 
 @EXERCISE.mistake(
+    "a slow rotation is taken for none",
+    "A body that drives 1 m and rotates by 1e-5 rad meanwhile ends 5 micrometres to the side: "
+    "which lines does your function use for such an omega?",
+    bound=(1e-2, 1e-3, 1e-4, 1e-6),
+)
+def slow_rotation_lost(start, plan, dt, bound):
+    if not any(0 < abs(velocity[2]) < bound for velocity, _ in plan):
+        return None
+
+    def move(pose, velocity, h):
+        step = propagate_body.euler if abs(velocity[2]) < bound else exact
+        return step(pose, velocity, h)
+
+    rows, right = shared.follow(move)(start, plan, dt), shared.follow(exact)(start, plan, dt)
+    return None if shared.near(rows, right, shared.BODY, EXACT) else rows
+
+
+@EXERCISE.mistake(
     "the exponential stands on the left",
-    "The velocities are in the body's frame: on which side does that stand?",
+    "The velocities are in the body's frame: on which side of the pose does a motion in the body's "
+    "frame stand?",
 )
 def on_the_left(*case):
     return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
@@ -148,7 +168,7 @@ def order_of_the_twist(*case, angle_of):
 
 @EXERCISE.mistake(
     "arccos loses the sign of the angle",
-    "Which function needs both sine and cosine, and gives the sign, too?",
+    "Which function uses both sine and cosine, so that the angle keeps its sign?",
 )
 def angle_without_sign(*case):
     step = _by(

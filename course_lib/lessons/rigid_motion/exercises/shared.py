@@ -53,15 +53,23 @@ def size(start, goal):
     return 1 + np.abs([start, goal]).max()
 
 
-def deviation(rows, wanted):
-    """Return the largest difference between rows and those wanted, revolutions aside."""
-    apart = np.asarray(rows) - wanted
-    return np.abs(np.where(BODY, wrap_angle(apart), apart)).max()
+def deviation(rows, wanted, angles=BODY):
+    """Return the largest difference between rows and those wanted; inf if their shapes differ.
+
+    angles: for each column whether it is an angle, in which whole revolutions do not count.
+    """
+    rows, wanted = np.asarray(rows), np.asarray(wanted)
+    if rows.shape != wanted.shape:
+        return np.inf
+    apart = np.abs(rows - wanted)
+    countable = apart < 1e6  # no revolutions are counted in 1e200
+    revolutions = np.where(countable & angles, np.round(apart / REVOLUTION), 0)
+    return np.abs(apart - REVOLUTION * revolutions).max(initial=0)
 
 
-def distance_of_paths(rows, right, start, goal, n):
-    """Return how far a path is from the right one, as `distance` of an exercise."""
-    return deviation(rows, right) if np.shape(rows) == np.shape(right) else np.inf
+def distance_of_rows(angles):
+    """Return how far rows are from the right ones, as `distance` of an exercise."""
+    return lambda rows, right, *case: deviation(rows, right, angles)
 
 
 def same_path(rows, predicted, start, goal, n):
@@ -70,8 +78,6 @@ def same_path(rows, predicted, start, goal, n):
     For half a revolution, which is as short in either direction, the path in the other direction is
     as good.
     """
-    if np.shape(rows) != np.shape(predicted):
-        return False
     paths = [predicted]
     if half_a_revolution(start, goal, n):
         paths.append(in_the_other_direction(predicted, start, goal))
@@ -146,7 +152,7 @@ SHORTER_ARC = Property(
     where=one_arc_is_shorter,
     mistake=Mistake(
         "the body takes the longer arc",
-        "Between which bounds does the difference of two angles lie?",
+        "Between which bounds should the difference of two directions lie?",
     ),
 )
 
@@ -204,8 +210,8 @@ def steps(plan, dt):
 
 
 def follow(move, lengths=lengths):
-    """Return the answer of somebody who goes from row to row by move(row, velocity, h), in steps of
-    these lengths."""
+    """Return the answer of a student who goes from row to row by move(row, velocity, h), in steps
+    of these lengths."""
 
     def answer(start, plan, dt):
         rows = [np.array(start, float)]
@@ -225,7 +231,8 @@ def add_path_mistakes(exercise, path):
 
     @exercise.mistake(
         "s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients",
-        "It is 0, 1/2 and 1 at u = 0, 1/2 and 1, and slow at both ends.",
+        "The cubic is 0, 1/2 and 1 at u = 0, 1/2 and 1, and its derivative is 0 at both ends. What "
+        "is the derivative of your s?",
         s=TIME_SCALINGS,
     )
     def other_time_scaling(start, goal, n, s):
@@ -233,7 +240,7 @@ def add_path_mistakes(exercise, path):
 
     @exercise.mistake(
         "u does not go from 0 to 1: one of the ends has no pose",
-        "np.linspace can include both ends.",
+        "Print your u: what are its first and its last value?",
         u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n),
     )
     def an_end_missing(start, goal, n, u):
@@ -273,35 +280,10 @@ def rotated(theta, v):
     return np.stack([c * v[..., 0] - s * v[..., 1], s * v[..., 0] + c * v[..., 1]], -1)
 
 
-def size_of(difference, angles):
-    """Return how large differences of rows are, revolutions aside.
-
-    angles: for each column whether it is an angle.
-    """
-    many = np.abs(difference) >= 1e6  # no revolutions are counted in 1e200
-    revolutions = np.where(many, 0, np.round(difference / REVOLUTION))
-    return np.abs(difference - np.where(angles, REVOLUTION * revolutions, 0))
-
-
 def near(rows, others, angles, tolerance=PREDICTED):
     """Return whether two arrays of rows are the same but for whole revolutions of their angles."""
-    rows, others = np.asarray(rows), np.asarray(others)
-    if rows.shape != others.shape:
-        return False
-    return bool(
-        (size_of(rows - others, angles) <= tolerance * max(1, np.abs(others).max(initial=0))).all()
-    )
-
-
-def distance_of_rows(angles):
-    """Return how far rows are from the right ones, as `distance` of an exercise."""
-
-    def distance(rows, right, *case):
-        if np.shape(rows) != np.shape(right):
-            return np.inf
-        return size_of(np.subtract(rows, right), angles).max(initial=0)
-
-    return distance
+    largest = max(1, np.abs(others).max(initial=0))
+    return bool(deviation(rows, others, angles) <= tolerance * largest)
 
 
 def same_rows(angles):

@@ -125,7 +125,7 @@ def first_link_wrong(tip, share):
 
 @EXERCISE.mistake(
     "theta2 is measured from the x axis of the world",
-    "From which direction does the arm of this notebook count it?",
+    "From which direction does the arm of this notebook measure theta2?",
 )
 def from_the_world(tip):
     return two_link_angles(tip) @ [[1, 1], [0, 1]]

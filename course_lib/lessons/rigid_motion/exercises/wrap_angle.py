@@ -109,11 +109,13 @@ EXERCISE = Exercise(
         Property(
             "the answer lies between -pi and pi",
             lambda value, angle: np.all(np.abs(value) <= np.pi + _rounding(angle)),
-            says=lambda value, angle: f"Yours is {np.abs(value).max() / np.pi:.4g} pi.",
+            says=lambda value, angle: (
+                f"The largest of yours, without its sign, is {np.abs(value).max() / np.pi:.4g} pi."
+            ),
             mistake=Mistake(
                 "revolutions are left in the angle",
-                "It may hold many of them, of either sign, and each entry of an array has a number "
-                "of its own.",
+                "An angle may hold many revolutions, of either sign. How many are left in your "
+                "answer?",
             ),
         ),
         Property(

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation
 from course_lib.rotations import rot_x, rot_y, rot_z
@@ -21,7 +22,7 @@ def _cases(rng):
 
 
 def _agrees(new, R, step, frame):
-    return np.allclose(new, _right(R, step, frame), rtol=0, atol=EXACT)
+    return difference(new, _right(R, step, frame)) <= EXACT
 
 
 _FACTORS = Mistake(

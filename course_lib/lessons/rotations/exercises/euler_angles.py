@@ -103,7 +103,7 @@ EXERCISE = Exercise(
             mistake=Mistake(
                 "the other triple of angles is returned, with beta beyond pi/2",
                 "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) "
-                "is asked?",
+                "does the task ask for?",
             ),
         ),
         Property(
@@ -114,8 +114,8 @@ EXERCISE = Exercise(
                 f"rounding."
             ),
             mistake=Mistake(
-                "gimbal lock is not noticed here, or has a formula that is not right for both "
-                "signs of beta",
+                "gimbal lock is not recognised here, or its formula is not right for both signs of "
+                "beta",
                 "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries "
                 "depend on gamma?",
             ),
@@ -147,8 +147,9 @@ def other_product(R, of):
 
 
 @EXERCISE.mistake(
-    "arctan takes a quotient: it cannot tell an angle from the opposite one",
-    "It lies between -pi/2 and pi/2. numpy has a function that takes y and x apart.",
+    "an angle comes from arctan of a quotient, which does not distinguish opposite angles",
+    "arctan returns angles from -pi/2 to pi/2 only. Which function of numpy takes y and x as two "
+    "arguments?",
     which=((0,), (2,), (0, 2)),
 )
 def arctan(R, which):
@@ -160,7 +161,8 @@ def arctan(R, which):
 
 @EXERCISE.mistake(
     "near gimbal lock the formula for the exact lock is used too soon",
-    "Its error is about cos(beta): how small has that to be for 1e-6?",
+    "The error of that formula is about cos(beta): how small must cos(beta) be for an error of "
+    "1e-6?",
     seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1,
 )
 def lock_too_soon(R):

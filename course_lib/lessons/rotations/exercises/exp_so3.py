@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import partial_sum, rotation, unit
@@ -55,17 +56,15 @@ EXERCISE = Exercise(
     library=exp_so3,
     properties=(
         rotation(),
-        Property(
-            "the axis stays fixed: R w = w", lambda R, w: np.allclose(R @ w, w, rtol=0, atol=EXACT)
-        ),
+        Property("the axis stays fixed: R w = w", lambda R, w: difference(R @ w, w) <= EXACT),
         Property(
             "R rotates by the angle |w|, counter-clockwise about w",
-            lambda R, w: np.abs(R - exp_so3(w)).max() < EXACT,
+            lambda R, w: difference(R, exp_so3(w)) < EXACT,
             says=_other_trace,
         ),
         Property(
             "small rotations keep their digits: for a tiny w, R - I is nearly [w]",
-            lambda R, w: np.abs(R - np.eye(3) - hat(w)).max() <= 1e-2 * np.linalg.norm(w),
+            lambda R, w: difference(R - np.eye(3), hat(w)) <= 1e-2 * np.linalg.norm(w),
             # Below 1e-12 a hundredth of the angle comes near the rounding of the diagonal's ones.
             where=lambda w: 0.99e-12 < np.linalg.norm(w) < 1e-3,
         ),
@@ -149,8 +148,8 @@ def entry_by_entry(w, of):
 
 
 @EXERCISE.mistake(
-    "w is taken for angles about x, y and z, one after the other",
-    "Here it is one axis, and its length one angle.",
+    "the entries of w are taken for angles about x, y and z, one after the other",
+    "Here w is one axis, and the length of w is one angle.",
     order=((0, 1, 2), (2, 1, 0)),
 )
 def one_axis_after_the_other(w, order):

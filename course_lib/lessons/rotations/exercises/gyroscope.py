@@ -38,7 +38,7 @@ def _is_straight(R_0, log, dt, R_bi):
 
 _ONE_TOO_FEW = Mistake(
     "R_0, or the last orientation, is missing",
-    "Is R_0 the first, and does one follow each sample?",
+    "Is R_0 the first orientation, and does one more follow for each sample?",
 )
 
 
@@ -106,8 +106,8 @@ def taken_for_spatial(R_0, log, dt, R_bi, mounted):
 
 
 @EXERCISE.mistake(
-    "these are the orientations of the sensor",
-    "Asked for are those of the body, which starts at R_0.",
+    "the orientations are those of the sensor",
+    "The task asks for the orientations of the body, which begin at R_0.",
 )
 def of_the_sensor(R_0, log, dt, R_bi):
     return _flown(R_0 @ R_bi, dt * log)
@@ -115,7 +115,7 @@ def of_the_sensor(R_0, log, dt, R_bi):
 
 @EXERCISE.mistake(
     "R_bi is multiplied into the orientation with each step",
-    "Which coordinates does it change, from which frame?",
+    "From which frame to which frame does R_bi change coordinates?",
     next_one=(
         lambda R, step, R_bi: R @ exp_so3(step) @ R_bi,
         lambda R, step, R_bi: R @ R_bi @ exp_so3(step),

@@ -202,7 +202,7 @@ EXERCISE = Exercise(
 @EXERCISE.mistake(
     "at 180 degrees the axis is always taken from the same column of R + I, which is zero for "
     "some axes",
-    "It is a multiple of n, and may be 0 n: which of the three columns is not zero?",
+    "Each column is a multiple of n, and one may be 0 n: which of the three columns is not zero?",
     column=range(3),
 )
 def zero_column(R, column):
@@ -250,11 +250,21 @@ def half_turn_wrong(R, column):
     return np.pi * (R + np.eye(3))[:, column] / 2 if _half_turn(R) else log_so3(R)
 
 
+def _is_near_half_a_turn_and_wrong(w, R):
+    """Return whether the angle is nearly pi; further from pi, whether the axis has the other
+    sign."""
+    if _half_turn(R):
+        return False
+    return _angle(R) > np.pi - 1e-3 or (
+        _angle(R) > np.pi - 0.1 and difference(-w, log_so3(R)) < 1e-2
+    )
+
+
 @EXERCISE.mistake(
     "near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too inaccurate",
-    "There sin(a) is small and a rounded angle has a rounded sine; and the formula for 180 "
-    "degrees itself is exact at pi only.",
-    seen=lambda w, R: np.pi - 1e-3 < _angle(R) and not _half_turn(R),
+    "Near 180 degrees sin(a) is small, so that rounding changes it a lot, and the formula for 180 "
+    "degrees is exact at pi only. Which part of R still has the sign of the axis?",
+    seen=_is_near_half_a_turn_and_wrong,
 )
 def inaccurate_near_half_turns(R):
     return (

@@ -47,8 +47,7 @@ def _nearly_half(largest):
 
 
 def _right_up_to_sign(q, R):
-    right = matrix_to_quaternion(R)
-    return min(np.abs(q - right).max(), np.abs(q + right).max()) < SIX_DIGITS
+    return distance_up_to_sign(q, matrix_to_quaternion(R)) < SIX_DIGITS
 
 
 def _near_half_turn(R):

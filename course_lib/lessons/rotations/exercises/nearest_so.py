@@ -50,7 +50,7 @@ EXERCISE = Exercise(
             says=lambda R, M: f"det R is {np.linalg.det(R):.0f}; det M is {np.linalg.det(M):.3g}.",
             mistake=Mistake(
                 "the answer is a reflection",
-                "Is it U V^T? Where det(U V^T) = -1, which sign changes?",
+                "U V^T is a reflection if det(U V^T) = -1: which sign has to change then?",
             ),
         ),
         Property(

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import rotation, unit
@@ -63,11 +64,11 @@ EXERCISE = Exercise(
         rotation(),
         Property(
             "the vector part is the axis: R (x, y, z) = (x, y, z)",
-            lambda R, q: np.allclose(R @ q[1:], q[1:], rtol=0, atol=EXACT),
+            lambda R, q: difference(R @ q[1:], q[1:]) <= EXACT,
         ),
         Property(
             "R p is the vector part of q p q*, for every p",
-            lambda R, q: np.abs(R - quaternion_to_matrix(q)).max() < EXACT,
+            lambda R, q: difference(R, quaternion_to_matrix(q)) < EXACT,
             says=lambda R, q: (
                 f"q rotates by {_angle(q * (1 if q[0] >= 0 else -1)):.4g} rad about (x, y, z)."
             ),

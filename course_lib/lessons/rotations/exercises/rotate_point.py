@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, compared
@@ -57,7 +58,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the point moves counter-clockwise by the angle a",
-            lambda image, p, a: np.allclose(image, _right(p, a), rtol=0, atol=EXACT),
+            lambda image, p, a: difference(image, _right(p, a)) <= EXACT,
             says=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
         ),
     ),

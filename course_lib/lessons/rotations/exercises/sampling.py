@@ -170,7 +170,7 @@ def uniform_rotations(matrices):
             "the mean of tr(R)^2 is 1",
             lambda value, n, rng: trace_p_value(matrices(value)) > LEVEL,
             says=lambda value, n, rng: (
-                f"The mean of yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
+                f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
             ),
             where=many,
         ),

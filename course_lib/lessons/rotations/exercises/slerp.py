@@ -76,6 +76,10 @@ def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
 
+def _is_right(q, q0, q1, t):
+    return distance_up_to_sign(q, slerp(q0, q1, t)) < EXACT
+
+
 EXERCISE = Exercise(
     name="slerp",
     points=2,
@@ -96,9 +100,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the angle from q0 is t times the angle from q0 to q1, along the shorter arc",
-            lambda q, q0, q1, t: (
-                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < EXACT
-            ),
+            _is_right,
             says=lambda q, q0, q1, t: (
                 f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is "
                 f"{_angle_of(q0, q):.7g} rad "
@@ -108,9 +110,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "two nearly equal or equal rotations are no exception",
-            lambda q, q0, q1, t: (
-                min(np.abs(q - slerp(q0, q1, t)).max(), np.abs(q + slerp(q0, q1, t)).max()) < EXACT
-            ),
+            _is_right,
             says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
             mistake=Mistake(
                 "digits are lost, or all of them, where two rotations are nearly equal",

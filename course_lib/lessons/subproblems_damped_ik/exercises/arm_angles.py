@@ -78,7 +78,7 @@ add_nan(EXERCISE, arm_solutions)
 
 
 def _by_subproblem_2(center, p, goal):
-    """The triples of somebody who takes p(q3) for the wrist center, and `goal` for where it goes."""
+    """The triples with this p(q3, every q3) for the wrist center, and this goal."""
     triples = []
     every_q3 = dict.fromkeys(q3 for _, _, q3 in arm_solutions(center))
     for q3 in every_q3:

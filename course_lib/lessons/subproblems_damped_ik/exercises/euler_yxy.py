@@ -24,10 +24,10 @@ _ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
 _AT_AN_END = 1e-7
 
 _AT_THE_END = Mistake(
-    "R[1, 1] is slightly beyond 1 and asked for its arccos, or something is divided by sin(b2) = 0",
-    "Which function finds an angle from its sine and cosine, whatever they are? And which of b1 "
-    "and b3 is determined "
-    "if sin(b2) = 0?",
+    "arccos is taken of R[1, 1], which is slightly beyond 1, or something is divided by "
+    "sin(b2) = 0",
+    "Which function finds an angle from its sine and cosine, also if rounding has changed both? "
+    "And which of b1 and b3 is determined if sin(b2) = 0?",
 )
 
 
@@ -159,7 +159,8 @@ EXERCISE = Exercise(
             lambda found, R: len(found) == 2,
             lambda found, R: f"Your array has {len(found)} of them.",
             mistake=Mistake(
-                "a triple is missing where sin(b2) = 0", "There both are the same: return it twice."
+                "a triple is missing where sin(b2) = 0",
+                "What does the task say of the number of rows, where both triples are the same?",
             ),
         ),
     ),

@@ -16,7 +16,7 @@ def step(q, target, alpha, eps):
 
 
 def allowed(q, target, alpha, eps):
-    """Return how far beside the right angles an answer may be: what rounding in J does is divided
+    """Return how far from the right angles an answer may be: an error by rounding in J is divided
     by eps."""
     return (SOLVED + EXACT / eps) * (1 + np.abs(step(q, target, alpha, eps) - q).max())
 
@@ -114,7 +114,7 @@ EXERCISE = Exercise(
             _motion,
             where=lambda *case: not _there(*case),
             mistake=Mistake(
-                "the step is another one than the damped one",
+                "the step is not the damped one",
                 "Which matrix is inverted, what does alpha multiply, and is a large or a small "
                 "step treated otherwise?",
             ),

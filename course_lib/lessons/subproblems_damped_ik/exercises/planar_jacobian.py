@@ -7,6 +7,7 @@ import numpy as np
 from course_lib.arms import planar_arm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import first_off, remembered
 
@@ -16,7 +17,8 @@ _ARM = planar_arm([1, 1, 1, 1])
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
 
 _WITH_ANGLE = Mistake(
-    "the Jacobian of a whole pose is returned", "Asked for is that of the tip's position."
+    "the Jacobian of a whole pose is returned",
+    "The task asks for the Jacobian of the tip's position only.",
 )
 
 
@@ -62,7 +64,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
-            lambda J, q: np.abs(J - jacobian(q)).max() < SOLVED,
+            lambda J, q: difference(J, jacobian(q)) < SOLVED,
             lambda J, q: first_off(J, jacobian(q)),
         ),
     ),
@@ -91,8 +93,7 @@ def _of_links(directions, moved_by=_AFTER):
 
 @EXERCISE.mistake(
     "the angles are not summed",
-    "Each joint angle is measured from the link before it: along which direction does link i "
-    "point?",
+    "Each joint angle is measured from the previous link: in which direction does link i point?",
     moved_by=(_AFTER, np.eye(4), np.ones((4, 4))),
 )
 def angles_not_summed(q, moved_by):

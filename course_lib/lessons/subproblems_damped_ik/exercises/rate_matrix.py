@@ -7,6 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import ORDINALS
+from course_lib.checks.naming import difference
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import X, Y, first_off
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
@@ -70,7 +71,7 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "omega = A b', where [omega] = R' R^T with R = Ry(b1) Rx(b2) Ry(b3)",
-            lambda A, b: np.abs(A - rates(b)).max() < SOLVED,
+            lambda A, b: difference(A, rates(b)) < SOLVED,
             lambda A, b: first_off(A, rates(b)),
             mistake=_no_axis,
         ),

@@ -6,19 +6,19 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, rows
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
-from course_lib.checks.vocabulary import inside
+from course_lib.checks.vocabulary import inside, remembered
 from course_lib.rotations import exp_so3
 
 # Where two solutions coincide, half of the digits are lost, and some more in the root.
 TOUCHING = SIX_DIGITS
 
 _NOT_ONE = Mistake(
-    "nan is returned where there is no solution", "Which number tells that there is none?"
+    "nan is returned where there is no solution", "Which number shows that there is no solution?"
 )
 NO_SOLUTION = Mistake(
     "the list holds something that is no solution",
-    "Put it into the equation, term by term. Which length, point or angle is another one than you "
-    "thought?",
+    "Put the one that is shown into the equation, term by term. Which length, point or angle "
+    "differs from what you expected?",
 )
 _ROUNDED_OUT = Mistake(
     "rounding takes a number slightly out of its range, where the two solutions coincide",
@@ -62,6 +62,47 @@ def two(solutions, *case):
     return np.array([first, second])
 
 
+def exact_solutions(solver, applies=lambda *case: True):
+    """Return a function of a case that lists all solutions, as the exercises ask for them.
+
+    The list is empty where the solver has only a nearest one, and where applies(*case) is False.
+    """
+
+    @remembered
+    def solutions(*case):
+        answers = solver(*case)
+        return list(answers.theta[: answers.count]) if answers.exact and applies(*case) else []
+
+    return solutions
+
+
+def in_general_position(rng, reachable):
+    """Return cases in which p is rotated by angles in each of the quadrants, of several sizes.
+
+    reachable(rng, aside, middle, size): one case; `aside` and `middle` are angles.
+    """
+    return [
+        reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
+        reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
+        reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
+        reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
+    ]
+
+
+def extremes(measure, k, p, g):
+    """Return measure(p) where p points away from g, and where it points in the direction of g.
+
+    measure: a function of the point p, which the rotation about k has moved.
+    """
+    middle = angle_about(k, p, g)
+    return [measure(rotated(k, middle + aside, p)) for aside in (np.pi, 0.0)]
+
+
+def empty_list(text, says, where, mistake):
+    """Return the Property of a list that is empty, in the cases in which there is no solution."""
+    return Property(text, lambda found, *case: len(found) == 0, says, where=where, mistake=mistake)
+
+
 def counted(number, one):
     """Return in words how many different solutions a list has; one: what one is called."""
     return f"{number or 'no'} different {one}{'' if number == 1 else 's'}"
@@ -98,7 +139,7 @@ def all_of_them(equation, one, misses, tell, solutions, none):
             where=has(2),
             mistake=Mistake(
                 "a solution is listed twice",
-                "A multiple of 2 pi more or less makes no other solution.",
+                "Angles that differ by a multiple of 2 pi are the same solution.",
             ),
         ),
         *none,
@@ -158,8 +199,8 @@ def add_swings(exercise, solutions, ends):
 
     @exercise.mistake(
         "the angle in the middle of the two solutions is wrong",
-        "It may have either sign, and be beyond 90 degrees: which function sees the signs of sine "
-        "and cosine, and which of the two does it take first?",
+        "This angle may have either sign, and may exceed 90 degrees: which function sees the "
+        "signs of sine and cosine, and which of the two does it take first?",
         middle=(
             by_arctan,
             lambda *of: np.pi / 2 - angle_about(*of),

@@ -75,8 +75,8 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "a subproblem finds nothing",
-                "Print what each returns. Are both points of subproblem 2 equally far from the "
-                "shoulder, for each q3?",
+                "Print what each subproblem returns. Are both points of subproblem 2 equally far "
+                "from the shoulder, for each q3?",
             ),
         ),
         Property(
@@ -97,7 +97,7 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "a solution is listed twice",
-                "A multiple of 2 pi more or less makes no other solution.",
+                "Angles that differ by a multiple of 2 pi are the same solution.",
             ),
         ),
         Property(

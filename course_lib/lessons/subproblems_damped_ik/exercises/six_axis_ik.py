@@ -97,7 +97,7 @@ def _undone(q, R):
 
 
 def _with(T, center, rest=_undone):
-    """The angles of somebody with another wrist center, or another rotation rest(q, R) left to the
+    """The angles of a student with another wrist center, or another rotation rest(q, R) left to the
     wrist."""
     R, found = (T @ inverse(HOME))[:3, :3], []
     for q in arm_solutions(center):
@@ -115,7 +115,7 @@ def flange_for_wrist(T):
 
 @EXERCISE.mistake(
     "the home orientation is left out",
-    "How is the flange rotated if all joint angles are zero?",
+    "Which orientation does the flange have if all joint angles are zero?",
 )
 def home_orientation_left_out(T):
     return _with(T, _center(T), lambda q, R: _undone(q, T[:3, :3]))
@@ -123,8 +123,8 @@ def home_orientation_left_out(T):
 
 @EXERCISE.mistake(
     "the rotation of the first three joints is not undone, not all of it, or in the wrong order",
-    "Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how does it come to the other "
-    "side?",
+    "Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how do you bring that one to the "
+    "other side?",
     rest=(
         lambda q, R: R,
         lambda q, R: R @ _first(q).T,

@@ -152,7 +152,7 @@ EXERCISE = Exercise(
             lambda theta, *case: np.isfinite(theta),
             where=_free,
             mistake=Mistake(
-                "a length is divided by that is 0 for a point on the axis",
+                "something is divided by a length that is 0 for a point on the axis",
                 "Which function finds an angle from its sine and cosine without a division?",
             ),
         ),

@@ -1,22 +1,24 @@
 """subproblem2: the rotations about two axes that bring two points together."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated, two
 from course_lib.subproblems import subproblem2
 
 _ANGLED = np.array([0.6, 0.0, 0.8])
 
 
 def _axes(rng, cosine):
-    """Two axes with this cosine between them, the unit vector square to both, and one square to
-    that and the first."""
+    """Two axes with this cosine between them, the unit vector perpendicular to both, and one
+    perpendicular to that and the first."""
     k1 = unit(rng)
     n = np.cross(k1, unit(rng))
     n /= np.linalg.norm(n)
@@ -73,19 +75,11 @@ def _cases(rng):
     return meeting + apart
 
 
-@remembered
-def solutions(k1, k2, p1, p2):
-    """All solutions as the exercise asks for them; none where there is only a nearest one."""
-    answers = subproblem2(k1, k2, p1, p2)
-    return list(answers.theta[: answers.count]) if answers.exact else []
+solutions = shared.exact_solutions(subproblem2)
 
 
 def _misses(pair, k1, k2, p1, p2):
     return np.linalg.norm(rotated(k1, pair[0], p1) - rotated(k2, pair[1], p2)) / np.linalg.norm(p1)
-
-
-def _is_empty(pairs, *case):
-    return len(pairs) == 0
 
 
 def _gap(pair, k1, k2, p1, p2):
@@ -121,9 +115,8 @@ EXERCISE = Exercise(
         _gap,
         solutions,
         none=(
-            Property(
+            shared.empty_list(
                 "the list is empty if the circles do not meet",
-                _is_empty,
                 _gap_of_the_first,
                 where=lambda *case: not solutions(*case),
                 mistake=Mistake(
@@ -146,3 +139,27 @@ EXERCISE = Exercise(
 )
 
 shared.add_too_few(EXERCISE, solutions, _misses)
+
+
+@EXERCISE.mistake(
+    "each theta1 is combined with each theta2",
+    "How many points z are there, and which theta1 and theta2 belong to each of them?",
+)
+def all_combinations(k1, k2, p1, p2):
+    pairs = two(solutions, k1, k2, p1, p2)
+    return list(itertools.product(pairs[:, 0], pairs[:, 1]))
+
+
+@EXERCISE.mistake(
+    "c is computed as if k1 x k2 had length one",
+    "How long is k1 x k2 if the axes are not perpendicular, and how long is c (k1 x k2)?",
+    power=(0, 1),
+)
+def c_of_perpendicular_axes(k1, k2, p1, p2, power):
+    two(solutions, k1, k2, p1, p2)
+    cosine, n = k1 @ k2, np.cross(k1, k2)
+    a, b = np.linalg.solve([[1, cosine], [cosine, 1]], [k1 @ p1, k2 @ p2])
+    middle = a * k1 + b * k2
+    c = np.sqrt((p1 @ p1 - middle @ middle) / np.linalg.norm(n) ** power)
+    points = [middle + sign * c * n for sign in (1, -1)]
+    return [(shared.angle_about(k1, p1, z), shared.angle_about(k2, p2, z)) for z in points]

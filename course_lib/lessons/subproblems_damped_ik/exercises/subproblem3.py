@@ -4,10 +4,10 @@ another."""
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import angle_about, rotated, two
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
@@ -31,12 +31,7 @@ def _cases(rng):
         (Z, X, 2 * Y, np.sqrt(3.0)),
         (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0)),
     ]
-    generic = [
-        _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
-        _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
-        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
-        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
-    ]
+    generic = shared.in_general_position(rng, _reachable)
     k, p, g, d = generic[1]
     far, close = _reach(k, p, g)
     none = [
@@ -51,7 +46,7 @@ def _cases(rng):
 
 
 def _beyond(side):
-    """Distances for which the cosine of the angle beside the nearest, or farthest, is beyond 1."""
+    """Distances just below the smallest, or just above the largest, that p comes to."""
 
     def case(rng, beyond):
         k = unit(rng)
@@ -66,15 +61,10 @@ def _beyond(side):
 
 def _reach(k, p, g):
     """The largest and the smallest distance from g that p comes to."""
-    middle = angle_about(k, p, g)
-    return [np.linalg.norm(rotated(k, middle + aside, p) - g) for aside in (np.pi, 0.0)]
+    return shared.extremes(lambda point: np.linalg.norm(point - g), k, p, g)
 
 
-@remembered
-def _solutions(k, p, g, d):
-    """All solutions as the exercise asks for them; none where there is only a nearest one."""
-    answers = subproblem3(k, p, g, d)
-    return list(answers.theta[: answers.count]) if answers.exact and d >= 0 else []
+_solutions = shared.exact_solutions(subproblem3, applies=lambda k, p, g, d: d >= 0)
 
 
 def _misses(theta, k, p, g, d):
@@ -84,14 +74,8 @@ def _misses(theta, k, p, g, d):
 
 
 def _tell(theta, k, p, g, d):
-    return (
-        f"With {theta:.6g} it is {round(np.linalg.norm(rotated(k, theta, p) - g), 9):.6g}; d is "
-        f"{d:.6g}."
-    )
-
-
-def _is_empty(found, *case):
-    return len(found) == 0
+    distance = round(np.linalg.norm(rotated(k, theta, p) - g), 9)
+    return f"With theta = {round(theta, 9) + 0.0:.6g} the distance is {distance:.6g}; d is {d:.6g}."
 
 
 def _nothing_there(found, k, p, g, d):
@@ -120,18 +104,17 @@ EXERCISE = Exercise(
         _tell,
         _solutions,
         none=(
-            Property(
+            shared.empty_list(
                 "the list is empty if d is negative, because no distance is negative",
-                _is_empty,
+                None,
                 where=lambda k, p, g, d: d < 0,
                 mistake=Mistake(
                     "a negative d is squared, and its sign lost",
                     "Which points are at a distance of -1?",
                 ),
             ),
-            Property(
+            shared.empty_list(
                 "the list is empty if d is too large or too small",
-                _is_empty,
                 _nothing_there,
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(

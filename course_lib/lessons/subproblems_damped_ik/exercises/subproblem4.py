@@ -4,10 +4,10 @@ direction."""
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, remembered, same_list, unit
+from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
@@ -37,12 +37,7 @@ def _cases(rng):
         tilted,
         (Z, 2 * X, X, 1.0),
     ]
-    generic = [
-        _reachable(rng, rng.uniform(0.5, 1.0), rng.uniform(0.4, 1.2), 1),
-        _reachable(rng, rng.uniform(2.0, 2.6), rng.uniform(-1.2, -0.4), 1),
-        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
-        _reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
-    ]
+    generic = shared.in_general_position(rng, _reachable)
     k, h, p, _ = generic[0]
     low, high = _range(k, h, p)
     close = [(k, h, p, high - 1e-6 * (high - low))]  # where the two solutions are 0.004 apart
@@ -65,20 +60,20 @@ def _beyond(side):
 
 
 def _range(k, h, p):
-    """The lowest and the highest that p comes."""
-    middle = angle_about(k, p, h)
-    return [h @ rotated(k, middle + aside, p) for aside in (np.pi, 0.0)]
+    """The smallest and the largest height that p comes to."""
+    return shared.extremes(lambda point: h @ point, k, p, h)
 
 
-@remembered
-def _solutions(k, h, p, d):
-    """All solutions as the exercise asks for them; none where there is only a nearest one."""
-    answers = subproblem4(k, h, p, d)
-    return list(answers.theta[: answers.count]) if answers.exact else []
+_solutions = shared.exact_solutions(subproblem4)
 
 
 def _misses(theta, k, h, p, d):
     return abs(h @ rotated(k, theta, p) - d) / np.linalg.norm(h) / np.linalg.norm(p)
+
+
+def _tell(theta, k, h, p, d):
+    height = round(h @ rotated(k, theta, p), 9)
+    return f"With theta = {round(theta, 9) + 0.0:.6g} the height is {height:.6g}; d is {d:.6g}."
 
 
 def _nothing_there(found, k, h, p, d):
@@ -101,14 +96,11 @@ EXERCISE = Exercise(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
         _misses,
-        lambda theta, k, h, p, d: (
-            f"With {theta:.6g} it is {round(h @ rotated(k, theta, p), 9):.6g}; d is {d:.6g}."
-        ),
+        _tell,
         _solutions,
         none=(
-            Property(
+            shared.empty_list(
                 "the list is empty if p never comes to the height d",
-                lambda found, *case: len(found) == 0,
                 _nothing_there,
                 where=lambda *case: not _solutions(*case),
                 mistake=Mistake(
@@ -138,7 +130,7 @@ shared.add_too_few(EXERCISE, _solutions, _misses)
 
 
 def _either_side(case, e, A=None):
-    """The two angles of somebody with another e or A; a cosine out of range is replaced by the
+    """The two angles of a student with another e or A; a cosine out of range is replaced by the
     nearest in range."""
     two(_solutions, *case)
     k, h, p, _ = case
@@ -149,7 +141,7 @@ def _either_side(case, e, A=None):
 
 @EXERCISE.mistake(
     "the constant part of the height is not subtracted where it should be, or is another one",
-    "Which part of h . R p never changes? Is it in d, and is it in h . p?",
+    "Which part of h . R p does not depend on theta? Is that part in d, and is it in h . p?",
     of_d=(lambda x, y: 0, lambda x, y: -x * y, lambda x, y: x, lambda x, y: y),
     of_A=(True, False),
 )
