@@ -20,6 +20,8 @@ from course_lib.checks.special_cases import (
     Sweep,
     made_cases,
 )
+from course_lib.checks.vocabulary import same_list
+from course_lib.rotations import exp_so3
 
 LESSONS = Path(__file__).parents[1] / "course_lib/lessons"
 MODULES = sorted(
@@ -160,6 +162,26 @@ def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
     assert mistake.name.startswith("the answer is wrong for whole numbers only")
     wrong_for_all = judge(replace(HALF, cases=cases), Here(lambda x: into_a_copy(x) + 0.3)).mistake
     assert wrong_for_all is None or "whole numbers only" not in wrong_for_all.name
+
+
+TINY_ROTATIONS = replace(
+    HALF,
+    arguments=("w",),
+    cases=lambda rng: [(rng.normal(size=3),), (rng.normal(size=3),), (1e-7 * np.ones(3),)],
+    properties=(Property("R is exp of w", lambda R, w: np.abs(R - exp_so3(w)).max() < 1e-9),),
+    returns=numbers(lambda w: (3, 3)),
+    library=exp_so3,
+)
+
+
+def test_a_transpose_is_named_although_a_tiny_rotation_is_nearly_its_transpose():
+    mistake = judge(TINY_ROTATIONS, Here(lambda w: exp_so3(w).T)).mistake
+    assert mistake.name == "the answer is the transpose of what it should be"
+
+
+def test_lists_of_another_shape_are_not_the_same():
+    assert not same_list([1.0, 2.0], [[0.0, 1.0], [0.0, -1.0]])
+    assert same_list([[0.0, 1.0], [0.0, -1.0]], [[0.0, -1.0], [0.0, 1.0]])
 
 
 # Every exercise

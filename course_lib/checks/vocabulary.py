@@ -185,8 +185,10 @@ def same_list(found, wanted, *arguments):
     """Return whether two lists hold the same angles, or rows of them, in any order and however
     often."""
     found, wanted = np.asarray(found, float), np.asarray(wanted, float)
-    if len(found) == 0 or len(wanted) == 0 or found.shape[1:] != wanted.shape[1:]:
+    if len(found) == 0 or len(wanted) == 0:
         return len(found) == len(wanted)
+    if found.shape[1:] != wanted.shape[1:]:
+        return False
     return inside(found, wanted) and inside(wanted, found)
 
 

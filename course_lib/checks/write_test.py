@@ -40,7 +40,7 @@ ALWAYS_TRUE = Mistake(
     "with something that must hold for every right version.",
 )
 ALWAYS_FALSE = Mistake(
-    "your test refuses everything",
+    "your test rejects everything",
     "A right version passes too. Compare with a tolerance (np.allclose). Does your test ask for "
     "one of two right "
     "answers, as at an angle of exactly pi (either sign is right)? Does it compare NaN with a "
@@ -147,13 +147,15 @@ class WriteTest(Exercise):
         n_wrong = len(judged) - n_right
         if not refused and not missed:
             return Verdict(
-                self, RIGHT, note=f"{n_right} right versions accepted, {n_wrong} wrong ones refused"
+                self,
+                RIGHT,
+                note=f"{n_right} right versions accepted, {n_wrong} wrong ones rejected",
             )
         # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one
         # input, refuses hardly more. One that always returns the same, or guesses, earns nothing.
         share = max(1 - (len(refused) / n_right + len(missed) / n_wrong) / 0.3, 0)
-        said = "your test accepts every right version and refuses every wrong one."
-        said += f" Yours refuses {len(refused)} of {n_right} right ones{_kinds(refused)}"
+        said = "your test accepts every right version and rejects every wrong one."
+        said += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
         said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = self.refuses if len(refused) == n_right and not missed else always

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -164,9 +164,17 @@ def half_of_the_circle(T, inverse, v_too):
     return _unless_right(np.append(omega, _v(T, omega) if v_too else _v(T)), T)
 
 
+def _same_twist(twist, predicted, T):
+    """Return whether two twists are the same; at half a revolution, whether one is minus the
+    other."""
+    at_half = abs(_angle(T)) > np.pi - EXACT
+    return same(twist, predicted) or (at_half and same(twist, -predicted))
+
+
 @EXERCISE.mistake(
     "the twist is in the order (vx, vy, omega)",
     "Which of its three numbers does a twist have first in this notebook?",
+    alike=_same_twist,
 )
 def order_of_the_twist(T):
     return np.roll(log_se2(T), -1)

@@ -52,6 +52,14 @@ def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
 
+def _where_the_rows_lead(angles, tip):
+    first, second = (format_tuple(reached) for reached in two_link_tip(angles))
+    return (
+        f"`tip` is {format_tuple(tip)}. Your rows lead to {first} and to {second}, off by "
+        f"{_off(angles, tip).max():.2g} m."
+    )
+
+
 EXERCISE = Exercise(
     name="two_link_angles",
     points=3,
@@ -63,11 +71,7 @@ EXERCISE = Exercise(
         Property(
             "with the angles of either row the arm's tip is at `tip`",
             lambda angles, tip: _off(angles, tip).max() < HALF_THE_DIGITS,
-            says=lambda angles, tip: (
-                f"It should be at {format_tuple(tip)}. With your rows it is at "
-                f"{format_tuple(two_link_tip(angles)[0])} "
-                f"and at {format_tuple(two_link_tip(angles)[1])}."
-            ),
+            says=_where_the_rows_lead,
             mistake=other_bend,
             points=1,
         ),
@@ -101,6 +105,14 @@ EXERCISE = Exercise(
 )
 
 EXERCISE.mistake(_ONE, form=(2,))
+EXERCISE.mistake(
+    Mistake(
+        "a tip that rounding has put beyond 2 m has no answer",
+        "Print the distance of this tip from the base with all its digits. What does the task say "
+        "of such a tip?",
+    ),
+    form=lambda array, tip: array.size == 0 and np.hypot(*tip) > 2,
+)
 EXERCISE.mistake(_ABOVE_ONE, nan=_straight)
 
 
@@ -121,6 +133,15 @@ def _solutions(tip, two, first=lambda direction, two: direction - two / 2):
 )
 def first_link_wrong(tip, share):
     return _solutions(tip, _bend(tip), lambda direction, two: direction - share * two)
+
+
+@EXERCISE.mistake(
+    "the arm is taken for stretched although the tip is not at the edge of the reach",
+    "How far is this tip from the base? Below which distance does your function bend the arm?",
+    short=(1e-2, 1e-4, 1e-6),
+)
+def stretched_too_early(tip, short):
+    return None if np.hypot(*tip) < 2 - short or _straight(tip) else _solutions(tip, 0.0)
 
 
 @EXERCISE.mistake(

@@ -1,4 +1,4 @@
-"""test_log_so3: a test that tells right logarithms of rotations from wrong ones."""
+"""test_log_so3: a test that distinguishes right logarithms of rotations from wrong ones."""
 
 import numpy as np
 
@@ -57,7 +57,7 @@ _ONE_SIGN = Mistake(
     " whichever of the two it is?",
 )
 _STRICT = Mistake(
-    "your test refuses an answer that is longer than pi by rounding only",
+    "your test rejects an answer that is longer than pi by rounding only",
     "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be "
     "off?",
 )

@@ -123,7 +123,7 @@ def home_orientation_left_out(T):
 
 @EXERCISE.mistake(
     "the rotation of the first three joints is not undone, not all of it, or in the wrong order",
-    "Which of R(z, q1) R(y, q2 + q3) and W stands on the left, and how do you bring that one to the "
+    "Which of R(z, q1) R(y, q2 + q3) and W stands on the left? How do you bring that one to the "
     "other side?",
     rest=(
         lambda q, R: R,

@@ -47,7 +47,7 @@ def right_against_the_law_of_cosines(ik_2r):
 
 
 def wrong_exactly_equal(ik_2r):
-    """refuses everything"""
+    """rejects everything"""
     return all((_fk(np.array(ik_2r(xy))) == xy).all() for xy in INSIDE)
 
 

@@ -53,7 +53,7 @@ def wrong_strict_length(log_so3):
 
 
 def wrong_vectors_longer_than_pi(log_so3):
-    """your test refuses everything"""
+    """your test rejects everything"""
     w = np.random.default_rng(0).normal(size=(200, 3))
     return all(np.allclose(log_so3(exp_so3(each)), each) for each in w)
 

@@ -51,7 +51,7 @@ def right_with_asserts(subproblem2):
 
 
 def wrong_exactly_equal(subproblem2):
-    """refuses everything"""
+    """rejects everything"""
     return all(
         np.array_equal(rotate(case[0], pair[0], case[2]), rotate(case[1], pair[1], case[3]))
         for case in _problems()
