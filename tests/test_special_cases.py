@@ -2,6 +2,7 @@
 
 import importlib
 import itertools
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -145,7 +146,7 @@ def test_few_digits_are_named_before_anything_else(answer, name):
 
 def test_a_difference_that_the_numbers_shown_do_not_show_is_printed():
     text = describe(judge(HALF, Here(lambda x: x / 2 * (1 + 3e-8))))
-    assert "Your answer is off by 3.0e-08." in text or "off by" in text.splitlines()[1]
+    assert re.search(r"Your answer is off by \d\.\de-08\.", text)
     text = describe(judge(HALF, Here(lambda x: x)))
     assert "off by" not in text
 

@@ -17,10 +17,8 @@ from course_lib.checks.special_cases import Sweep, made_cases
 from course_lib.checks.wire import NotPlain, from_json, write
 
 PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
-MOST_SETS, OFTEN_SECONDS = (
-    50,
-    0.4,
-)  # of cases asked in the notebook, and the processor time after which none follows
+MAX_SETS = 50  # of cases that are asked in the notebook
+SECONDS_FOR_SETS = 0.4  # of processor time, after which no further set is asked
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
@@ -286,18 +284,24 @@ class Exercise:
     def _credit(self, cases, answers):
         """Return the partial credit: points of the properties that hold wherever they apply,
         whatever else is wrong."""
-        earned = 0
-        for part in self.properties:
-            if part.points:
-                about = [
-                    k for k, case in enumerate(cases) if part.where is None or part.where(*case)
-                ]
-                values = [attempt(self.returns, answers[k].get("value"), *cases[k]) for k in about]
-                missing = any(value is None for value in values)
-                earned += (
-                    0 if missing or part.failing([cases[k] for k in about], values) else part.points
-                )
+        earned = sum(
+            part.points
+            for part in self.properties
+            if part.points and self._holds_throughout(part, cases, answers)
+        )
         return min(earned, self.points - 1)
+
+    def _holds_throughout(self, part, cases, answers):
+        """Return whether a property holds of every answer, which can be read, wherever it
+        applies."""
+        asked, values = [], []
+        for case, answer in zip(cases, answers, strict=True):
+            if part.where is None or part.where(*case):
+                asked.append(case)
+                values.append(attempt(self.returns, answer.get("value"), *case))
+        if any(value is None for value in values):
+            return False
+        return not part.failing(asked, values)
 
     def _named_before(self, position, cases, answers):
         """Return the Verdict on the cases before this one if it names a mistake of the exercise,
@@ -309,12 +313,15 @@ class Exercise:
         return replace(before, credit=0) if before and before.mistake in self.mistakes else None
 
     def _is_unchanged(self, cases, values):
-        pairs = [
-            (predict(self.broken, case), value) for case, value in zip(cases, values, strict=True)
-        ]
-        return all(
-            broken is None if value is None else same(value, broken) for broken, value in pairs
-        )
+        for case, value in zip(cases, values, strict=True):
+            broken = predict(self.broken, case)
+            if value is None or broken is None:
+                unchanged = value is None and broken is None
+            else:
+                unchanged = same(value, broken)
+            if not unchanged:
+                return False
+        return True
 
 
 class Unreadable(ValueError):
@@ -466,8 +473,8 @@ def review(exercise, student):
     """
     begin = time.process_time()
     verdict = judge(exercise, student)
-    for seed in range(PUBLIC_SEED + 1, PUBLIC_SEED + MOST_SETS):
-        if verdict.state != RIGHT or time.process_time() - begin > OFTEN_SECONDS:
+    for seed in range(PUBLIC_SEED + 1, PUBLIC_SEED + MAX_SETS):
+        if verdict.state != RIGHT or time.process_time() - begin > SECONDS_FOR_SETS:
             break
         verdict = replace(judge(exercise, student, seed), note=verdict.note)
     return verdict

@@ -12,12 +12,10 @@ from course_lib.checks.special_cases import MadeCase
 from course_lib.checks.tolerances import PREDICTED
 from course_lib.checks.wire import Seed
 
-_MOST_ORDERED, _MOST_ENTRIES, _MOST_LINES = (
-    4,
-    16,
-    6,
-)  # of which all orders, and all signs, are tried
-_FEW = 3  # numbers that differ: fewer agree with some transform by chance
+_MAX_ORDERED = 4  # entries, rows or columns, of which all orders are tried
+_MAX_ENTRIES = 16  # of an answer, of which each is tried with the other sign
+_MAX_LINES = 6  # rows or columns, of which each is tried with the other sign
+_MIN_NUMBERS = 3  # numbers that differ: fewer agree with some transform by chance
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
 
@@ -113,18 +111,24 @@ class Naming:
             of_digits = Mistake(*_ONLY_WHOLE)
         if of_digits is not None:
             return of_digits
-        predicting = [known for known in own if self._predicts_all(known, wrong)]
-        found = predicting[0] if predicting else self._few_digits(wrong)
-        found = found or next(
-            (known for known in own if self._explains(known, failing, wrong, everywhere=True)), None
-        )
-        found = found or next(
-            (known for known in everyday(self) if self._explains_enough(known, failing, wrong)),
-            None,
-        )
-        if found is None and not self.few_bits():
-            found = next((known for known in own if self._explains(known, failing, wrong)), None)
-        return found
+        for known in own:
+            if self._predicts_all(known, wrong):
+                return known
+        of_digits = self._few_digits(wrong)
+        if of_digits is not None:
+            return of_digits
+        for known in own:
+            if self._explains(known, failing, wrong, everywhere=True):
+                return known
+        for known in common_mistakes(self):
+            if self._explains_enough(known, failing, wrong):
+                return known
+        if self.has_few_values():
+            return None
+        for known in own:
+            if self._explains(known, failing, wrong):
+                return known
+        return None
 
     def _predicts_all(self, mistake, wrong):
         """Return whether a function of the mistake predicts all wrong answers, and contradicts no
@@ -140,7 +144,7 @@ class Naming:
         of_floats = [i for i, case in enumerate(self.cases) if not _has_integers(case)]
         return bool(of_floats) and not set(of_floats) & set(wrong)
 
-    def few_bits(self):
+    def has_few_values(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes
         by chance."""
         return all(
@@ -205,17 +209,11 @@ class Naming:
         right = self.right(position)
         if right is None or not isinstance(value, (np.ndarray, list, tuple, int, float)):
             return None
-        forms = (
-            (Mistake(name, hint), attempt(change, right)) for name, hint, change in _OTHER_FORMS
-        )
-        return next(
-            (
-                mistake
-                for mistake, form in forms
-                if form is not None and _telling(form) and same(value, form)
-            ),
-            None,
-        )
+        for name, hint, change in _OTHER_FORMS:
+            form = attempt(change, right)
+            if form is not None and _telling(form) and same(value, form):
+                return Mistake(name, hint)
+        return None
 
     def right(self, position):
         """Return the library's answer to a case as an array of floats; None if it is not one."""
@@ -263,20 +261,18 @@ class Naming:
             return False
         if not mistake.answers:
             return True
+        transform = mistake.answers[0]
         # Where the answer is nearly right, so is whatever explains it.
         clearly_wrong = [i for i in wrong if not self.looks_right(i)]
-        if not clearly_wrong or any(self._is_right(mistake.answers[0], i) for i in clearly_wrong):
+        if not clearly_wrong or any(self._is_right(transform, i) for i in clearly_wrong):
             # a list of solutions in reverse order, for example: this is not what is wrong
             return False
-        changed = [
-            value
+        explained = {
+            str(value): np.size(value)
             for i, value in enumerate(self.values)
-            if self._predicts(mistake, mistake.answers[0], i)
-        ]
-        return (
-            sum(np.size(value) for value in {str(value): value for value in changed}.values())
-            >= _FEW
-        )
+            if self._predicts(mistake, transform, i)
+        }
+        return sum(explained.values()) >= _MIN_NUMBERS
 
     def _is_right(self, answer, position):
         """Return whether what a mistake predicts is right as well, as a list of solutions is in
@@ -324,7 +320,7 @@ class Naming:
         return same(value, predicted) and bool(_gap(value, predicted) <= 0.1 * between)
 
 
-def everyday(naming):
+def common_mistakes(naming):
     """Yield the Mistakes that are tried for every exercise: transforms of the right answer, and of
     the arguments."""
     exercise, values = naming.exercise, naming.values
@@ -340,7 +336,7 @@ def everyday(naming):
     if exercise.library is None or naming.right(0) is None:
         return
     right = naming.right(0)
-    folds = () if naming.few_bits() else _folded(right)
+    folds = () if naming.has_few_values() else _folded(right)
     for name, hint, change in (
         *_OF_THE_ANSWER,
         *_in_other_order(right),
@@ -397,7 +393,7 @@ def _telling(numbers):
     """Return whether numbers are equal to others hardly by chance: a single 0 or 1 often is, and so
     is nan."""
     return np.isfinite(numbers).all() and (
-        np.size(numbers) >= _FEW or not np.isin(numbers, (-1, 0, 1)).all()
+        np.size(numbers) >= _MIN_NUMBERS or not np.isin(numbers, (-1, 0, 1)).all()
     )
 
 
@@ -418,7 +414,7 @@ def _in_other_order(right):
     they are few."""
     for axis, what in enumerate(_AXES.get(np.ndim(right), ())):
         n = np.shape(right)[axis]
-        for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
+        for order in itertools.permutations(range(n)) if 1 < n <= _MAX_ORDERED else ():
             yield (
                 f"{what} of the answer are in another order",
                 _ENTRIES,
@@ -430,9 +426,9 @@ def _of_other_sign(right):
     """Yield the names, hints and changes of an entry, a row or a column with another sign, if they
     are few."""
     shape, parts = np.shape(right), []
-    if 1 < np.size(right) <= _MOST_ENTRIES:
+    if 1 < np.size(right) <= _MAX_ENTRIES:
         parts = [(f"entry {list(index)}", index) for index in np.ndindex(shape)]
-    if len(shape) == 2 and max(shape) <= _MOST_LINES:
+    if len(shape) == 2 and max(shape) <= _MAX_LINES:
         parts += [(f"the {ORDINALS[i]} row", i) for i in range(shape[0])]
         parts += [(f"the {ORDINALS[j]} column", np.s_[:, j]) for j in range(shape[1])]
     for what, index in parts:
@@ -449,7 +445,7 @@ def _folded(right):
     """Yield the names, hints and changes of angles, in all of the answer or in one column, on half
     of the circle."""
     n = np.shape(right)[-1] if np.ndim(right) else 0
-    columns = [..., *((..., j) for j in range(n if n <= _MOST_LINES else 0))]
+    columns = [..., *((..., j) for j in range(n if n <= _MAX_LINES else 0))]
     for index, (name, fold) in itertools.product(columns, _FOLDS):
 
         def folded(x, index=index, fold=fold):
@@ -498,14 +494,14 @@ def _of_an_entry(argument):
     order."""
     vector = attempt(_numbers, argument)
     n = len(vector) if np.ndim(vector) == 1 else 0
-    for j in range(n if 1 < n <= _MOST_LINES else 0):
+    for j in range(n if 1 < n <= _MAX_LINES else 0):
         yield (
             f"entry [{j}] of {{}} has the wrong sign",
             _SIGN,
             lambda x, j=j: x * np.where(np.arange(n) == j, -1, 1),
         )
         yield f"entry [{j}] of {{}} is not used", _SAME, lambda x, j=j: x * (np.arange(n) != j)
-    for order in itertools.permutations(range(n)) if 1 < n <= _MOST_ORDERED else ():
+    for order in itertools.permutations(range(n)) if 1 < n <= _MAX_ORDERED else ():
         yield (
             "the entries of {} are in another order",
             _ENTRIES,
@@ -547,7 +543,7 @@ def _cut_off(value, *case):
         for each in case
         if isinstance(each, np.ndarray | list)
     )
-    return whole and np.size(value) >= _FEW and np.array_equal(value, np.trunc(value))
+    return whole and np.size(value) >= _MIN_NUMBERS and np.array_equal(value, np.trunc(value))
 
 
 def _transposed(M):

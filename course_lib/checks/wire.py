@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 _DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
-_MOST_ENTRIES = 2_000_000  # of an array
+_MAX_ENTRIES = 2_000_000  # of an array
 _MOST_BITS = 10_000  # of a whole number: Python writes no number of more than 4,300 digits
 _WRITTEN_AS_THEY_ARE = frozenset({"<f8", "<i8", "|b1", "<c16"})  # the types of nearly all arrays
 
@@ -118,7 +118,7 @@ def to_json(value, depth=0):
 
 def _array_to_json(value):
     array = np.asarray(value)  # not a subclass; and not copied before its size is known
-    if array.size > _MOST_ENTRIES:
+    if array.size > _MAX_ENTRIES:
         raise NotPlain(f"an array of shape {array.shape}, which is too large to be an answer")
     if array.dtype.str not in _WRITTEN_AS_THEY_ARE:
         if array.dtype.kind not in "biufc":
@@ -171,7 +171,7 @@ def from_json(node, depth=0):
 def _array_from_json(node):
     dtype = np.dtype(str(node["array"]))
     shape = [int(n) for n in node["shape"]]
-    if len(shape) > _DEPTH or max(shape, default=0) > _MOST_ENTRIES:
+    if len(shape) > _DEPTH or max(shape, default=0) > _MAX_ENTRIES:
         raise NotPlain("an array too large to be an answer")
     data = base64.b64decode(node["bytes"], validate=True)
     if (

@@ -30,7 +30,7 @@ from course_lib.checks.exercise import (
 from course_lib.checks.naming import attempt
 from course_lib.checks.wire import Candidate, from_json, to_json
 
-_MOST_LETTERS = 20_000  # in the arguments of one call, as JSON
+_MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
 _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
 
 ALWAYS_TRUE = Mistake(
@@ -181,7 +181,7 @@ class WriteTest(Exercise):
             """Answer one call, in JSON; only: the number of the candidate that answers, whatever
             the call says."""
             try:
-                if len(text) > _MOST_LETTERS:
+                if len(text) > _MAX_CHARACTERS:
                     raise ValueError("the arguments are too large")
                 asked = json.loads(text)
                 number = asked["candidate"] if only is None else only
