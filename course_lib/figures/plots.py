@@ -189,7 +189,8 @@ def velocities_of_the_tip(contents, frame=""):
         f"{plain('; '.join(in_words))}."
     )
     caption = (
-        "Each arrow is perpendicular to the dashed line from its joint to the tip, and as long."
+        "Each arrow is perpendicular to the dashed line from its joint to the tip, and it "
+        "is as long as this line."
     )
     return Picture(fig, alt, caption)
 

@@ -106,8 +106,8 @@ def three_views(name, arm, frames=("s", "b")):
         _draw_frames(view, arm, corners)
     fig.draw_without_rendering()  # the layout of panels with equal scales settles in two rounds
     caption = (
-        "Dimensions in millimetres. A cross is an arrow that points away from you, a dot one that "
-        "points at you."
+        "The dimensions are in millimetres. A cross is an arrow that points away from you, and a "
+        "dot is an arrow that points at you."
     )
     return Picture(fig, _in_words(arm, data, *frames), caption)
 

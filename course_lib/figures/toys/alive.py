@@ -246,7 +246,9 @@ def table(at):
         "A planar arm with two links that takes the joint angles answered for a position, which "
         "can be dragged, and beside it, blue, the arm that reaches the position exactly."
     )
-    return Figure(model, alt, "Drag the query: how far is the tip from it?", ask, stored)
+    return Figure(
+        model, alt, "Drag the query, and watch how far the tip is from the query.", ask, stored
+    )
 
 
 def drive(plan, *, exact=False):
@@ -296,7 +298,7 @@ def drive(plan, *, exact=False):
     )
     question = "Do the robots still separate?" if exact else "Where do the robots separate?"
     caption = (
-        "Click the picture; use the arrow keys, two for a bend, or hold a button (no bends by "
-        f"mouse). {question}"
+        "Click the picture and use the arrow keys (two keys at once drive a bend), or hold a "
+        f"button with the mouse, which drives no bends. {question}"
     )
     return Figure(model, alt, caption, ask)

@@ -43,8 +43,8 @@ def iiwa_toy():
         "configuration."
     )
     caption = (
-        "Where the velocity ellipsoid is flat, the force ellipsoid is long: a direction that is "
-        "lost bears any load."
+        "Where the velocity ellipsoid is flat, the force ellipsoid is long, because in a lost "
+        "direction the arm bears any load without torque at the joints."
     )
     model = arm_view(iiwa14(), _IIWA_START, "The KUKA iiwa and its joints")
     model["parts"] = ["axes", "ellipsoids", "singularity"]
@@ -79,8 +79,8 @@ def panda_toy(q):
     )
     names = [f"{{{i}}}" for i in range(1, 8)] + ["{f}"]
     caption = (
-        "The flange can stay where it is while the elbow swings: seven joints, and six numbers "
-        "for a pose."
+        "The flange can stay where it is while the elbow swings, because the arm has seven joints "
+        "and a pose needs only six numbers."
     )
     model = arm_view(panda(), q, "The Franka Panda and its joints")
     model |= {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
@@ -139,7 +139,10 @@ def jog(arm, fk=None, *, q, base=None, names=None):
         answer = Answers(fk, _moved_by(arm, inverse(base), takes_screws))
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
     model["parts"] = ["axes"]
-    caption = "Which of the dashed axes move with a joint, and which stay?"
+    caption = (
+        "A joint moves the dashed axes of all joints after it, and leaves the others where "
+        "they are."
+    )
     if names is not None:
         model["frameNames"] = list(names)
     return Toy("arm", model, alt, answer, caption)

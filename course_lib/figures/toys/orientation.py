@@ -7,7 +7,10 @@ MODES = {
     "axis": (
         "An aircraft rotated about an axis. Sliders set the axis and the angle from -360 to 360 "
         "degrees; rotation matrix and unit quaternion are shown as numbers.",
-        "A rotation by its axis and angle. The quaternion q is explained later.",
+        (
+            "The sliders set the axis and the angle of the rotation. The section *Two sets of "
+            "coordinates* explains the quaternion q."
+        ),
     ),
     "gimbals": (
         "Three gimbal rings around an aircraft, moved by yaw, pitch and roll. At a pitch of 90 "
@@ -18,13 +21,19 @@ MODES = {
     "order": (
         "Two aircraft, one rotated first about x and then about z, the other in the opposite "
         "order: about fixed axes or their own. They end in different orientations.",
-        "The same two rotations, in both orders. The dashed line is the axis.",
+        (
+            "The aircraft make the same two rotations in opposite orders. The dashed line is "
+            "the axis of the present rotation."
+        ),
     ),
     "velocity": (
         "A tilted aircraft that is carried round the vertical and rotates about its own axis, "
         "twice: in the room, and at rest, as its gyroscope sees it. Both show the same angular "
         "velocity and the circle of its tip.",
-        "One angular velocity, two lists of three numbers: in the room's axes and in the body's.",
+        (
+            "One angular velocity has two lists of three numbers, one along the room's axes "
+            "and one along the body's axes."
+        ),
     ),
     "belt": (
         "A belt between a wall and a box. After two full rotations of the box the belt can be "

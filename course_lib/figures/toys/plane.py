@@ -18,7 +18,7 @@ def two_poses_toy():
         "keys, with the straight motion and the screw motion between them, and the pole of the "
         "screw motion."
     )
-    caption = "The dot is the pole: the red arc is one rotation about it."
+    caption = "The dot is the pole, the point about which the red arc rotates."
     model = {"start": [-3.0, -1.5, 0.2], "goal": [2.5, 1.5, 2.0], "half": 5.0}
     return Toy("two_poses", model, alt, caption=caption)
 
@@ -85,8 +85,8 @@ def cells_toy():
         "at (0.9, 0.7) m, shows its planes over x and y."
     )
     caption = (
-        "Each cell has the colour of its error: where is it largest, and what do smaller cells "
-        "change there?"
+        "The colour of a cell shows the error of its planes. Where is the error largest, and what "
+        "do smaller cells change there?"
     )
     model = {"lengths": [1.0, 1.0], "size": 0.5, "at": [0.9, 0.7]}
     return Toy("cells", model, alt, caption=caption)

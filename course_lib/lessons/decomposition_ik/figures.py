@@ -197,7 +197,7 @@ def two_cells(q, xy, in_joints, in_plane):
     )
     caption = (
         "In how many patches does the blue cell appear on the other side, and in how many the red "
-        "one? Each dot says where it is on the other side."
+        "one? Point at a dot to see where it is on the other side."
     )
     return Picture(fig, alt, caption)
 
@@ -344,8 +344,8 @@ def by_bend(edges, mean):
         f"{edges[-1]} degrees."
     )
     caption = (
-        "Left of the dashed line, up to 36 degrees, the tip is within a cell's diagonal, 10 cm, "
-        "of the workspace's edge."
+        "Left of the dashed line (36 degrees) the tip is less than 10 cm, the diagonal of a cell, "
+        "from the edge of the workspace."
     )
     return Picture(fig, alt, caption)
 
@@ -385,8 +385,8 @@ def costs(memory, error):
     in_words = [f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items()]
     alt = f"Mean error of both branches over memory, both logarithmic. {'; '.join(in_words)}."
     caption = (
-        "Two fitted numbers gain more than a factor of ten, and the best tables of the samples "
-        "another."
+        "Two fitted numbers make the error more than ten times smaller, and the best tables of the "
+        "samples make it more than ten times smaller again."
     )
     return Picture(fig, alt, caption)
 
@@ -411,8 +411,8 @@ def workspace_as_reported(xy):
         f"{radius.min():.0f} to {radius.max():.0f} cm."
     )
     caption = (
-        "The report's first chart, `Scattergl` of the samples. Dots of this size hide how dense "
-        "they are."
+        "This is the report's first chart, a `Scattergl` of the samples. Dots of this size "
+        "hide how dense they are."
     )
     return Picture(fig, alt, caption)
 
@@ -446,7 +446,10 @@ def grid_as_reported(xy, cell):
         f"The same {len(xy):,} positions; the dots of each of {len(np.unique(number))} cells have "
         "one colour, and cells that touch may by chance have the same."
     )
-    caption = "The report's second chart: a colour for each cell, drawn at random."
+    caption = (
+        "This is the report's second chart, with a colour for each cell that is drawn at "
+        "random, as the report intended."
+    )
     return Picture(fig, alt, caption)
 
 

@@ -643,8 +643,8 @@ def fastest_joint(times, speeds):
     return Picture(
         fig,
         f"The speed of the fastest joint over time. Its largest value: {largest}.",
-        "When the arm is nearly stretched, the undamped method asks for faster and faster joints. "
-        "The other two methods limit the speed, so the flange falls behind.",
+        "When the arm is nearly stretched, the undamped method asks for higher and higher joint "
+        "speeds. The other two methods limit the speed, so the flange falls behind.",
     )
 
 

@@ -37,14 +37,15 @@ _CAPTIONS = {  # of films
         "follows the linear time scaling. When is which one ahead?"
     ),
     "body-propagated": (
-        "While the body rotates its path bends; in the third part it moves sideways, without "
-        "rotating."
+        "While the body rotates, its path bends. In the third part the body moves sideways "
+        "without rotating."
     ),
     "arm-interpolated": "Both joints move in proportion to each other, and the tip draws a curve.",
     "arm-linear": (
-        "Left linear in time, right cubic: one path, one duration. Which arm starts abruptly?"
+        "The left arm is linear in time and the right one cubic, along the same path and "
+        "in the same duration. The left arm starts abruptly."
     ),
-    "arm-propagated": "First joint, second joint, both: one second each.",
+    "arm-propagated": "The first joint moves for one second, then the second joint, then both.",
 }
 
 
@@ -165,7 +166,11 @@ def wheels(left, right, track):
         f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about "
         f"one point, the pole, {pole:g} m to the left of the robot."
     )
-    return Picture(fig, alt, "Twice as far from the pole is twice as fast.")
+    return Picture(
+        fig,
+        alt,
+        "The right wheel is twice as far from the pole as the left one, so it is twice as fast.",
+    )
 
 
 # ---- a body ----
@@ -238,8 +243,8 @@ def past_a_gate(paths):
     Picture
     """
     caption = (
-        "Both leave to the right and arrive upwards; the quintic is straighter at the ends and "
-        "bends more inside."
+        "Both paths leave to the right and arrive upwards. The quintic is straighter at the ends, "
+        "and bends more in the middle."
     )
     return _body_paths(paths, 16, caption)
 
@@ -322,7 +327,8 @@ def euler_paths(paths):
         charts.add_line(fig, *points.T, name, markers=is_short, details=number)
     alt = f"Paths from one point. {' '.join(in_words)}"
     caption = (
-        "Euler's method leaves the exact path in the first bend; the smaller the step, the less."
+        "Euler's method leaves the exact path in the first bend. With a smaller step it "
+        "leaves the path less."
     )
     return Picture(fig, alt, caption)
 
@@ -398,8 +404,9 @@ def time_scalings(u, curves):
         )
     alt = f"Time scalings from 0 to 1. {' '.join(in_words)}"
     caption = (
-        "At both ends of each curve compare its velocity with that of a body at rest, which is 0. "
-        "Where the velocity jumps, the acceleration is infinite: an arrow."
+        "At both ends of each curve compare its velocity with that of a body at rest, "
+        "which is 0. Where the velocity jumps, the acceleration is infinite, which an "
+        "arrow shows."
     )
     return Picture(fig, alt, caption)
 

@@ -67,7 +67,7 @@ def body_frame(R):
 
 
 def frames(
-    orientations, caption="The two products end in different orientations: the order matters."
+    orientations, caption="The two products end in different orientations, so the order matters."
 ):
     """Return a drone with its frame at several orientations, side by side.
 
@@ -239,8 +239,8 @@ def euler_rates(beta, smallest):
         f"{beta[-1]:.2f}: gimbal lock."
     )
     caption = (
-        "At $\\beta = \\pm\\pi/2$ it is zero: about one direction the body cannot rotate, at any "
-        "rates of the angles."
+        "At $\\beta = \\pm\\pi/2$ the smallest singular value is zero, so no rates of the "
+        "angles rotate the body about one direction."
     )
     return Picture(fig, alt, caption)
 
@@ -290,7 +290,10 @@ def projections(M, rotations):
         "longer than one."
     )
     if np.linalg.det(M) < 0:
-        caption = "One arrow lies on its axis, the other points against it: there $z_{ii} = -1$."
+        caption = (
+            "One arrow lies on its axis. The other arrow points against its own axis, so its "
+            "$z_{ii}$ is $-1$."
+        )
     return Picture(fig, alt, caption)
 
 

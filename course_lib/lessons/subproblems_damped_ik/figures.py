@@ -77,8 +77,8 @@ def rotated_onto(k, p, g, theta):
     )
     caption = (
         f"$R\\,p$ is {gap:.3f} m from $g$; of {TRIED_ANGLES} points of the circle the nearest is "
-        f"{nearest:.3f} m from it. The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$; "
-        "only what is perpendicular to $k$ decides it."
+        f"{nearest:.3f} m from it. The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$. "
+        "Only the parts of $p$ and $g$ that are perpendicular to $k$ determine this angle."
     )
     dots = [(p, "p", INK), (g, "g", INK), (end, "R p", RED)]
     return _scene({"k": k}, dots, paths, alt, caption)
@@ -242,7 +242,7 @@ def orientation_paths(tracks, duration):
     )
     caption = (
         "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant "
-        f"rates it does not. The bodies rotate at: {'; '.join(speeds)}."
+        f"rates it does not. The body rotates at {'; '.join(speeds)}."
     )
     return still(parts, alt, caption, paths=paths, words=words, view=in_front_of_the_paths)
 
@@ -400,7 +400,10 @@ def joint_motion(motions):
     alt = (
         f"The joint motion over the bend of the last joint, both logarithmic: {'; '.join(ranges)}."
     )
-    caption = "Half the bend, twice the motion: the undamped step grows as one over the bend."
+    caption = (
+        "If the bend is halved, the motion doubles, because the undamped step grows as one "
+        "over the bend."
+    )
     if len(by_label) > 1:
         caption = (
             "The undamped step grows as one over the bend; the damped step stays small at every "
@@ -446,8 +449,9 @@ def largest_rates(inverse_rate_matrix):
     )
     middle = np.abs(b2 - np.pi / 4).argmin()
     caption = (
-        r"Both grow without bound where $\sin b_2 = 0$: there the first and the third axis "
-        rf"coincide. At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and "
+        r"The largest single rate and the largest length grow without bound where "
+        r"$\sin b_2 = 0$, because there the first and the third axis coincide. "
+        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and "
         f"{together[middle]:.2f} rad/s (together)."
     )
     return Picture(fig, alt, caption)
@@ -713,7 +717,9 @@ def two_arms(paths, points_of):
         "Arms between the same start and target, later ones darker. The last elbow bends at most "
         f"by {folds}."
     )
-    caption = "With much damping the tip swings out in a bow, and the joints move less."
+    caption = (
+        "With much damping the tip leaves the straight line in an arc, and the joints move less."
+    )
     return Picture(draw_arms(arms, 12, _window(arms.values(), 0.3)), alt, caption)
 
 
