@@ -8,7 +8,8 @@ import importlib
 import itertools
 import json
 import re
-from collections.abc import Iterator
+import unicodedata
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import nbformat
@@ -16,6 +17,7 @@ import nbformat
 from course_lib.pack.grade.student_view import PACKAGE
 from course_lib.pack.more import cells_of_more
 from course_lib.pack.release import PROMPT
+from course_lib.pack.release.stubs import students_copy
 
 NOTEBOOKS = PACKAGE.parent / "notebooks"
 UNREADABLE = "cannot be read"
@@ -68,7 +70,7 @@ class Course:
     Questions.
 
     more: the names of the exercises and questions whose cells are in More. texts: the sources of
-    its cells that are not of code.
+    its cells that are not of code. given: the sources of its code cells as students get them.
     """
 
     name: str
@@ -77,6 +79,7 @@ class Course:
     questions: tuple
     more: frozenset = frozenset()
     texts: frozenset = frozenset()
+    given: frozenset = frozenset()
 
 
 # ---- reading a submission ----
@@ -156,6 +159,17 @@ def defines(sources: list[str], name: str) -> bool:
     return any(map(begins.search, sources))
 
 
+def untouched(course: Course, sources: Iterable[str]) -> set[str]:
+    """Return the names of the exercises that a student has not worked on.
+
+    Those are the ones whose names occur in no code cell but such as students are given. No run of
+    the notebook can define them, whatever its other cells do.
+    """
+    written = "\n".join(source for source in sources if source.strip() not in course.given)
+    words = set(re.findall(r"\w+", unicodedata.normalize("NFKC", written)))  # as Python reads names
+    return {exercise.name for exercise in course.exercises} - words
+
+
 def not_code(course: Course, cells: list[Cell]) -> list[str]:
     """Return a sentence for each exercise whose function stands only in a cell that is not of code.
 
@@ -205,7 +219,9 @@ def courses() -> dict[str, Course]:
         package = path.stem.partition("_")[2]
         checks = importlib.import_module(f"course_lib.lessons.{package}.check").CHECKS
         exercises = tuple(check.exercise for check in checks)
-        book = nbformat.v4.reads_json(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        book = nbformat.v4.reads_json(text)
+        given = nbformat.v4.reads_json(students_copy(text, path.stem, ""))
         named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]
         more = frozenset(itertools.compress(named, cells_of_more(book)))
         found[path.stem] = Course(
@@ -215,6 +231,7 @@ def courses() -> dict[str, Course]:
             tuple(_questions(book.cells)),
             more,
             frozenset(cell.source.strip() for cell in book.cells if cell.cell_type != "code"),
+            frozenset(cell.source.strip() for cell in given.cells if cell.cell_type == "code"),
         )
     return found
 

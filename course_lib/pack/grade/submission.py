@@ -7,7 +7,11 @@ some exercise forbids. An exercise whose run called a function that only others 
 a cell that it may need, is asked again in a process of its own: a process that an earlier cell left
 behind may have spoiled the first. Whatever is not right then is asked once more after the whole
 notebook ran as in Jupyter, and the better outcome counts. At last whatever is not right is asked
-with right functions in place of the others that are not right either, in case it calls them.
+with right functions in place of the others that are not right either, in case it calls them. What
+the student has not worked on is asked in the first run only: no other can make it right.
+
+A right answer is right for several sets of cases. An answer that is wrong for one set in ten would
+else earn its points nine times in ten, though the notebook, which asks many sets, has refused it.
 
 Both runs are needed. Many notebooks take a minute to draw and print, or end in a cell that never
 ends, so that running only what the functions need saves most of the time, and most of what a run
@@ -61,9 +65,13 @@ JUDGING_SECONDS = (
 CELL_CALL_SECONDS = 10  # of the grader's own processor time for one call of check.NAME.library
 # of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
 MOST_CALLS = 100_000
+# Of cases, for all of which an answer must be right. Each costs a tenth of a second for a right
+# answer on average, and a second for the slowest.
+SETS = 3
 MAX_RESTARTS = 4  # of a notebook whose cells end or stop its process
 MAX_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
 MAX_LINE = 10**7  # the number of a line that the runner claims to run
+Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
 STATES = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)  # the better ones last
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 NOT_HANDED_IN = (
@@ -144,6 +152,8 @@ class Run:
         Returns a Sandbox, called with its files.
     left_out : dict
         {number of a cell that ended or blocked the process: how it did}.
+    untouched : set of str
+        The names of the exercises that the student has not worked on.
     too_slow : list
         Statements as (cell, line) that no later run executes again.
     sandboxes : list
@@ -157,6 +167,7 @@ class Run:
     seed: int
     exercises: tuple[Exercise, ...]
     start: Callable
+    untouched: set[str] = field(default_factory=set)
     left_out: dict = field(default_factory=dict)
     too_slow: list = field(default_factory=list)
     sandboxes: list = field(default_factory=list)
@@ -225,7 +236,8 @@ def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
     limits = limits or Limits()
     start = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), isolate=wanted)
     sources, cases_seed = notebook_file.code(cells), seed_of(text, seed)
-    run = Run(sources, limits, cases_seed, course.exercises, start)
+    untouched = notebook_file.untouched(course, sources)
+    run = Run(sources, limits, cases_seed, course.exercises, start, untouched)
     outcomes = ask_all(run)
     follow_through(run, outcomes)
     _explain_missing(run, outcomes)
@@ -311,11 +323,12 @@ def _explain_missing(run: Run, outcomes: dict[str, Outcome]) -> None:
 def ask_all(run: Run) -> dict[str, Outcome]:
     """Return {exercise's name: Outcome}; the cheapest runs come first."""
     outcomes = attempt(run, run.exercises, _all_forbidden(run.exercises))
-    for exercise in run.exercises:
+    written = [exercise for exercise in run.exercises if exercise.name not in run.untouched]
+    for exercise in written:
         if outcomes[exercise.name].hindered and not run.over():
             outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden))
     unfinished = [
-        exercise for exercise in run.exercises if outcomes[exercise.name].verdict.state != RIGHT
+        exercise for exercise in written if outcomes[exercise.name].verdict.state != RIGHT
     ]
     if not unfinished or run.over():
         return outcomes
@@ -346,8 +359,8 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
     """
     wrong = [e for e in run.exercises if outcomes[e.name].verdict.state != RIGHT]
     instead = {e.name: [other for other in wrong if other is not e] for e in wrong}
-    stubs = stubs_only(run.sources)
-    asked = [e for e in wrong if e.name not in stubs and _is_named(run, e)]
+    unwritten = stubs_only(run.sources) | run.untouched
+    asked = [e for e in wrong if e.name not in unwritten and _is_named(run, e)]
     judged_again = {}
     for whole in (False, True):
         exercises = [e for e in asked if outcomes[e.name].whole == whole]
@@ -587,22 +600,28 @@ def _note_missing(run, name):
         run.missing.add(name)
 
 
-def ask(run: Run, student: "Student", left_out: dict, at: int = 0, seed=None) -> Outcome:
+def ask(
+    run: Run, student: "Student", left_out: dict, at: int = 0, seed: Seed | None = None
+) -> Outcome:
     """Return the Outcome of an exercise: put its questions to the student's function, and judge.
 
     left_out: {(cell, line): why it was left out}. at: the number of its check in the notebook, 0
-    after all cells.
+    after all cells. seed: of the cases; without it, several sets of cases are asked.
     """
     exercise = student.exercise
     if run.over():
         return run.not_graded(exercise)
-    seed = run.seed if seed is None else seed
-    verdict = judged(run, student, seed)
+    first, *others = [seed] if seed is not None else _seeds(run)
+    asked, verdict = first, judged(run, student, first)
+    for other in others:
+        if verdict.state != RIGHT or student.ended or student.candidates or run.over():
+            break
+        asked, verdict = other, replace(judged(run, student, other), note=verdict.note)
     if student.ended:
         verdict = Verdict(exercise, ERROR, student.ended)
         return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
     if verdict.case is not None and verdict.state in (WRONG, ERROR):
-        verdict = _if_it_is_repeated(verdict, judged(run, student, seed))
+        verdict = _if_it_is_repeated(verdict, judged(run, student, asked))
     for (cell, _), how in left_out.items():
         is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
         if verdict.state == ERROR or is_missing:
@@ -618,6 +637,11 @@ def ask(run: Run, student: "Student", left_out: dict, at: int = 0, seed=None) ->
         called=student.called,
         too_late=student.too_late,
     )
+
+
+def _seeds(run: Run) -> list[Seed]:
+    """Return the seeds of the sets of cases that are asked of each function."""
+    return [run.seed, *((run.seed, number) for number in range(1, SETS))]
 
 
 def _if_it_is_repeated(verdict: Verdict, again: Verdict) -> Verdict:
@@ -646,8 +670,8 @@ def apart(run: Run, outcome: Outcome, attempted: Attempt) -> Outcome:
     return replace(again, hindered=False, whole=attempted.whole)
 
 
-def judged(run: Run, student: "Student", seed) -> Verdict:
-    """Return the Verdict on a student's answers, formed within bounds."""
+def judged(run: Run, student: "Student", seed: Seed) -> Verdict:
+    """Return the Verdict on a student's answers to one set of cases, formed within bounds."""
     exercise = student.exercise
     try:
         with cpu_deadline(JUDGING_SECONDS):

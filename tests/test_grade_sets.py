@@ -1,0 +1,144 @@
+"""How often a function is asked in grading: for several sets of cases, and not at all where a
+student has written nothing."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hostile.build import NAME, OTHERS, SEED, book
+from toy_exercises import NEAREST_SO
+
+from course_lib.checks.exercise import RIGHT, WRONG, Here
+from course_lib.pack.grade import notebook_file, submission
+from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.submission import Run, ask, grade
+
+# ---- several sets of cases ----
+
+
+class InThisProcess(SimpleNamespace):
+    """A student's function in this process, with what submission.ask wants to know of it."""
+
+    def __init__(self, function, **about):
+        usual = {"ended": "", "too_slow": False, "hindered": False, "too_late": False}
+        super().__init__(**usual | {"candidates": False, "called": (), "asked": 0} | about)
+        self.function, self.exercise = function, NEAREST_SO
+
+    def reply(self, questions, consult=None):
+        self.asked += 1
+        return Here(self.function).reply(questions, consult)
+
+
+def right(M):
+    U, _, Vt = np.linalg.svd(M)
+    U[:, -1] *= np.linalg.det(U @ Vt)
+    return U @ Vt
+
+
+def wrong_for_one_set_in(number):
+    """Return a function whose answers are wrong for about one set of cases in so many."""
+
+    def answer(M):
+        is_unlucky = int(abs(M).sum() * 1e6) % number == 1  # one case of a set is random
+        return -right(M) if is_unlucky else right(M)
+
+    return answer
+
+
+def outcome(student, seed):
+    return ask(Run([], submission.Limits(), seed, (NEAREST_SO,), None), student, {})
+
+
+def test_a_right_answer_is_asked_for_several_sets_of_cases():
+    student = InThisProcess(right)
+    assert outcome(student, SEED).verdict.state == RIGHT
+    assert student.asked == submission.SETS >= 3
+
+
+def test_a_wrong_answer_is_asked_once_more_with_the_same_cases():
+    student = InThisProcess(lambda M: M)
+    assert outcome(student, SEED).verdict.state == WRONG
+    assert student.asked == 2, "again, in case it is random, and for no other set"
+
+
+def test_a_student_s_test_is_asked_for_one_set_of_cases():
+    """Each of its candidates has a sandbox of its own, which takes a second."""
+    student = InThisProcess(right, candidates=True)
+    outcome(student, SEED)
+    assert student.asked == 1
+
+
+def test_an_answer_that_is_wrong_for_some_sets_is_refused_more_often_than_by_one_set(monkeypatch):
+    def accepted():
+        answers = (InThisProcess(wrong_for_one_set_in(4)) for _ in range(40))
+        states = [outcome(answer, seed).verdict.state for seed, answer in enumerate(answers)]
+        return states.count(RIGHT)
+
+    by_several = accepted()
+    monkeypatch.setattr(submission, "SETS", 1)
+    by_one = accepted()
+    assert 0 < by_several < 0.75 * by_one < by_one < 40
+
+
+def test_the_sets_of_one_file_differ():
+    seeds = submission._seeds(Run([], submission.Limits(), SEED, (NEAREST_SO,), None))
+    sets = [NEAREST_SO.questions(np.random.default_rng(seed))[0] for seed in seeds]
+    texts = {repr(cases) for cases in sets}
+    assert len(texts) == submission.SETS
+
+
+# ---- what nobody has worked on ----
+
+
+@pytest.fixture
+def attempts(monkeypatch):
+    """The names of the exercises of each run of a notebook."""
+    runs = []
+
+    def attempt(run, exercises, *rest, **named):
+        runs.append(sorted(exercise.name for exercise in exercises))
+        return one_run(run, exercises, *rest, **named)
+
+    one_run = submission.attempt
+    monkeypatch.setattr(submission, "attempt", attempt)
+    return runs
+
+
+def given(name):
+    """The cell of an exercise as students get it."""
+    (source,) = (text for text in courses()[NAME].given if text.startswith(f"def {name}("))
+    return source
+
+
+@pytest.mark.usefixtures("isolated")
+def test_a_notebook_in_which_all_that_was_written_is_right_runs_once(few, attempts):
+    first, right = few
+    written = [source for source in right if "def is_valid(" not in source]
+    result = grade(book(first, *written, given("is_valid")), NAME, SEED)
+    states = {row["exercise"]: row["state"] for row in result["exercises"]}
+    assert states.pop("is_valid") == "not attempted yet"
+    assert set(states.values()) == {"right"}
+    assert attempts == [sorted([*OTHERS, "nearest_so"])]
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "exec('def is_valid(X, kind, tol): return True')",
+        "is_valid = lambda X, kind, tol: True",
+        "%%writefile mine.py\ndef is_valid(X, kind, tol): return True",
+        "globals()['is_valid'] = print",
+        "def ｉs_valid(X, kind, tol): return True",
+    ],
+)
+def test_an_exercise_that_a_cell_of_the_student_s_names_is_worked_on(cell):
+    course = courses()[NAME]
+    sources = [*course.given, cell]
+    names = {exercise.name for exercise in course.exercises}
+    assert notebook_file.untouched(course, sources) == names - {"is_valid"}
+
+
+def test_all_exercises_of_a_notebook_as_it_was_given_are_untouched():
+    course = courses()[NAME]
+    names = {exercise.name for exercise in course.exercises}
+    assert notebook_file.untouched(course, course.given) == names
