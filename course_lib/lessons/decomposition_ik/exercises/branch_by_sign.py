@@ -24,6 +24,8 @@ def _one_elbow(q):
 
 
 def _cases(rng):
+    """Return samples whose q2 are special and stand in every set; most of their q1, which decide
+    nothing, are drawn."""
     both = np.array([[0.1, 1.0], [1.1, -1.0], [0.2, 1.1], [1.2, -1.1]])
     positive = np.array([[0.5, 0.7], [0.6, 0.9], [0.7, 0.4], [0.4, 1.2]])
     negative = positive * [1, -1] + [1.0, 0]
@@ -40,6 +42,10 @@ def _cases(rng):
     far = np.array([[0.1, 3.5], [0.2, -3.5], [-4.0, 6.0], [7.0, -6.5], [0.3, 8.0]])
     whole = np.array([[1, -2], [0, 0], [-3, 1], [2, -1]])
     few = np.array([[0.4, -0.2]]), np.array([[0.4, -0.0]]), np.zeros((0, 2))
+    positive, negative, stretched, tiny, far = (
+        np.column_stack([np.round(rng.uniform(-0.5, 1.5, len(q)), 2), q[:, 1]])
+        for q in (positive, negative, stretched, tiny, far)
+    )
     samples = (both, positive, negative, stretched, drawn, lopsided)
     return [(q,) for q in (*samples, tiny, zeros, far, whole, *few)]
 

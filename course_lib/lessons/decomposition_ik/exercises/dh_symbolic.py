@@ -28,16 +28,13 @@ def _cases(rng):
         (1, 0, 0, 0.5),
         (0, np.pi / 2, 0, 0),
         (0.5, 0, 0, 0.5),
-        (0.5, 0, 0.3, 2.0),
+        (0.5, 0, *np.round(rng.uniform([0.2, 1.9], [0.4, 2.2]), 2)),
         (2, 1, 3, -2),
     ]
     sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
     drawn = np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2)
-    return (
-        whole
-        + some
-        + [tuple(float(number) for number in row) for row in [*drawn, [0.4, 2.5, -0.7, -2.0]]]
-    )
+    large = np.round(rng.uniform([0.3, 2.4, -0.9, -2.2], [0.5, 2.7, -0.6, -1.9]), 2)
+    return whole + some + [tuple(float(number) for number in row) for row in [*drawn, large]]
 
 
 def _factors(a, alpha, d, theta):

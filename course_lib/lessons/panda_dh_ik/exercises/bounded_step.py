@@ -9,6 +9,9 @@ from course_lib.checks.vocabulary import away_from_zero, remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, panda_jacobian
 
 _FLAT = np.array([[1.0, 1, 0], [0, 1, 1]])
+# A Jacobian and a velocity for which an iteration must go on for long, because two singular values
+# differ tenfold and two joints have little to do: projected gradients need 1,387 steps.
+_SLOW = np.array([[0.3, -0.1, 1.9, 0.5], [-0.1, -0.1, -0.3, -0.2]]), np.array([0.8, 0.0])
 
 
 def _stacked(J, v, eps):
@@ -50,6 +53,16 @@ def _case(rng, J, bound, eps):
             return case
 
 
+def _slow(rng):
+    """Return a case as hard as _SLOW, whatever is drawn: its task space is rotated, and its joints
+    are numbered and directed otherwise."""
+    J, v = _SLOW
+    angle = rng.uniform(0.3, 2.8)
+    R = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    J = J[:, rng.permutation(J.shape[1])] * rng.choice([-1, 1], J.shape[1])
+    return R @ J, R @ v, 0.3, 0.01
+
+
 def _cases(rng):
     drawn = [
         _case(rng, away_from_zero(rng, (m, n)), bound, eps)
@@ -64,6 +77,7 @@ def _cases(rng):
         (_FLAT, np.array([0.3, 0.2]), 1.0, 0.1),
         (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02),
     ]
+    drawn.append(_slow(rng))
     return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]
 
 

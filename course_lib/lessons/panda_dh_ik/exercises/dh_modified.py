@@ -28,11 +28,13 @@ def _cases(rng):
         (2, 1, 3, -2),
     ]
     one_each = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
-    panda = [(0.0825, quarter, 0, 0.4), (-0.0825, -quarter, 0.384, -0.7)]
+    # Rows as the Panda's, with joint angles of any arm.
+    first, second = np.round(rng.uniform([0.3, -0.9], [0.6, -0.5]), 2)
+    panda = [(0.0825, quarter, 0, first), (-0.0825, -quarter, 0.384, second)]
     sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
     drawn = [
         *np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2),
-        [-3.0, -2.25, 0.5, 7.5],
+        np.round([*rng.uniform([-3.5, -2.4, 0.4], [-2.5, -2.1, 0.6]), rng.uniform(7.2, 7.7)], 2),
     ]
     return [tuple(float(number) for number in row) for row in (*simple, *one_each, *panda, *drawn)]
 

@@ -20,17 +20,28 @@ _DOWN, _UP, _SHORT = (
 )  # just beyond -1 and 1, and just below 1
 
 
-def _cases(rng):
-    def leaning():  # far from the coordinate axes: what is wrong only near an axis is not hidden
-        return np.roll([0.6, 0.64, 0.48], rng.integers(3)) * rng.choice([-1, 1], size=3)
+def _leaning_axis(rng):
+    """Return a unit vector (3,) of positive entries, none of which is below 0.45 or above 0.69.
 
+    So it is far from the coordinate axes, near which an answer that is wrong may come out right.
+    """
+    small, middle = rng.uniform([0.45, 0.57], [0.5, 0.63])
+    return np.roll([middle, np.sqrt(1 - small**2 - middle**2), small], rng.integers(3))
+
+
+def _cases(rng):
+    def leaning():
+        return _leaning_axis(rng) * rng.choice([-1, 1], size=3)
+
+    slope = rng.uniform(0.55, 0.68)  # of two half turns' axes in coordinate planes
+    small, large = np.sin(slope), np.cos(slope)
     small = [3.1e-4, 1e-5, 1e-9]
     nearly_half = [np.pi - 3.1e-4, np.pi - 1e-5, np.pi - 1e-9]
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
     half += [
         2 * np.outer(n, n) - np.eye(3)
-        for n in (leaning(), np.array([0.6, -0.8, 0]), np.array([0, 0.6, -0.8]))
+        for n in (leaning(), np.array([small, -large, 0]), np.array([0, small, -large]))
     ]
     half += [
         np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])
@@ -86,7 +97,7 @@ def _tiny(rng, gap):
 
 def _short_of_half(rng, gap):
     """A rotation by nearly pi, about an axis or, with a negative gap, about the opposite one."""
-    axis = np.roll([0.6, 0.64, 0.48], rng.integers(3)) * np.sign(gap)
+    axis = _leaning_axis(rng) * np.sign(gap)
     return (exp_so3((np.pi - abs(gap)) * axis),)
 
 

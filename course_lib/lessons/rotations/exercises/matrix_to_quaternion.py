@@ -1,6 +1,6 @@
 """matrix_to_quaternion: from a rotation matrix to a unit quaternion, near 180 degrees too."""
 
-from itertools import permutations
+from itertools import permutations, product
 
 import numpy as np
 
@@ -12,6 +12,17 @@ from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
 
 
+def _leaning_axis(rng, largest):
+    """Return a unit vector (3,) far from the coordinate axes and planes.
+
+    Its entries have either sign and sizes from 0.3 to 0.87. The one at the position `largest` is
+    the largest, by 0.15 at least.
+    """
+    middle, small = rng.uniform([0.4, 0.3], [0.55, 0.38])
+    sizes = [np.sqrt(1 - middle**2 - small**2), middle, small]
+    return np.roll(sizes, largest) * rng.choice([-1, 1], size=3)
+
+
 def _cases(rng):
     quarter = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
@@ -20,16 +31,15 @@ def _cases(rng):
     generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
     # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly
     # 0, and 0
-    leaning = [np.roll([0.8, 0.48, 0.36], k) * rng.choice([-1, 1], size=3) for k in range(3)]
+    leaning = [_leaning_axis(rng, k) for k in range(3)]
     near = [
         exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning
     ]
     # about axes in the coordinate planes, for which one of x, y, z is 0
-    flat = [
-        sign * 0.8 * np.eye(3)[i] + 0.6 * np.eye(3)[j]
-        for i, j in permutations(range(3), 2)
-        for sign in (1, -1)
-    ]
+    flat = []
+    for (i, j), sign in product(permutations(range(3), 2), (1, -1)):
+        slope = rng.uniform(0.55, 0.68)
+        flat.append(sign * np.cos(slope) * np.eye(3)[i] + np.sin(slope) * np.eye(3)[j])
     exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
     middling = [exp_so3(2.1 * n) for n in flat]
     wide = [exp_so3(3.0 * e) for e in np.eye(3)]  # w is small, and two other entries are 0
@@ -40,8 +50,7 @@ def _nearly_half(largest):
     """Rotations by nearly pi about an axis of which this entry is the largest, of any signs."""
 
     def case(rng, gap):
-        axis = np.roll([0.8, 0.48, 0.36], largest) * rng.choice([-1, 1], size=3)
-        return (exp_so3((np.pi - gap) * axis),)
+        return (exp_so3((np.pi - gap) * _leaning_axis(rng, largest)),)
 
     return Sweep("an angle just below pi", case)
 

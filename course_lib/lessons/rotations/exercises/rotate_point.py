@@ -23,15 +23,13 @@ def _cases(rng):
         ([1.0, 0.0], np.pi / 2),
         ([0.0, 1.0], np.pi / 2),
         ([2.0, 1.0], np.pi),
-        ([-1.0, -2.0], 0.5),
+        (-away_from_zero(rng, 2), 0.5),
     ]
-    drawn = [(away_from_zero(rng, 2), a) for a in (0.7, -1.2, 2.5, 7.0)]
+    angles = np.round(rng.uniform([0.6, -1.3, 2.3, 6.8], [0.9, -1.1, 2.7, 7.2]), 2)
+    drawn = [(away_from_zero(rng, 2), float(a)) for a in angles]
+    drawn += [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), float(angles[0]))]
     named += [([3, -2], 0.5), ([2, 1], 0.5)]  # whole numbers
-    return (
-        [(np.array(p), a) for p, a in named]
-        + drawn
-        + [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), 1.0)]
-    )
+    return [(np.array(p), a) for p, a in named] + drawn
 
 
 EXERCISE = Exercise(

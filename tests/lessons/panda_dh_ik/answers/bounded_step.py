@@ -24,3 +24,12 @@ def right_by_coordinates(J, v, bound, eps):
         for i in range(len(g)):
             x[i] = np.clip((g[i] - H[i] @ x + H[i, i] * x[i]) / H[i, i], -bound, bound)
     return x
+
+
+def wrong_projected_gradients_of_too_few_steps(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    H = J.T @ J + eps * np.eye(J.shape[1])
+    x, rate = np.zeros(J.shape[1]), 1 / np.linalg.norm(H, 2)
+    for _ in range(1000):
+        x = np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
+    return x
