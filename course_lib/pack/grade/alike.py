@@ -10,6 +10,7 @@ import functools
 import hashlib
 import itertools
 from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from pygments.token import Comment, Name, String
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.collect import find, read
+from course_lib.pack.grade.collect import Submission, find, read
 from course_lib.pack.grade.csv_text import words
 from course_lib.pack.grade.feedback import rendered
 from course_lib.pack.grade.holders import EACH_ENTRY
@@ -37,6 +38,8 @@ VERBATIM = 120  # passages of the library or a solution, names included: some 15
 MOST = 100  # pairs on the page
 CPU_SECONDS, MEMORY = 7200, 8 * 10**9  # for the page
 
+Passages = dict[int, tuple[int, int]]  # {hash of a passage: (begin, end)}
+
 
 @dataclass(frozen=True)
 class Work:
@@ -52,7 +55,7 @@ class Work:
 
 
 @functools.lru_cache(5_000)  # cells of the release are the same in all files
-def passages(source, names=False):
+def passages(source: str, names: bool = False) -> Passages:
     """Return {hash of a passage: (begin, end)} of a source.
 
     names: whether passages differ if a name in them does.
@@ -68,11 +71,11 @@ def passages(source, names=False):
     return {hash(tuple(text for text, *_ in run)): (run[0][1], run[-1][2]) for run in runs}
 
 
-def _all(sources, names=False):
+def _all(sources: Iterable[str], names: bool = False) -> set[int]:
     return set().union(*(passages(source, names) for source in sources))
 
 
-def works(submissions, year=""):
+def works(submissions: Iterable[Submission], year: str = "") -> list[Work]:
     """Return the Works in the Submissions that can be read."""
     found = []
     for submission in submissions:
@@ -85,7 +88,7 @@ def works(submissions, year=""):
     return found
 
 
-def earlier_works(folder, platform="", students=EACH_ENTRY):
+def earlier_works(folder: Path, platform: str = "", students: str = EACH_ENTRY) -> list[Work]:
     """Return the Works in a folder of an earlier year's submissions, or in one that has such a
     folder for each year."""
     names = [path.stem for path in NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")]
@@ -98,7 +101,7 @@ def earlier_works(folder, platform="", students=EACH_ENTRY):
 
 
 @functools.cache
-def _ours():
+def _ours() -> tuple[dict[str, list[str]], list[str]]:
     """Return ({name: source} of the library and the solutions, the sources of what students are
     given)."""
     library = {
@@ -113,7 +116,13 @@ def _ours():
     return library, given
 
 
-def write_alike(path, submissions, earlier="", platform="", students=""):
+def write_alike(
+    path: Path,
+    submissions: Sequence[Submission],
+    earlier: str = "",
+    platform: str = "",
+    students: str = "",
+) -> None:
     """Write the page, unless it is there for these Submissions and this folder of earlier years.
 
     Lexing what students wrote may take any time, so it is done in a process of its own, within
@@ -124,7 +133,7 @@ def write_alike(path, submissions, earlier="", platform="", students=""):
     if path.exists() and stamp in path.read_text(encoding="utf-8"):
         return
 
-    def page():
+    def page() -> str:
         return alike_page(
             works(submissions)
             + (earlier_works(Path(earlier), platform, students or EACH_ENTRY) if earlier else []),
@@ -140,7 +149,7 @@ def write_alike(path, submissions, earlier="", platform="", students=""):
         print(f"{path} was not written: {problem}.")
 
 
-def pairs(everyone):
+def pairs(everyone: Sequence[Work]) -> list[tuple[float, Work, Work, set[int]]]:
     """Return [(score, a Work, another, their passages)] of what at most MANY students of a year
     have, highest first.
 
@@ -170,7 +179,7 @@ def pairs(everyone):
     )
 
 
-def copies(everyone):
+def copies(everyone: Sequence[Work]) -> list[tuple[str, str, str, int]]:
     """Return [(student, notebook, what it is copied from, how many passages)], names included, of
     this class."""
     library, given = _ours() if everyone else ({}, [])
@@ -185,7 +194,7 @@ def copies(everyone):
     return sorted(found, key=lambda each: (-each[3], each))
 
 
-def alike_page(everyone, stamp=""):
+def alike_page(everyone: Sequence[Work], stamp: str = "") -> str:
     """Return the HTML page of pairs and of copies from the library.
 
     everyone: Works. stamp: a comment on the page.
@@ -205,11 +214,11 @@ def alike_page(everyone, stamp=""):
     return rendered("alike.html", title="Alike", pairs=shown, stamp=stamp, **about)
 
 
-def _whose(work):
+def _whose(work: Work) -> str:
     return f"{work.student} ({work.year})" if work.year else work.student
 
 
-def _marked(cells, shared):
+def _marked(cells: Iterable[str], shared: set[int]) -> Markup:
     """Return the cells that hold shared passages, with those marked."""
     parts = []
     for cell in cells:

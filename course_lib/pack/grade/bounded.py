@@ -14,7 +14,8 @@ import signal
 import sys
 import tempfile
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from multiprocessing.connection import Connection
 
 from course_lib.checks.clock import cpu_clock
 from course_lib.pack.grade.confine import die_with_parent
@@ -56,12 +57,12 @@ class Bounded:
 
     def __init__(
         self,
-        function,
-        *arguments,
-        cpu_seconds=CPU_SECONDS,
-        memory=MEMORY,
-        clock_seconds=CLOCK_SECONDS,
-    ):
+        function: Callable,
+        *arguments: object,
+        cpu_seconds: int = CPU_SECONDS,
+        memory: int = MEMORY,
+        clock_seconds: int = CLOCK_SECONDS,
+    ) -> None:
         self._ends = {
             -signal.SIGXCPU: f"grading it took more than {cpu_seconds} seconds of computing",
             -signal.SIGALRM: f"grading it was not done after {clock_seconds} seconds",
@@ -78,7 +79,7 @@ class Bounded:
             self._process.start()
         there.close()
 
-    def result(self):
+    def result(self) -> object:
         """Wait for the end of the work and return what the function returned, plain data.
 
         Raises OutOfBounds if the function exceeded a bound or ended its process, OSError if there
@@ -100,19 +101,26 @@ class Bounded:
             )
         return outcome["value"]
 
-    def end(self):
+    def end(self) -> None:
         """End the process, whatever it does."""
         self.pipe.close()
         self._process.kill()
         self._process.join()
 
 
-def call_bounded(function, *arguments, **bounds):
+def call_bounded(function: Callable, *arguments: object, **bounds: int) -> object:
     """Return function(*arguments) from a process of its own; see Bounded."""
     return Bounded(function, *arguments, **bounds).result()
 
 
-def _work(pipe, function, arguments, cpu_seconds, memory, clock_seconds):
+def _work(
+    pipe: Connection,
+    function: Callable,
+    arguments: tuple,
+    cpu_seconds: int,
+    memory: int,
+    clock_seconds: int,
+) -> None:
     """Compute within bounds, and write the outcome to the pipe."""
     die_with_parent()
     if not multiprocessing.parent_process().is_alive():  # it was killed just before
@@ -141,7 +149,7 @@ def _work(pipe, function, arguments, cpu_seconds, memory, clock_seconds):
     pipe.send_bytes(data)
 
 
-def _limit(kind, most):
+def _limit(kind: int, most: int) -> None:
     """Set the soft limit only: the sandbox sets its own hard limits."""
     _, hard = resource.getrlimit(kind)
     with contextlib.suppress(ValueError, OSError):

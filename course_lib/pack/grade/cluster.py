@@ -17,14 +17,16 @@ import sys
 import threading
 import time
 from collections import Counter
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
+from pathlib import Path
 
 import dask
-from distributed import Client, get_worker
+from distributed import Client, Future, get_worker
 from tqdm import tqdm
 
 from course_lib.pack.grade import KEPT, GradingStopped
@@ -55,7 +57,7 @@ class Order(bytes):
     It contains the seed, and Dask's logs show arguments, so this shows no content.
     """
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<{len(self)} bytes>"
 
     __str__ = __repr__
@@ -90,7 +92,7 @@ class Cluster:
     address: of the scheduler. hidden, isolation: see Grader.
     """
 
-    def __init__(self, address, hidden, isolation):
+    def __init__(self, address: str, hidden: Sequence[str], isolation: str) -> None:
         self._address = address
         self._about = {"course": course_hash(), "hidden": hidden, "isolation": isolation}
         self._workers = {}  # {address: number of threads}
@@ -112,16 +114,16 @@ class Cluster:
         self._client.subscribe_topic(TOPIC, self._hear)
         print(f"The workers of {address} grade, also those that join later.", flush=True)
 
-    def room(self):
+    def room(self) -> bool:
         """Return whether another submission can begin."""
         return not self._again and self._free() is not None
 
-    def begin(self, path, content, notebook, seed):
+    def begin(self, path: Path, content: bytes, notebook: str, seed: int) -> None:
         """Send a submission to a worker."""
         self._again.append(self._task(path, content, notebook, seed))
         self._send()
 
-    def finished(self):
+    def finished(self) -> Iterator[tuple[Path, dict]]:
         """Wait for a moment; yield (path, outcome) of submissions that are finished, see outcome()
         in jobs.py."""
         yield from self._look()
@@ -133,18 +135,24 @@ class Cluster:
                 future = self._answers.get_nowait()
         self._send()
 
-    def close(self):
+    def close(self) -> None:
         """Leave the cluster; what its workers still do is not used."""
         with suppress(OSError):
             self._client.close(timeout=2)
 
-    def _task(self, path=None, content=b"", notebook=None, seed=None):
+    def _task(
+        self,
+        path: Path | None = None,
+        content: bytes = b"",
+        notebook: str | None = None,
+        seed: int | None = None,
+    ) -> Task:
         """Return a Task with an order; without a path it asks whether the worker can grade."""
         number = next(self._numbers)
         head = self._about | {"notebook": notebook, "seed": seed, "number": number}
         return Task(path, Order(json.dumps(head).encode() + b"\n" + content), number)
 
-    def _free(self, path=None):
+    def _free(self, path: Path | None = None) -> str | None:
         """Return the worker with most free threads, or None; one that failed at this path last."""
         free = {worker: self._workers[worker] for worker in self._fit}
         for task in self._tasks.values():
@@ -155,7 +163,7 @@ class Cluster:
             return None  # another worker can grade it, and is busy
         return max(others or free, key=free.get, default=None)
 
-    def _send(self):
+    def _send(self) -> None:
         waiting, self._again = self._again, []
         for task in reversed(waiting):
             if worker := self._free(task.path):
@@ -163,20 +171,20 @@ class Cluster:
             else:
                 self._again.insert(0, task)
 
-    def _hear(self, event):
+    def _hear(self, event: tuple) -> None:
         """Note a sign of life; called by the client's own thread."""
         number = event[1].get("number") if isinstance(event[1], dict) else None
         if isinstance(number, int):
             self._heard[number] = time.monotonic()
 
-    def _give(self, task, worker):
+    def _give(self, task: Task, worker: str) -> None:
         task.worker, task.heard = worker, time.monotonic()
         work = (carry_out, task.order) if task.order else (import_module, carry_out.__module__)
         task.future = self._client.submit(*work, workers=[worker], pure=False)
         self._tasks[task.future.key] = task
         task.future.add_done_callback(self._answers.put)
 
-    def _look(self):
+    def _look(self) -> Iterator[tuple[Path, dict]]:
         """Find workers that joined or ended; yield (path, outcome) of submissions that are given
         up."""
         now = time.monotonic()
@@ -209,7 +217,7 @@ class Cluster:
                 f"No worker of {self._address} could grade for {patience} seconds.{reasons}"
             )
 
-    def _answered(self, task, future):
+    def _answered(self, task: Task, future: Future) -> Iterator[tuple[Path, dict]]:
         """Take what a worker answered; yield (path, outcome) if that is a result."""
         if future.status == "cancelled":
             raise self._lost()
@@ -243,7 +251,7 @@ class Cluster:
         else:
             self._fit.add(task.worker)
 
-    def _graded(self, task, answer):
+    def _graded(self, task: Task, answer: dict) -> Iterator[tuple[Path, dict]]:
         """Yield (path, outcome) of what a worker has graded, with its name; see outcome() in
         jobs.py.
 
@@ -261,13 +269,13 @@ class Cluster:
                 self._refuse(task.worker, f"{MAX_BAD} of its results were not usable.")
         yield task.path, answer | {"worker": f"the worker {task.worker}"}
 
-    def _refuse(self, worker, why):
+    def _refuse(self, worker: str, why: str) -> None:
         """Give a worker no more submissions."""
         self._fit.discard(worker)
         self._unfit[worker] = why
         tqdm.write(f"The worker {worker} grades nothing: {why}")
 
-    def _ended(self, task, how):
+    def _ended(self, task: Task, how: str) -> Iterator[tuple[Path, dict]]:
         """Give the submission of a worker that ended to another one, or give it up and yield (path,
         outcome)."""
         task.ended += 1
@@ -278,7 +286,7 @@ class Cluster:
             why = f"{MAX_ENDED} workers ended while they graded it"
             yield task.path, {"failed": f"It could not be graded: {why}."}
 
-    def _lost(self):
+    def _lost(self) -> GradingStopped:
         return GradingStopped(f"The connection to {self._address} was lost. {KEPT}")
 
 
@@ -302,7 +310,7 @@ def _answer(text: object) -> dict:
 PLACE = threading.local()  # a worker's thread and the process in which its submissions are graded
 
 
-def carry_out(order):
+def carry_out(order: bytes) -> str:
     """Return the outcome of an Order as JSON text, see carried_out; "null" if the process that
     graded it ended."""
     if not hasattr(PLACE, "pipe"):
@@ -323,7 +331,7 @@ def carry_out(order):
         return "null"
 
 
-def main(pipe):
+def main(pipe: Connection) -> None:
     """Carry out the orders that come through a pipe, until the worker ends."""
     die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -332,7 +340,7 @@ def main(pipe):
             pipe.send_bytes(json.dumps(carried_out(pipe.recv_bytes())).encode())
 
 
-def carried_out(order):
+def carried_out(order: bytes) -> dict:
     """Return what outcome() in jobs.py does, or {"unfit": why this worker cannot grade}."""
     head, _, content = order.partition(b"\n")
     about = json.loads(head)

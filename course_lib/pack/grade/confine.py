@@ -92,7 +92,7 @@ NUMBER, ARCHITECTURE, ARGUMENTS = 0, 4, 16  # where in seccomp_data; an argument
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 
 
-def confine(limits, uid=0):
+def confine(limits: dict, uid: int = 0) -> None:
     """Bound this process.
 
     limits: a dict of the Limits in sandbox.py; uid: the user to become, 0 to stay.
@@ -124,20 +124,20 @@ def confine(limits, uid=0):
         filter_calls(program(platform.machine()))
 
 
-def control(option, *values):
+def control(option: int, *values: int) -> None:
     """Set a property of this process by prctl; raise OSError if that fails."""
     if LIBC.prctl(option, *map(ctypes.c_ulong, [*values, 0, 0, 0, 0][:4])) != 0:
         number = ctypes.get_errno()
         raise OSError(number, f"prctl: {os.strerror(number)}")
 
 
-def die_with_parent():
+def die_with_parent() -> None:
     """Let the kernel kill this process when its parent ends; only Linux offers that."""
     if sys.platform == "linux":
         control(DIE_WITH_PARENT, signal.SIGKILL)
 
 
-def filter_calls(code):
+def filter_calls(code: bytes) -> None:
     """Let the kernel refuse some system calls of this process and of all that it starts."""
 
     class Program(ctypes.Structure):
@@ -147,7 +147,7 @@ def filter_calls(code):
     control(SET_SECCOMP, SECCOMP_FILTER, ctypes.addressof(program))
 
 
-def program(machine):
+def program(machine: str) -> bytes:
     """Return the filter for a kind of processor as the kernel takes it, 8 bytes an instruction."""
     if machine not in ARCHITECTURES:
         raise OSError(errno.ENOSYS, f"there is no filter of system calls for {machine}")

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from course_lib.pack.grade import GradingStopped
@@ -35,7 +36,7 @@ yourself, with limits only; never as root.
 """.strip().replace("\n", " ")
 
 
-def isolated(wanted=""):
+def isolated(wanted: str = "") -> bool:
     """Return whether submissions are isolated; raise GradingStopped if that is impossible.
 
     wanted: NONE if the instructor asked for no isolation.
@@ -52,7 +53,7 @@ def isolated(wanted=""):
     return False
 
 
-def problem():
+def problem() -> str:
     """Return why bubblewrap does not work here, as words that follow its name, or ""."""
     if sys.platform != "linux":
         return "needs Linux"
@@ -66,7 +67,7 @@ def problem():
 
 
 @functools.cache
-def _tried():
+def _tried() -> str:
     """Return what goes wrong where bubblewrap starts a process with numpy and a child, or ""."""
     with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
         confine = Path(__file__).with_name("confine.py").read_bytes()
@@ -112,7 +113,7 @@ print("fine")
 """
 
 
-def write_files(folder, contents):
+def write_files(folder: Path, contents: Mapping[str, bytes]) -> None:
     """Write the files for a sandbox into folder/course, readable for every user, and its other
     folders."""
     folder.chmod(0o711)
@@ -126,7 +127,7 @@ def write_files(folder, contents):
         path.chmod(0o755 if path.is_dir() else 0o644)
 
 
-def start_unisolated(course, limits):
+def start_unisolated(course: Path, limits: dict) -> list[str]:
     """Return the command that runs course/runner.py as the instructor, with these Limits as a
     dict."""
     settings = {
@@ -138,7 +139,7 @@ def start_unisolated(course, limits):
     return [sys.executable, *ALONE, str(course / "runner.py"), str(course), json.dumps(settings)]
 
 
-def start(course, limits, hidden=()):
+def start(course: Path, limits: dict, hidden: Iterable[str] = ()) -> list[str]:
     """Return the command that runs course/runner.py in bubblewrap, with these Limits as a dict.
 
     course: the folder that write_files made. hidden: folders to hide wherever they are.
@@ -160,7 +161,7 @@ def start(course, limits, hidden=()):
     return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]
 
 
-def environment(scratch=""):
+def environment(scratch: str = "") -> dict[str, str]:
     """Return the environment of a submission's processes.
 
     scratch: its folder if it is not isolated.
@@ -172,7 +173,7 @@ def environment(scratch=""):
     return found if scratch else found | {"LD_LIBRARY_PATH": LIBRARIES}
 
 
-def _processes(limits, uid):
+def _processes(limits: dict, uid: int) -> dict[str, int | None]:
     """Bound the number of processes.
 
     Before Linux 5.14 all processes of a user count, not only the sandbox's.
@@ -183,7 +184,9 @@ def _processes(limits, uid):
     return {"processes": limits["processes"] if uid or release >= [5, 14] else None}
 
 
-def _bubblewrap(shown, covered, rooms):
+def _bubblewrap(
+    shown: list[tuple[str, str]], covered: list[tuple[str, bool]], rooms: list[tuple[str, int]]
+) -> list[str]:
     flags = [
         "--unshare-pid",
         "--unshare-net",

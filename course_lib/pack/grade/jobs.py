@@ -5,7 +5,7 @@ import functools
 import hashlib
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import wait
 from pathlib import Path
@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.bounded import Bounded, OutOfBounds
-from course_lib.pack.grade.collect import Refused, read
+from course_lib.pack.grade.collect import Refused, Submission, read
 from course_lib.pack.grade.results import NotAResult, read_json, validated
 
 ROOT = Path(__file__).parents[3]
@@ -25,7 +25,7 @@ MAX_BAD_RESULTS = 2  # of one submission, which then is given up
 
 
 @functools.cache
-def course_hash():
+def course_hash() -> str:
     """Return a hash of all that a result depends on except submission and seed: the package and the
     notebooks."""
     parts = (
@@ -33,7 +33,9 @@ def course_hash():
         "checks/**/*.py",
         "figures/**/*.py",
         "lessons/**/*.py",
+        "trajectory/*.py",
         "pack/*.py",
+        "pack/release/**/*.py",
         "pack/grade/*.py",
     )
     package = [path for part in parts for path in (ROOT / "course_lib").glob(part)]
@@ -45,7 +47,7 @@ def course_hash():
     return digest.hexdigest()
 
 
-def result_name(submission, content, seed):
+def result_name(submission: Submission, content: bytes, seed: int) -> str:
     """Return the name of a result's file, which depends on notebook, content, seed and course:
     equal files share it."""
     parts = submission.notebook, str(seed), course_hash(), hashlib.sha256(content).hexdigest()
@@ -66,7 +68,7 @@ def stored(path: Path, offered: Mapping | None = None) -> dict | None:
         return None
 
 
-def ungraded_result(submission, reason, state):
+def ungraded_result(submission: Submission, reason: str, state: str) -> dict:
     """Return the result of a file that was not graded.
 
     state: "refused", or "not graded" (not kept).
@@ -78,7 +80,13 @@ def ungraded_result(submission, reason, state):
 # ---- the work ----
 
 
-def grade_all(submissions, results, seed, pool, offered=None):
+def grade_all(
+    submissions: Sequence[Submission],
+    results: Path,
+    seed: int,
+    pool: object,
+    offered: Mapping | None = None,
+) -> list[tuple[Submission, dict]]:
     """Return each submission with its result, in the same order; stored results are not computed
     again.
 
@@ -104,7 +112,13 @@ def grade_all(submissions, results, seed, pool, offered=None):
     return [(submission, done[submission]) for submission in submissions]
 
 
-def _results(submissions, results, seed, pool, offered):
+def _results(
+    submissions: Sequence[Submission],
+    results: Path,
+    seed: int,
+    pool: object,
+    offered: Mapping | None,
+) -> Iterator[tuple[Submission, dict]]:
     """Yield each submission with its result as soon as that is there."""
     begun = {}  # {path of a result: Begun}
     for submission in submissions:
@@ -143,7 +157,9 @@ class Begun:
     bad: int = 0
 
 
-def _finished(pool, begun: dict, offered):
+def _finished(
+    pool: object, begun: dict, offered: Mapping | None
+) -> Iterator[tuple[Submission, dict]]:
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
     An invalid result is named with its worker, and the submission is graded once more, by
@@ -167,7 +183,7 @@ def _finished(pool, begun: dict, offered):
             yield submission, result or ungraded_result(submission, why, "not graded")
 
 
-def _result_in(outcome: dict, offered) -> tuple[dict | None, str]:
+def _result_in(outcome: dict, offered: Mapping | None) -> tuple[dict | None, str]:
     """Return the result in an outcome and "", or None and why there is none."""
     if "unusable" in outcome:
         raise NotAResult(outcome["unusable"])
@@ -183,32 +199,32 @@ class Processes:
     processor.
     """
 
-    def __init__(self, grade, jobs=0):
+    def __init__(self, grade: Callable, jobs: int = 0) -> None:
         self._grade, self._jobs, self._running = grade, jobs if jobs > 0 else os.cpu_count(), {}
 
-    def room(self):
+    def room(self) -> bool:
         """Return whether another submission can begin."""
         return len(self._running) < self._jobs
 
-    def begin(self, path, content, notebook, seed):
+    def begin(self, path: Path, content: bytes, notebook: str, seed: int) -> None:
         """Begin to grade; path: of the result, by which finished() names it."""
         work = Bounded(self._grade, content, notebook, seed)
         self._running[work.pipe] = work, path
 
-    def finished(self):
+    def finished(self) -> Iterator[tuple[Path, dict]]:
         """Wait for at least one submission; yield (path, outcome) of those that are finished, see
         outcome()."""
         for pipe in wait(list(self._running)):
             work, path = self._running.pop(pipe)
             yield path, outcome(work)
 
-    def close(self):
+    def close(self) -> None:
         """End all that still runs."""
         for work, _ in self._running.values():
             work.end()
 
 
-def outcome(work):
+def outcome(work: Bounded) -> dict:
     """Wait for a Bounded grading; return {"value": result} or {"failed": a sentence}."""
     try:
         return {"value": work.result()}

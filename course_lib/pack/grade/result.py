@@ -71,7 +71,7 @@ def result_of(
     return json.loads(json.dumps(result))
 
 
-def row_of(exercise: Exercise, outcome) -> dict:
+def row_of(exercise: Exercise, outcome: object) -> dict:
     """Return the row of an exercise; outcome: an Outcome, None if the file could not be read."""
     row = {"exercise": exercise.name, "points": 0, "of": exercise.points, "mistake": ""}
     if outcome is None:

@@ -26,6 +26,7 @@ import sys
 import threading
 import types
 from collections.abc import Callable
+from typing import IO
 
 PATIENCE = 20  # seconds in which a child reads an answer
 TOO_LONG = "its answer is too long"
@@ -60,14 +61,14 @@ def main() -> None:
 class Conversation:
     """What this process and the grader tell each other, in lines of JSON."""
 
-    def __init__(self, requests, replies):
+    def __init__(self, requests: IO[bytes], replies: int) -> None:
         self._requests, self._replies, self._process = requests, replies, os.getpid()
         self._checks = importlib.import_module("course_lib.checks")
         self._call_student = importlib.import_module("course_lib.checks.call_student")
         self._checks.checked = self.checked
         self._checks.asking = self.ask_library
 
-    def say(self, **message) -> None:
+    def say(self, **message: object) -> None:
         """Write a line to the grader."""
         write(self._replies, json.dumps(message).encode() + b"\n")
 
@@ -99,12 +100,12 @@ class Conversation:
         self.say(library=text)
         return self.read().get("answer") or json.dumps({"error": TOO_OFTEN})
 
-    def _pass_on(self, name, text):
+    def _pass_on(self, name: str, text: str) -> str | None:
         """Return what the grader answers to a call in an exercise's answer; None after too many."""
         self.say(exercise=name, call=text)
         return self.read().get("answer")
 
-    def _in_charge(self):
+    def _in_charge(self) -> bool:
         in_main_thread = threading.current_thread() is threading.main_thread()
         return os.getpid() == self._process and in_main_thread
 
@@ -220,7 +221,9 @@ def in_a_child(asked: dict, answer: Callable, checks: types.ModuleType, pass_on:
     return {"ended": reason, "status": os.waitstatus_to_exitcode(status), "computed": computed}
 
 
-def read_reply(from_child: int, to_child: int, max_bytes: int, pass_on: Callable):
+def read_reply(
+    from_child: int, to_child: int, max_bytes: int, pass_on: Callable
+) -> tuple[str, str]:
     """Read lines from the child: calls, which begin with ?, then its reply.
 
     Return the reply and why it was cut. Only the reply is bounded by max_bytes, and each call
@@ -255,7 +258,9 @@ def write_in_time(pipe: int, data: bytes) -> bool:
     return True
 
 
-def answer_and_end(to_parent, from_parent, asked, answer, checks) -> None:
+def answer_and_end(
+    to_parent: int, from_parent: int, asked: dict, answer: Callable, checks: types.ModuleType
+) -> None:
     """In the child process: answer, and end this process in any case."""
     try:
         os.setpgid(0, 0)
@@ -265,7 +270,7 @@ def answer_and_end(to_parent, from_parent, asked, answer, checks) -> None:
         begin_all_random_numbers_alike()
         lines = os.fdopen(from_parent, "rb")
 
-        def consult(text):
+        def consult(text: str) -> str:
             write(to_parent, b"?" + text.encode() + b"\n")
             return lines.readline().decode()
 

@@ -14,8 +14,10 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 import psutil
 
@@ -82,7 +84,13 @@ class Sandbox:
     sandbox waited for a processor.
     """
 
-    def __init__(self, contents, limits, hidden=(), isolate=""):
+    def __init__(
+        self,
+        contents: Mapping[str, bytes],
+        limits: Limits,
+        hidden: Iterable[str] = (),
+        isolate: str = "",
+    ) -> None:
         self._contents, self._limits, self._hidden = contents, limits, hidden
         self._isolated = isolation.isolated(isolate)
         self._left, self._over, self._excess, self._ended = bytearray(), "", "", threading.Event()
@@ -94,7 +102,7 @@ class Sandbox:
             (0.0, 0.0),
         )
 
-    def __enter__(self):
+    def __enter__(self) -> "Sandbox":
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
         try:
             isolation.write_files(self._folder, self._contents)
@@ -117,7 +125,7 @@ class Sandbox:
         self._watcher.start()
         return self
 
-    def __exit__(self, *raised):
+    def __exit__(self, *raised: object) -> None:
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
         self._look()
@@ -133,7 +141,7 @@ class Sandbox:
         self._process.stderr.close()
         shutil.rmtree(self._folder, ignore_errors=True)
 
-    def send(self, message, watch):
+    def send(self, message: dict, watch: "Watch") -> None:
         """Send a message, anything that JSON can hold."""
         data = memoryview(json.dumps(message).encode() + b"\n")
         if self._over:
@@ -146,14 +154,14 @@ class Sandbox:
             except OSError:
                 raise Ended(self._why()) from None
 
-    def watch(self, asleep, cpu):
+    def watch(self, asleep: float, cpu: float) -> "Watch":
         """Return a Watch for one or more calls of send and receive.
 
         asleep, cpu: the most seconds of both.
         """
         return Watch(self, asleep, cpu, self._limits.idle_seconds)
 
-    def receive(self, watch):
+    def receive(self, watch: "Watch") -> dict:
         """Return the next message, a dict; raise Ended if the sandbox ended, and from then on
         always."""
         try:
@@ -163,12 +171,12 @@ class Sandbox:
             raise
 
     @property
-    def asleep(self):
+    def asleep(self) -> float:
         """The seconds in which an answer was waited for and nothing in the sandbox computed or
         wanted to."""
         return max(self.free - self.computed, 0)
 
-    def _processes(self):
+    def _processes(self) -> list[psutil.Process]:
         """Return the process that begins the sandbox and all below it, parents before their
         children."""
         try:
@@ -177,7 +185,7 @@ class Sandbox:
         except psutil.Error:
             return []
 
-    def _look_on(self):
+    def _look_on(self) -> None:
         """Look again and again, also while answers are judged; end the sandbox if it exceeds a
         bound."""
         pause = 0.3
@@ -196,7 +204,7 @@ class Sandbox:
             if self._excess:
                 return self._kill()
 
-    def _look(self):
+    def _look(self) -> tuple[int, int]:
         """Measure the processor time; return the number of processes and their memory together."""
         processes, first = self._processes(), WATCHERS if self._isolated else 0
         computed = delayed = memory = 0
@@ -217,7 +225,7 @@ class Sandbox:
         )
         return len(processes), memory
 
-    def _taken_beside_memory(self):
+    def _taken_beside_memory(self) -> str:
         """Return what the sandbox takes too much of that neither bytes nor processes show, or
         ""."""
         for process in self._processes()[WATCHERS - 1 :]:
@@ -231,13 +239,13 @@ class Sandbox:
             return ""  # all processes share one file system and one network
         return ""
 
-    def _kill(self):
+    def _kill(self) -> None:
         with contextlib.suppress(OSError):
             os.killpg(
                 self._process.pid, signal.SIGKILL
             )  # and with it, by the kernel, all in its namespaces
 
-    def _next(self, watch):
+    def _next(self, watch: "Watch") -> dict:
         looked_at = 0
         while True:
             end = self._left.find(b"\n", looked_at)
@@ -254,14 +262,14 @@ class Sandbox:
                 raise Ended("it wrote too much")
             self._left += self._more(watch)
 
-    def _more(self, watch):
+    def _more(self, watch: "Watch") -> bytes:
         self._wait(self._process.stdout, select.POLLIN, watch)
         data = os.read(self._process.stdout.fileno(), 1 << 20)
         if not data:
             raise Ended(self._why())
         return data
 
-    def _wait(self, pipe, event, watch):
+    def _wait(self, pipe: IO[bytes], event: int, watch: "Watch") -> None:
         """Wait for an event of a pipe.
 
         What this process itself waits for a processor then does not count.
@@ -274,7 +282,7 @@ class Sandbox:
             self._waited += min(time.monotonic() - begin, WAIT)
             watch.look()
 
-    def _why(self):
+    def _why(self) -> str:
         """Return why the sandbox ended.
 
         Its stderr gives the reason; the student's code cannot write there.
@@ -292,7 +300,7 @@ class Watch:
     """Ends the wait for a sandbox: by its processor time, and by the time in which it wants
     none."""
 
-    def __init__(self, sandbox, asleep, cpu, idle):
+    def __init__(self, sandbox: Sandbox, asleep: float, cpu: float, idle: float) -> None:
         self._sandbox, self._cpu, self._most, self._asleep, self._idle = (
             sandbox,
             cpu,
@@ -303,12 +311,12 @@ class Watch:
         self._looks, self._slept = sandbox.looks, sandbox.asleep
         self._first = self._part = self._since = None
 
-    def begin(self, cpu, most):
+    def begin(self, cpu: float, most: float) -> None:
         """Allow so many seconds of processor time for the part that begins now, and for all parts
         together."""
         self._cpu, self._most, self._part = cpu, most, None
 
-    def look(self):
+    def look(self) -> None:
         """Raise TooSlow if a bound is exceeded."""
         sandbox = self._sandbox
         if sandbox.looks == self._looks:
@@ -330,7 +338,7 @@ class Watch:
             self._since = sandbox.free, computed
 
 
-def _delay(number):
+def _delay(number: int) -> float:
     """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux
     does not tell."""
     total = 0
@@ -343,7 +351,7 @@ def _delay(number):
     return total / 1e9
 
 
-def _names_in_use(number):
+def _names_in_use(number: int) -> int | None:
     """Return how many files and folders there are in the file systems that a submission can write
     to.
 
@@ -359,7 +367,7 @@ def _names_in_use(number):
     return count
 
 
-def _sockets_in_use(number):
+def _sockets_in_use(number: int) -> int:
     """Return how many sockets there are in the network of a process; 0 if that cannot be seen."""
     try:
         lines = Path(f"/proc/{number}/net/sockstat").read_text().splitlines()
@@ -369,7 +377,7 @@ def _sockets_in_use(number):
     return int(used[0]) if used and used[0].isdigit() else 0
 
 
-def remove_old_folders():
+def remove_old_folders() -> None:
     """Remove the folders of sandboxes whose grader was killed."""
     for folder in Path(tempfile.gettempdir()).glob("grade-*-*"):
         number = folder.name.split("-")[1]

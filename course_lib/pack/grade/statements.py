@@ -12,7 +12,7 @@ import functools
 import re
 import symtable
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 RUNS_ITS_CELL = (
@@ -164,7 +164,7 @@ def is_stub(tree: ast.stmt) -> bool:
 # ---- one statement ----
 
 
-def _looked_at(number, tree):
+def _looked_at(number: int, tree: ast.stmt) -> Statement:
     found = Statement(number, tree)
     found.reads = _read(tree)
     _bound(tree, found.binds)
@@ -184,7 +184,7 @@ def _looked_at(number, tree):
     return found
 
 
-def _read(tree):
+def _read(tree: ast.stmt) -> set[str]:
     """Return the global names that a statement reads, or that the function it defines reads when
     called."""
     try:
@@ -203,7 +203,7 @@ def _read(tree):
         return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
 
 
-def _bound(tree, names):
+def _bound(tree: ast.stmt, names: set[str]) -> None:
     """Add the names that a statement binds at the top of the notebook."""
     for node in _outside_scopes(tree):
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
@@ -216,7 +216,7 @@ def _bound(tree, names):
             names.add(node.name)
 
 
-def _outside_scopes(tree):
+def _outside_scopes(tree: ast.AST) -> Iterator[ast.AST]:
     """Yield every node of the tree except those in functions, classes and comprehensions."""
     left = [tree]
     while left:
@@ -226,13 +226,13 @@ def _outside_scopes(tree):
             left += ast.iter_child_nodes(node)
 
 
-def _base(node):
+def _base(node: ast.AST) -> set[str]:
     """Return the name at the beginning of a.b[0].c, as a set."""
     while isinstance(node, ast.Subscript | ast.Attribute | ast.Call):
         node = node.func if isinstance(node, ast.Call) else node.value
     return {node.id} if isinstance(node, ast.Name) else set()
 
 
-def _only_shows(call):
+def _only_shows(call: ast.Call) -> bool:
     name = call.func.id if isinstance(call.func, ast.Name) else ""
     return name in ("print", "show", "display") or "check" in _base(call.func)

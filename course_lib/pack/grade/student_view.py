@@ -11,8 +11,10 @@ import functools
 import importlib.resources
 import importlib.util
 import marshal
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.follow_through import library_name
 
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
@@ -128,7 +130,9 @@ def ask_library(text):
 '''
 
 
-def contents(checks, forbidden):
+def contents(
+    checks: Mapping[str, Iterable[Exercise]], forbidden: Iterable[str]
+) -> dict[str, bytes]:
     """Return the files of a sandbox as {path: bytes}.
 
     checks: {name of a package of checks: its exercises}. forbidden: dotted names of functions that
@@ -185,7 +189,7 @@ def contents(checks, forbidden):
 
 
 @functools.cache
-def compiled(source):
+def compiled(source: bytes) -> bytes:
     """Return the content of a module's .pyc file that is used without a look at the time of the
     source.
 
@@ -202,7 +206,7 @@ def compiled(source):
 
 
 @functools.cache
-def without(path, dotted):
+def without(path: Path, dotted: frozenset[str]) -> bytes:
     """Return the source of a module in which the dotted names raise.
 
     Helpers that only they used are gone, too.
@@ -226,7 +230,7 @@ def without(path, dotted):
     return ast.unparse(ast.Module(body, [])).encode()
 
 
-def _still_used(tree, names):
+def _still_used(tree: ast.Module, names: set[str]) -> set[str]:
     """Return the functions and classes of a module that are public or still called, without
     `names`."""
     reads = {}
@@ -244,5 +248,5 @@ def _still_used(tree, names):
     return used
 
 
-def _defined(statement):
+def _defined(statement: ast.stmt) -> str | None:
     return statement.name if isinstance(statement, ast.FunctionDef | ast.ClassDef) else None

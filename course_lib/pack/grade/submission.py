@@ -25,7 +25,7 @@ import json
 import re
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from course_lib.checks.exercise import (
@@ -55,7 +55,7 @@ from course_lib.pack.grade.notebook_file import Unreadable, course_of, courses
 from course_lib.pack.grade.result import message_of, result_of
 from course_lib.pack.grade.result import row_of as _row  # noqa: F401, tests look at one row
 from course_lib.pack.grade.runner import NOT_READING, TOO_LONG, TOO_OFTEN
-from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow
+from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow, Watch
 from course_lib.pack.grade.statements import no_python, stubs_only
 from course_lib.pack.grade.student_view import contents
 
@@ -71,6 +71,8 @@ SETS = 3
 MAX_RESTARTS = 4  # of a notebook whose cells end or stop its process
 MAX_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
 MAX_LINE = 10**7  # the number of a line that the runner claims to run
+Place = tuple[int, int]  # (cell, line) of a statement
+Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
 Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
 STATES = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)  # the better ones last
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
@@ -131,7 +133,7 @@ class Outcome:
             return later if other > mine else self
         return later if later.verdict.reason != self.verdict.reason else self
 
-    def _rank(self):
+    def _rank(self) -> tuple:
         verdict = self.verdict
         return verdict.points, self.answered, STATES.index(verdict.state), bool(verdict.reason)
 
@@ -199,7 +201,14 @@ class Run:
 # ---- a whole submission ----
 
 
-def grade(text, notebook, seed, limits=None, hidden=(), wanted=""):
+def grade(
+    text: bytes,
+    notebook: str,
+    seed: int,
+    limits: Limits | None = None,
+    hidden: Iterable[str] = (),
+    wanted: str = "",
+) -> dict:
     """Return the result of a submission as plain data; nothing that the submission contains makes
     this raise.
 
@@ -271,14 +280,14 @@ class Grader:
     hidden: tuple = ()
     wanted: str = ""
 
-    def prepare(self):
+    def prepare(self) -> None:
         """Load the course and try the isolation once, for all processes forked from this one."""
         if isolation.isolated(self.wanted):
             isolation.mounts()
         for course in courses().values():
             _files(_all_forbidden(course.exercises))
 
-    def __call__(self, content, notebook, seed):  # noqa: D102
+    def __call__(self, content: bytes, notebook: str, seed: int) -> dict:  # noqa: D102
         return grade(content, notebook, seed, hidden=self.hidden, wanted=self.wanted)
 
 
@@ -402,7 +411,9 @@ def _is_named(run: Run, exercise: Exercise) -> bool:
     return any(exercise.name in source for source in run.sources)
 
 
-def _with_right_ones(run, exercises, whole, instead) -> dict[str, Outcome]:
+def _with_right_ones(
+    run: Run, exercises: Sequence[Exercise], whole: bool, instead: Instead
+) -> dict[str, Outcome]:
     """Return {name: Outcome} with right functions in place of others, in one process or each in its
     own."""
     outcomes = attempt(run, exercises, _all_forbidden(exercises), whole, instead)
@@ -441,7 +452,14 @@ class Attempt:
         on, so their right functions answer no more calls.
     """
 
-    def __init__(self, run, exercises, forbidden, whole=False, instead=None):
+    def __init__(
+        self,
+        run: Run,
+        exercises: Iterable[Exercise],
+        forbidden: frozenset[str],
+        whole: bool = False,
+        instead: Instead | None = None,
+    ) -> None:
         self.run, self.whole = run, whole
         self.exercises = {exercise.name: exercise for exercise in exercises}
         self.instead = instead or {}
@@ -510,7 +528,7 @@ class Attempt:
         except CpuDeadline:
             return json.dumps({"error": f"this call of {name}.library takes too long"})
 
-    def _once(self):
+    def _once(self) -> tuple[Place | None, Ended | None]:
         """Run the cells once and ask; return the place that ended the sandbox, and how it ended."""
         self.outcomes, self.asked = {}, set()
         with self.run.sandbox(self.files) as self.sandbox:
@@ -520,24 +538,32 @@ class Attempt:
                     self.ask_now(name, 0)
         return place, end
 
-    def _leave_out(self, place, end):
+    def _leave_out(self, place: Place, end: Ended) -> None:
         self.run.left_out[place[0]] = self.left_out[place] = str(end)
         alone = self.whole or len(self.exercises) == 1
         if isinstance(end, TooSlow) and alone:  # else what ran beside it may have been slow
             self.run.too_slow.append(place)
 
-    def _not_run(self, exercise, reason):
+    def _not_run(self, exercise: Exercise, reason: str) -> Outcome:
         verdict = Verdict(exercise, ERROR, f"The notebook could not be run: {reason}.")
         return Outcome(verdict, hindered=True, answered=False)
 
 
-def attempt(run, exercises, forbidden, whole=False, instead=None) -> dict[str, Outcome]:
+def attempt(
+    run: Run,
+    exercises: Iterable[Exercise],
+    forbidden: frozenset[str],
+    whole: bool = False,
+    instead: Instead | None = None,
+) -> dict[str, Outcome]:
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}; see
     Attempt."""
     return Attempt(run, exercises, forbidden, whole, instead).complete()
 
 
-def run_cells(sandbox, order: dict, run: Run, conversation):
+def run_cells(
+    sandbox: Sandbox, order: dict, run: Run, conversation: object
+) -> tuple[Place | None, Ended | None]:
     """Run the cells of a submission in a sandbox.
 
     Parameters
@@ -582,7 +608,7 @@ def run_cells(sandbox, order: dict, run: Run, conversation):
         return place, end
 
 
-def _place(claimed, run):
+def _place(claimed: object, run: Run) -> Place | None:
     """Return the place that the runner claims to run, (cell, line); None if there is no such
     place."""
     if not isinstance(claimed, list) or [type(number) for number in claimed] != [int, int]:
@@ -591,7 +617,7 @@ def _place(claimed, run):
     return (cell, line) if 0 <= cell < len(run.sources) and 0 <= line < MAX_LINE else None
 
 
-def _note_missing(run, name):
+def _note_missing(run: Run, name: str) -> None:
     """Note the name of a module that an import did not find, if the notebook imports it."""
     if re.fullmatch(r"[A-Za-z_]\w{0,60}", name) is None:
         return
@@ -716,7 +742,14 @@ class Student:
         Whether a right function was called after its cases were known in the process.
     """
 
-    def __init__(self, sandbox, run, exercise, instead=(), asked_before=()):
+    def __init__(
+        self,
+        sandbox: Sandbox | None,
+        run: Run,
+        exercise: Exercise,
+        instead: Iterable[Exercise] = (),
+        asked_before: Iterable[str] = (),
+    ) -> None:
         self._sandbox, self._run, self.exercise = sandbox, run, exercise
         self._right_ones = RightOnes(exercise, instead)
         self._asked_before, self.too_late = frozenset(asked_before), False
@@ -774,7 +807,7 @@ class Student:
             return json.dumps({"error": f"{name}.library answers no more after its check"})
         return answer_call(self.exercise, other, text)
 
-    def _receive(self, watch) -> dict:
+    def _receive(self, watch: Watch) -> dict:
         message = {}
         while message.get("exercise") != self.exercise.name:
             message = self._sandbox.receive(watch)
@@ -797,7 +830,7 @@ class EachApart(Student):
         The number of the check at which the test is asked, 0 after all cells.
     """
 
-    def __init__(self, attempted: Attempt, exercise: Exercise, at: int):
+    def __init__(self, attempted: Attempt, exercise: Exercise, at: int) -> None:
         instead = attempted.instead.get(exercise.name, ())
         super().__init__(None, attempted.run, exercise, instead)
         self._attempt, self._at = attempted, at
@@ -826,7 +859,7 @@ class EachApart(Student):
         """Return what check.NAME.library answers to a call in a cell, as JSON text."""
         return self._attempt.answer_cell(text)
 
-    def _about(self, questions, consult) -> str:
+    def _about(self, questions: str, consult: Callable) -> str:
         """Return the reply about one candidate."""
         self._one, self._reply_to_one = (questions, consult), None
         self._attempt.asked = set()

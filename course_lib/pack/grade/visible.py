@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import sysconfig
+from collections.abc import Iterable
 from pathlib import Path
 
 from course_lib.pack.grade.student_view import PACKAGE
@@ -36,7 +37,7 @@ OF_WHEELS += (
 DEVICES = ("null", "zero", "full", "random", "urandom")
 
 
-def mounts(hidden=()):
+def mounts(hidden: Iterable[str] = ()) -> tuple[list[tuple[str, str]], list[tuple[str, bool]]]:
     """Return [(source, target)] of what is shown read-only, and [(target, whether a folder)] of
     what is covered in it.
 
@@ -76,13 +77,13 @@ def mounts(hidden=()):
     return shown, [(path, covered[path]) for path in sorted(outermost)]
 
 
-def packages():
+def packages() -> list[str]:
     """Return the folders of packages, as they are called in the sandbox."""
     return [target for target in _python().values() if target.startswith("/packages")]
 
 
 @functools.cache
-def _python():
+def _python() -> dict[str, str]:
     """Return {source: target} of Python, its standard library and the folders of its packages."""
     found = {os.path.realpath(sys.executable): PYTHON}
     for name in ("stdlib", "platstdlib"):
@@ -102,7 +103,7 @@ def _python():
 
 
 @functools.cache
-def _libraries():
+def _libraries() -> dict[str, str]:
     """Return {source: target} of the shared libraries that Python and its packages load, and of
     their loader."""
     loading = [source for source in _python() if not os.path.isdir(source)]

@@ -33,15 +33,15 @@ def _cases(rng):
     def leaning():
         return _leaning_axis(rng) * rng.choice([-1, 1], size=3)
 
-    slope = rng.uniform(0.55, 0.68)  # of two half turns' axes in coordinate planes
-    small, large = np.sin(slope), np.cos(slope)
+    slope = rng.uniform(0.55, 0.68)  # of two half turns' axes, which lie in coordinate planes
+    rise, run = np.sin(slope), np.cos(slope)
     small = [3.1e-4, 1e-5, 1e-9]
     nearly_half = [np.pi - 3.1e-4, np.pi - 1e-5, np.pi - 1e-9]
     named = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
     half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
     half += [
         2 * np.outer(n, n) - np.eye(3)
-        for n in (leaning(), np.array([small, -large, 0]), np.array([0, small, -large]))
+        for n in (leaning(), np.array([rise, -run, 0]), np.array([0, rise, -run]))
     ]
     half += [
         np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])
