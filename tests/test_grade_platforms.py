@@ -171,6 +171,29 @@ def test_times_in_names_count_without_a_table(tmp_path, platform):
     assert len(times) == len({each.place for each in found}) or platform == "blackboard"
 
 
+@pytest.mark.parametrize("platform", ["google-classroom", "teams"])
+def test_downloads_of_classroom_and_teams_have_neither_times_nor_numbers(tmp_path, platform):
+    """Classroom keeps states with their times in its own records (developers.google.com, Classroom
+    API, courses.courseWork.studentSubmissions, submissionHistory). Teams keeps only the files in
+    SharePoint, and what else it knows of an assignment outside (learn.microsoft.com, Microsoft 365
+    Education, "Assignments Admin Documentation")."""
+    found = find(exported(tmp_path, platform), NOTEBOOKS, platform)
+    assert found
+    assert not any(each.timed for each in found)
+    assert {each.platform_id for each in found} == {""}
+    assert [each.identity() for each in found] == [{}] * len(found)
+
+
+@pytest.mark.parametrize("platform", ["google-classroom", "teams"])
+def test_a_deadline_without_times_says_which_downloads_carry_none(tmp_path, capsys, platform):
+    exported(tmp_path / "in", platform)
+    options = ["--lms", platform, "--deadline", "2026-11-30", "--output", str(tmp_path / "out")]
+    assert main([str(tmp_path / "in"), *options], grade=grade) == 1
+    said = capsys.readouterr().err
+    assert "DEADLINE= needs the times of submission" in said
+    assert named(platform).title in said.rpartition("carry no times")[0]
+
+
 def test_a_deadline_needs_no_times_where_names_have_them(tmp_path, capsys):
     for day in (29, 30):
         name = f"Homework 1_s{day}_attempt_2026-11-{day}-18-05-00_01_rotations.ipynb"
