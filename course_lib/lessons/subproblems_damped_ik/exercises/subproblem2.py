@@ -78,6 +78,25 @@ def _cases(rng):
 solutions = shared.exact_solutions(subproblem2)
 
 
+def pairs_by_the_text(k1, k2, p1, p2, power=2):
+    """Return the pairs for z = a k1 + b k2 + c (k1 x k2): two, or none if c^2 is negative, however
+    little, or if the points are not equally far from the origin.
+
+    power: of the length of k1 x k2 by which c^2 is divided; 2 is right.
+    """
+    lengths = np.linalg.norm(p1), np.linalg.norm(p2)
+    if abs(lengths[0] - lengths[1]) > EXACT * max(lengths):
+        return []
+    cosine, n = k1 @ k2, np.cross(k1, k2)
+    a, b = np.linalg.solve([[1, cosine], [cosine, 1]], [k1 @ p1, k2 @ p2])
+    middle = a * k1 + b * k2
+    c_squared = (p1 @ p1 - middle @ middle) / np.linalg.norm(n) ** power
+    if c_squared <= 0:
+        return []
+    points = [middle + sign * np.sqrt(c_squared) * n for sign in (1, -1)]
+    return [(shared.angle_about(k1, p1, z), shared.angle_about(k2, p2, z)) for z in points]
+
+
 def _misses(pair, k1, k2, p1, p2):
     return np.linalg.norm(rotated(k1, pair[0], p1) - rotated(k2, pair[1], p2)) / np.linalg.norm(p1)
 
@@ -157,9 +176,4 @@ def all_combinations(k1, k2, p1, p2):
 )
 def c_of_perpendicular_axes(k1, k2, p1, p2, power):
     two(solutions, k1, k2, p1, p2)
-    cosine, n = k1 @ k2, np.cross(k1, k2)
-    a, b = np.linalg.solve([[1, cosine], [cosine, 1]], [k1 @ p1, k2 @ p2])
-    middle = a * k1 + b * k2
-    c = np.sqrt((p1 @ p1 - middle @ middle) / np.linalg.norm(n) ** power)
-    points = [middle + sign * c * n for sign in (1, -1)]
-    return [(shared.angle_about(k1, p1, z), shared.angle_about(k2, p2, z)) for z in points]
+    return pairs_by_the_text(k1, k2, p1, p2, power)

@@ -5,12 +5,12 @@ import numpy as np
 from course_lib.checks.vocabulary import X, Z
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
-from course_lib.lessons.subproblems_damped_ik.exercises.subproblem2 import solutions
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem2 import pairs_by_the_text
 
 
 def _pairs(change):
     """The candidate whose pairs are change(pairs), the right ones being an array (n, 2)."""
-    return lambda *case: change(np.reshape(solutions(*case), (-1, 2)))
+    return lambda *case: change(np.reshape(pairs_by_the_text(*case), (-1, 2)))
 
 
 def _unit(p):
@@ -19,22 +19,25 @@ def _unit(p):
 
 def _nearest(k1, k2, p1, p2):
     """Clips c^2 at 0."""
-    found = solutions(k1, k2, p1, p2)
-    return found or [(0.0, 0.0)]
+    return pairs_by_the_text(k1, k2, p1, p2) or [(0.0, 0.0)]
 
 
 def _perpendicular(k1, k2, p1, p2):
-    return solutions(k1, _unit(k2 - (k1 @ k2) * k1), p1, p2)
+    return pairs_by_the_text(k1, _unit(k2 - (k1 @ k2) * k1), p1, p2)
 
 
 def _acute(k1, k2, p1, p2):
     """Wrong if the axes make an obtuse angle."""
-    return solutions(k1, k2 if k1 @ k2 > 0 else -k2, p1, p2)
+    return pairs_by_the_text(k1, k2 if k1 @ k2 > 0 else -k2, p1, p2)
 
 
 def _unit_points(k1, k2, p1, p2):
     """Wrong unless |p1| = 1."""
-    return solutions(k1, k2, p1, p2) if abs(p1 @ p1 - 1) < 1e-6 else solutions(k1, k2, p1, p1)
+    return (
+        pairs_by_the_text(k1, k2, p1, p2)
+        if abs(p1 @ p1 - 1) < 1e-6
+        else pairs_by_the_text(k1, k2, p1, p1)
+    )
 
 
 def _crossed(pairs):
@@ -71,7 +74,7 @@ EXERCISE = WriteTest(
     ),
     shapes=((3,),) * 4,
     versions=(
-        Version("that is as in the text", lambda *case: solutions(*case), right=True),
+        Version("that is as in the text", lambda *case: pairs_by_the_text(*case), right=True),
         Version(
             "that lists the pairs in the other order", _pairs(lambda pairs: pairs[::-1]), right=True
         ),

@@ -35,6 +35,17 @@ def right_by_the_meeting_point(subproblem2):
     return len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
 
 
+def right_with_narrow_misses(subproblem2):
+    """The circles about axes at an angle of 0.1 rad miss by 1e-8 of that angle."""
+    for gap in (1e-8, 1e-6, 1e-3):
+        k2 = np.array([np.sin(0.1), 0, np.cos(0.1)])
+        p1 = np.array([np.sin(0.04), 0, np.cos(0.04)])
+        p2 = np.array([np.sin(0.04 + 0.1 * gap), 0, np.cos(0.04 + 0.1 * gap)])
+        if len(subproblem2(ez, k2, rotate(ez, 1.0, p1), rotate(k2, -2.0, p2))) > 0:
+            return False
+    return right_by_the_meeting_point(subproblem2)
+
+
 def right_one_and_zero(subproblem2):
     return int(right_by_the_meeting_point(subproblem2))
 
