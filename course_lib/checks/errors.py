@@ -26,8 +26,8 @@ _NUMBER_FOR_ARRAY = Mistake(
     "arrays.",
 )
 _WHOLE_NUMBERS = Mistake(
-    "decimals are added in place, by += or -=, to an array of whole numbers",
-    "x = x + ... makes a new array, which holds decimals, and leaves the caller's array as it was.",
+    "decimals are written in place, by += or /=, into an array of whole numbers",
+    "x = x + ... and x = x / ... make a new array, which holds decimals, and leave the caller's array as it was.",
 )
 _READ_ONLY = Mistake(
     "an array that was made outside the function is changed in place, by +=, @= or T[...] =",

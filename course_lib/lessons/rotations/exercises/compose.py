@@ -26,7 +26,7 @@ def _agrees(new, R, step, frame):
 
 
 _FACTORS = Mistake(
-    "the answer is another matrix than the product of R and step for this frame",
+    "the answer is not the product of R and step for this frame",
     "Which two matrices does your line multiply, is each of them as it came, and which of them "
     "acts first on a point of the body?",
 )
