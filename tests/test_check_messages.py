@@ -260,7 +260,10 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
         (lambda M: 2.0 ^ M[0, 0].item(), "^ is taken for a power"),
         (
             lambda M: np.add(np.arange(4), 0.5, out=np.arange(4)),
-            "decimals are added in place, by += or -=, to an array of whole numbers",
+            (
+                "an array of whole numbers is changed in place, by +=, -=, *= or /=, and the result"
+                " has decimals"
+            ),
         ),
         (_refuses, "your own line raises this error"),
         (
@@ -273,13 +276,13 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
         (lambda M: 1 / 0, "something is divided by zero"),
         (
             lambda M: rotations.rot_x(M[0, 0] * np.nan),
-            "nan or infinity comes out of an earlier line, and is used in this one",
+            "an earlier line computes nan or infinity, and this line uses it",
         ),
-        (lambda M: math.acos(M[0, 0]), "a function is asked for a number outside its domain"),
+        (lambda M: math.acos(M[0, 0]), "a function gets a number outside its domain"),
         (lambda M: [M[k] for k in range(6)], "an index goes beyond the last entry"),
-        (lambda M: M[0, 0, 0], "an array has fewer axes than this line takes it to have"),
+        (lambda M: M[0, 0, 0], "an array has fewer axes than this line uses"),
         (lambda M: M @ np.ones(7), "two arrays are combined whose shapes do not fit"),
-        (lambda M: np.vstack([]), "arrays are stacked of which there is none"),
+        (lambda M: np.vstack([]), "an empty list of arrays is stacked"),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):

@@ -7,6 +7,7 @@ function's arguments, and returns what the function answers, as plain data if po
 
 import numpy as np
 
+_ROUNDING = 1e-12  # by which formulas with symbols and with numbers may differ
 _DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
 
 
@@ -32,10 +33,11 @@ def with_symbols(function, names, arguments):
     """Return what the function answers, called with SymPy symbols for its floats, as numbers for
     these floats.
 
-    Whole numbers are passed unchanged. The symbols are real, have the names of the arguments, and
-    differ from all symbols made elsewhere. Expressions are evaluated in SymPy's matrices and
-    arrays, and in numpy's arrays, lists and tuples; any other answer is passed on unchanged. No
-    text is ever parsed as an expression.
+    The function is then called with the floats themselves. If it answers otherwise, this is what is
+    returned. Whole numbers are passed unchanged. The symbols are real, have the names of the
+    arguments, and differ from all symbols made elsewhere. Expressions are evaluated in SymPy's
+    matrices and arrays, and in numpy's arrays, lists and tuples; any other answer is passed on
+    unchanged. No text is ever parsed as an expression.
 
     Parameters
     ----------
@@ -62,10 +64,35 @@ def with_symbols(function, names, arguments):
         given.append(sympy.Dummy(name, real=True) if is_float else argument)
         if is_float:
             at[given[-1]] = sympy.Float(argument)
-    return _evaluated(function(*given), at)
+    by_symbols = _evaluated(function(*given), at)
+    if not at:
+        return by_symbols
+    by_numbers = _evaluated(function(*arguments), {})
+    return by_symbols if _agree(by_symbols, by_numbers) else by_numbers
 
 
 ADAPTERS = {"": directly, "symbols": with_symbols}
+
+
+def _agree(value, other, depth=0):
+    """Return whether two answers agree to rounding; True for answers that are not numbers."""
+    if depth > _DEPTH:
+        return True
+    if isinstance(value, list | tuple) and isinstance(other, list | tuple):
+        same_length = len(value) == len(other)
+        return same_length and all(map(_agree, value, other, [depth + 1] * len(value)))
+    if not (_is_number(value) and _is_number(other)):
+        return True
+    return np.shape(value) == np.shape(other) and np.allclose(
+        value, other, rtol=_ROUNDING, atol=_ROUNDING, equal_nan=True
+    )
+
+
+def _is_number(value):
+    """Return whether an answer is a number of Python's or an array of numbers."""
+    if isinstance(value, np.ndarray):
+        return value.dtype.kind in "biufc"
+    return isinstance(value, int | float | complex)
 
 
 def _evaluated(value, at, depth=0):

@@ -3,10 +3,8 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake, Unreadable
+from course_lib.checks.mistake import OTHER_FORM
 
-OTHER_FORM = Mistake(
-    "the answer has another form than asked for", "Print your answer and its np.shape."
-)
 NOT_A_NUMBER = Mistake(
     "something is divided by zero, or a function is asked outside its domain",
     "Print each intermediate value for this input: where does the first nan or inf appear?",

@@ -7,18 +7,18 @@ from course_lib.checks.mistake import Mistake
 UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
 
 _ANOTHER_SYMBOL = Mistake(
-    "a symbol made elsewhere stands in the answer",
-    "Use the arguments themselves: whoever calls the function gives it symbols, or numbers.",
+    "a symbol that is no argument stands in the answer",
+    "Use the arguments themselves. Whoever calls the function passes symbols, or numbers.",
 )
-_NO_POWER = Mistake("^ is taken for a power", "In Python a power is **: x**2.")
+_NO_POWER = Mistake("^ is taken for a power", "In Python a power is written with **, as in x**2.")
 _LIST_FOR_ARRAY = Mistake(
     "a list is taken for an array",
-    "np.array(x, float) makes an array of a list: arrays can be added and multiplied.",
+    "np.array(x, float) makes an array of a list, and arrays can be added and multiplied.",
 )
 _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",
-    "float(...), math functions and `if` want a single number. numpy's functions work on whole "
-    "arrays.",
+    "float(...), the functions of math and `if` expect a single number. numpy's functions work on "
+    "whole arrays.",
 )
 _NUMBER_FOR_ARRAY = Mistake(
     "a number is taken for an array or a list",
@@ -26,22 +26,25 @@ _NUMBER_FOR_ARRAY = Mistake(
     "arrays.",
 )
 _WHOLE_NUMBERS = Mistake(
-    "decimals are written in place, by += or /=, into an array of whole numbers",
-    "x = x + ... and x = x / ... make a new array, which holds decimals, and leave the caller's array as it was.",
+    "an array of whole numbers is changed in place, by +=, -=, *= or /=, and the result has "
+    "decimals",
+    "x = x + ... makes a new array, which holds decimals, and leaves the caller's array unchanged.",
 )
 _READ_ONLY = Mistake(
     "an array that was made outside the function is changed in place, by +=, @= or T[...] =",
-    "Others still need it, so it is read-only. x = x + ... and T = T @ ... make a new array.",
+    "Other code still needs this array, so it is read-only. x = x + ... and T = T @ ... make a new "
+    "array.",
 )
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
 _NOTHING_TO_STACK = Mistake(
-    "arrays are stacked of which there is none",
-    "For this input the list is empty. What does the task ask for in this case?",
+    "an empty list of arrays is stacked",
+    "For this input the list holds no array. What does the task ask for in this case?",
 )
 _OTHER_SHAPE = Mistake(
-    "an array has fewer axes than this line takes it to have",
-    "Print its .shape before this line. np.atleast_2d makes (1, n) of (n,), and a column is"
-    " (n, 1).",
+    "an array has fewer axes than this line uses",
+    "Print the .shape of the array before this line. np.atleast_2d makes the shape (1, n) of "
+    "(n,). A "
+    "column has the shape (n, 1).",
 )
 _BEYOND_THE_END = Mistake(
     "an index goes beyond the last entry",
@@ -49,25 +52,29 @@ _BEYOND_THE_END = Mistake(
     " list, before this line: how many entries are there, and how many does your code expect?",
 )
 _RAISED = Mistake(
-    "your own line raises this error", "What does the task want to be returned in this case?"
+    "your own line raises this error", "What should the function return in this case?"
 )
 _TOO_LONG = Mistake(
-    "a loop never ends, or there is more work in it than the check waits for",
-    "Print how often each loop runs for this input; loops inside each other multiply.",
+    "a loop never ends, or the loops take longer than the check waits",
+    "Print how often each loop runs for this input. The passes of loops inside each other "
+    "multiply.",
+)
+_TOO_MANY_CALLS = Mistake(
+    "the test calls the function more often than the task allows",
+    "Count the calls. The passes of loops inside each other multiply.",
 )
 _DIVIDED = Mistake(
     "something is divided by zero",
-    "Which length or angle is 0 for this input? Treat that case by itself, before the division.",
+    "Which length or angle is 0 for this input? Treat that case separately, before the division.",
 )
 _NOT_FINITE = Mistake(
-    "nan or infinity comes out of an earlier line, and is used in this one",
-    "Print each intermediate value for this input. Is something divided by 0, or is a root or an "
-    "arccos asked outside its domain?",
+    "an earlier line computes nan or infinity, and this line uses it",
+    "Print each intermediate value for this input. Where does the first nan or inf appear?",
 )
 _OUTSIDE_THE_DOMAIN = Mistake(
-    "a function is asked for a number outside its domain",
-    "Print the number that it is given. For which numbers is the function defined, and how far may "
-    "rounding take a number out of that range?",
+    "a function gets a number outside its domain",
+    "Print this number. For which numbers is the function defined, and how far may rounding take a "
+    "number out of that range?",
 )
 # in any exercise: type, a pattern of the message, mistake; an exercise's own are tried first
 _KNOWN = (
@@ -140,19 +147,20 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
     if kind == "NotAllowed":
         mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
         return "wrong", "compute the answer yourself.", mistake, False
-    if kind == "TimeUp":
-        return "error", f"{call} took {message}.", _TOO_LONG, True
     if kind == "KeyboardInterrupt":
         return "error", f"{call} was interrupted.", None, False
     if kind == "NoNumber":
         reason = (
-            "with numbers for the arguments each entry of the answer is a number. One of yours is "
+            "if the arguments are numbers, each entry of the answer is a number. One of yours is "
             f"{message}."
         )
         return "wrong", reason, _ANOTHER_SYMBOL, False
+    own = [mistake for mistake in exercise.mistakes if mistake.is_raised(kind, message)]
+    if kind == "TimeUp":
+        of_any_exercise = _TOO_MANY_CALLS if "calls of the function" in message else _TOO_LONG
+        return "error", f"{call} took {message}.", own[0] if own else of_any_exercise, True
     where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
     said = f"{kind}: {message}" if message else kind
-    own = [mistake for mistake in exercise.mistakes if mistake.is_raised(kind, message)]
     of_any_exercise = [
         mistake for type_, words, mistake in _KNOWN if type_ == kind and re.search(words, message)
     ]

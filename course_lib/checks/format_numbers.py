@@ -5,13 +5,15 @@ import numpy as np
 ORDINALS = "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"
 
 
-def format_tuple(numbers):
+def format_tuple(numbers, rounding=1e-12):
     """Return numbers in the form of a tuple, and a single number without brackets; rounding errors
     are written as 0.
 
     Parameters
     ----------
     numbers : array_like
+    rounding : float, optional
+        The largest rounding error.
 
     Returns
     -------
@@ -22,13 +24,9 @@ def format_tuple(numbers):
     >>> format_tuple([0.1, -2, 1e-17]), format_tuple(1 / 3)
     ('(0.1, -2, 0)', '0.3333')
     """
-    if np.size(numbers) == 1:
-        return _with_four_digits(np.ravel(numbers)[0])
-    return f"({', '.join(_with_four_digits(number) for number in np.ravel(numbers))})"
-
-
-def _with_four_digits(number):
-    return "0" if abs(number) <= 1e-12 else f"{number:.4g}"
+    entries = [0 if abs(number) <= rounding else number for number in np.ravel(numbers)]
+    written = [f"{entry:.4g}" for entry in entries]
+    return written[0] if np.size(numbers) == 1 else f"({', '.join(written)})"
 
 
 def format_array(numbers, digits=4):

@@ -72,12 +72,17 @@ class Mistake:
         return self if shown else None
 
 
+OTHER_FORM = Mistake(
+    "the answer has another form than asked for", "Print your answer and its np.shape."
+)
+
+
 class Mistakes(list):
     """The mistakes of one exercise, in the order in which they are tried."""
 
     def add(
         self,
-        name,
+        name=OTHER_FORM,
         hint=None,
         *,
         seen=None,
@@ -96,7 +101,8 @@ class Mistakes(list):
         name, hint : str
             As of a Mistake. The decorated function answers as a student does who makes the mistake.
             Or name is a Mistake, which is added at once, if only `raises`, `form` or `nan`
-            recognises it.
+            recognises it. Without a name, `form` is a function that returns the Mistake which an
+            array of another shape shows, or None.
         seen, part, alike, raises, form, nan
             As of a Mistake. With `seen` the function need not predict the very answers: it is the
             wrong answer on which the check is tested.

@@ -9,7 +9,7 @@ import numpy as np
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import MadeCase
-from course_lib.checks.tolerances import PREDICTED
+from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.wire import Seed
 
 _MAX_ORDERED = 4  # entries, rows or columns, of which all orders are tried
@@ -172,11 +172,13 @@ class Naming:
         return 0.0 if right is None else np.nan_to_num(np.abs(right), posinf=0).max(initial=0)
 
     def _shortened(self, wrong):
-        """Return the Mistake of answers of float32, or of rounded ones that are nearly right; or
-        None."""
+        """Return the Mistake of answers of float32, of rounded ones that are nearly right, or of
+        digits cut off after the point; or None."""
         arrays = [attempt(np.asarray, value, float) for value in self.values]
-        if any(array is None for array in arrays) or all(map(_is_whole, arrays)):
+        if any(array is None for array in arrays):
             return None
+        if all(map(_is_whole, arrays)):
+            return Mistake(*_WHOLE) if self._are_cut_off(arrays, wrong) else None
         in_float32 = all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays)
         if in_float32 and not all(map(_is_short, arrays)):
             return Mistake("the answer has the seven digits of float32", _FLOAT64)
@@ -186,6 +188,20 @@ class Naming:
             if all(np.array_equal(x, np.round(x, k), equal_nan=True) for x in arrays):
                 return Mistake(f"the answer is rounded to {k} digits", _FEW_DIGITS)
         return None
+
+    def _are_cut_off(self, arrays, wrong):
+        """Return whether wrong answers, whole numbers all, are the right ones without the digits
+        after the point."""
+        if not any(array.any() for array in arrays) or sum(arrays[i].size for i in wrong) < _MIN_NUMBERS:
+            return False
+        rights = [self.right(i) for i in wrong]
+        return all(
+            right is not None
+            and right.shape == arrays[i].shape
+            and np.isfinite(right).all()
+            and _is_cut_off(arrays[i], right)
+            for i, right in zip(wrong, rights, strict=True)
+        )
 
     def _few_digits(self, wrong):
         """Return the Mistake of most answers being right to their first digits only, or None."""
@@ -379,6 +395,12 @@ def _is_short(array):
     return np.array_equal(array, np.round(array, 5), equal_nan=True)
 
 
+def _is_cut_off(array, right):
+    """Return whether whole numbers are those before the point, up to rounding."""
+    smaller = np.abs(array) <= np.abs(right) + EXACT
+    return bool(smaller.all() and (np.abs(right - array) < 1).all())
+
+
 def _is_whole(array):
     return np.array_equal(array, np.round(array), equal_nan=True)
 
@@ -472,9 +494,14 @@ def _asked(right, change):
 
 
 def _unless_equal(other, exact):
-    """Return the other answer; None if it has another shape, or is the same."""
+    """Return the other answer; None if it has another shape, or is the same.
+
+    Whether it is the same goes by the size of the numbers: 1e-13 is not 0 among such numbers.
+    """
+    size = np.abs(exact[np.isfinite(exact)]).max(initial=0)
+    rounding = 1e-12 * (min(size, 1) or 1)
     if other.shape != exact.shape or np.allclose(
-        other, exact, rtol=1e-9, atol=1e-12, equal_nan=True
+        other, exact, rtol=1e-9, atol=rounding, equal_nan=True
     ):
         return None
     return other

@@ -12,6 +12,7 @@ from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
+_TINY = 1e-9  # below which numbers are shown with their powers of ten
 COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
 SOLVERS = tuple(
     f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root")
@@ -276,9 +277,11 @@ def compared(wanted, found):
     """Return in words what is wanted and what was found, and by how much it is off if the digits
     shown agree."""
     right, yours = format_tuple(wanted), format_tuple(found)
-    return f"{right}; yours is {yours}" + (
-        f", off by {np.abs(found - wanted).max():.2g}" if right == yours else ""
-    )
+    if right == yours and np.abs(wanted).max(initial=0) < _TINY:  # both are shown as zeros
+        right, yours = format_tuple(wanted, rounding=0), format_tuple(found, rounding=0)
+    if right == yours:
+        yours += f", off by {np.abs(found - wanted).max():.2g}"
+    return f"{right}; yours is {yours}"
 
 
 def _first_otherwise(values, cases):
