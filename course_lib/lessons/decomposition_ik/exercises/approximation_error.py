@@ -2,22 +2,24 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
 
 _ONE = Mistake(
     "one distance is returned for both predictions",
-    "What would stay hidden if one were quite wrong?",
+    "What would remain hidden if one of the two predictions were quite wrong?",
 )
 _NOT_LINED_UP = Mistake(
     "each position does not stand beside both of its predictions",
     "The tips have the shape (m, 2, 2), the positions (m, 2). Where does xy need one more axis?",
 )
 _VECTORS = Mistake(
-    "the differences are returned, not their lengths", "Which axis has x and y on it?"
+    "the differences are returned, not their lengths", "Along which axis do x and y lie?"
 )
 
 
@@ -64,6 +66,12 @@ def _off(rng, xy, without=()):
     return angles
 
 
+def _nearly_there(rng, gap):
+    """Return two positions and predictions whose first angles are off by the gap."""
+    xy = _positions(rng, 2)
+    return xy, two_link_angles(xy) + np.array([gap, 0])
+
+
 def _known_form(array, xy, angles):
     return _VECTORS if array.shape == (len(xy), 2, 2) else _ONE if array.size == len(xy) else None
 
@@ -84,6 +92,8 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda xy, angles: (len(xy), 2), gaps=True),
     library=distances,
+    tolerance=EXACT,
+    sweeps=(Sweep("a prediction that is nearly right", _nearly_there),),
     properties=(
         no_number(
             off,
@@ -106,7 +116,7 @@ EXERCISE = Exercise(
     ),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 EXERCISE.mistake(_NOT_LINED_UP, raises=("ValueError", "broadcast"))
 
 
@@ -124,3 +134,23 @@ EXERCISE.mistake(_NOT_LINED_UP, raises=("ValueError", "broadcast"))
 )
 def no_length(*case, length):
     return distances(*case, length)
+
+
+@EXERCISE.mistake(
+    "a distance is computed by |a|^2 + |b|^2 - 2 a.b, which loses the digits of small distances",
+    "What does rounding leave of a difference between two numbers that are nearly equal?",
+)
+def squares_subtracted(xy, angles):
+    tips, there = two_link_tip(angles), xy[:, None]
+    squares = (tips**2).sum(-1) + (there**2).sum(-1) - 2 * (tips * there).sum(-1)
+    return np.sqrt(np.maximum(squares, 0))
+
+
+@EXERCISE.mistake(
+    "both distances of a query are nan where only one of its predictions is nan",
+    "What is known about the other prediction of this query?",
+)
+def nan_for_both(xy, angles):
+    found = distances(xy, angles)
+    found[np.isnan(found).any(axis=1)] = np.nan
+    return found

@@ -4,8 +4,11 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
+
+_SMALL = 0.05  # rad: of an angle that somebody may take for 0
 
 
 def right(q):
@@ -37,7 +40,7 @@ def _cases(rng):
     )
     lopsided = rng.uniform([0, -0.1], [2.9, 0.9], (12, 2))
     # No angle is too small to have a sign; -0.0 is 0, and an angle beyond pi keeps its own.
-    tiny = np.array([[0.4, size] for size in (-1e-3, -1e-9, -1e-12, -1e-15, -1e-300, 1e-300)])
+    tiny = np.array([[0.4, size] for size in (-1e-3, -1e-9, -1e-300, 1e-300)])
     zeros = np.array([[0.3, 0.0], [-0.2, -0.0], [-0.0, 0.1], [0.5, -0.1]])
     far = np.array([[0.1, 3.5], [0.2, -3.5], [-4.0, 6.0], [7.0, -6.5], [0.3, 8.0]])
     whole = np.array([[1, -2], [0, 0], [-3, 1], [2, -1]])
@@ -50,6 +53,11 @@ def _cases(rng):
     return [(q,) for q in (*samples, tiny, zeros, far, whole, *few)]
 
 
+def _first_off(labels, q):
+    k = int(np.argmax(labels != right(q)))
+    return f"Sample {k} has q2 = {float(q[k, 1])!r}; its label in your answer is {labels[k]:g}."
+
+
 EXERCISE = Exercise(
     name="branch_by_sign",
     points=1,
@@ -57,20 +65,25 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda q: (len(q),)),
     library=right,
+    sweeps=(
+        Sweep("q2 nearly 0", lambda rng, q2: (np.array([[0.4, q2], [0.7, 0.3]]),), ON_BOTH_SIDES),
+    ),
     broken=_at_the_widest_gap,
     properties=(
         Property(
             "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0, whatever the other "
             "samples are",
             lambda labels, q: np.array_equal(labels, right(q)),
+            says=_first_off,
             mistake=Mistake(
-                "a sample has another label than its own q2 says", "Where does label 1 begin?"
+                "a sample has another label than its own q2 says",
+                "Which comparison gives the label of the sample named below?",
             ),
         ),
     ),
     hints=(
-        "Run the broken code on samples that all have q2 > 0. How many elbows does it report?",
-        "Each sample carries the answer in itself; the other samples of its cell are not needed.",
+        "Run the broken code on samples that all have q2 > 0. How many branches does it report?",
+        "The q2 of a sample decides its label. The other samples of the cell do not matter.",
         "Compare q[:, 1] with 0; a comparison gives True and False, which astype(int) turns into 1 "
         "and 0.",
     ),
@@ -86,8 +99,8 @@ def zero_is_negative(q):
 
 
 @EXERCISE.mistake(
-    "-0.0 is in branch 1",
-    "numpy has a zero with a minus sign: how does it compare with 0?",
+    "the zero with a minus sign, -0.0, is in branch 1",
+    "Is -0.0 >= 0 true in Python?",
 )
 def sign_of_minus_zero(q):
     return np.signbit(q[:, 1])
@@ -96,10 +109,11 @@ def sign_of_minus_zero(q):
 @EXERCISE.mistake(
     "a small negative q2 counts as 0",
     "Which number does the task compare q2 with?",
-    tolerance=(1e-16, 1e-13, 1e-10, 1e-8, 1e-4),
+    recognises=True,
 )
-def tiny_angle_is_zero(q, tolerance):
-    return q[:, 1] < -tolerance
+def tiny_angle_is_zero(labels, q):
+    other = q[labels != right(q), 1]
+    return bool(((other < 0) & (other > -_SMALL)).all())
 
 
 @EXERCISE.mistake(
@@ -112,7 +126,7 @@ def sign_of_the_sine(q):
 
 @EXERCISE.mistake(
     "samples of both signs are still cut at a gap, or by k-means",
-    "What if the two clouds touch?",
+    "What happens if the two clouds touch?",
     one_elbow=(right, lambda q: 0 * right(q)),
     cut=(split_branches, _at_the_widest_gap),
 )

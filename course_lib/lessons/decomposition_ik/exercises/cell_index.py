@@ -5,13 +5,15 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 
 _FLAT = Mistake(
-    "one number is returned for each cell, not its column and row",
-    "How many numbers has a position?",
+    "one number is returned for each position, not the column and the row of its cell",
+    "How many numbers does each row of the answer hold?",
 )
 _DROPPED = Mistake(
-    "positions outside the box are left out", "What is the row of the answer for such a position?"
+    "positions outside the box are left out",
+    "Which row does the task ask for in place of such a position?",
 )
 _read = numbers(lambda xy, *rest: xy.shape)
 
@@ -27,7 +29,19 @@ def _integers_or_floats(value, *case):
     return index.astype(int) if np.asarray(value).dtype.kind in "iu" else index
 
 
-_JUST = (1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-14)  # from an edge of the box
+_SLIGHTLY = 0.05  # of the box's width: a tolerance that somebody may grant
+_EDGES_OF_THE_BOX = {"left": (0, 0.0), "right": (0, 1.0), "lower": (1, 0.0), "upper": (1, 1.0)}
+
+
+def _beside(axis, edge):
+    """Return the case(rng, gap) of a position in the unit box, or outside, so far from an edge."""
+
+    def case(rng, gap):
+        xy = np.array([[0.3, 0.6]])
+        xy[0, axis] = edge + gap
+        return xy, np.zeros(2), np.ones(2), 4
+
+    return case
 
 
 def _cases(rng):
@@ -51,11 +65,6 @@ def _cases(rng):
         # Corners in whole numbers, as in the task's example, and then positions in them, too.
         ([[0.55, 0.55], [1.0, 2.0], [0.95, 1.9], [-0.3, 1.0], [0.4, 2.6]], [0, 0], [1, 2], 10),
         ([[1, 1], [2, 3], [0, 5], [4, 2], [-1, 0]], [0, 0], [4, 5], 7),
-        # Just out of reach of the box, and just inside, at powers of ten.
-        ([[1 + d, 0.3] for d in _JUST], *box, 4),
-        ([[0.3, -d] for d in _JUST], *box, 4),
-        ([[1 - d, 0.3] for d in _JUST], *box, 4),
-        ([[0.3, d] for d in _JUST], *box, 4),
     ]
     found += [
         (_around(rng, 6, *corners, n), *corners, n)
@@ -118,12 +127,13 @@ def _asked(text, chosen, name, hint):
         if beyond > 0:
             return (
                 f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of "
-                f"the box. Yours is {index[k].tolist()}."
+                f"the box. Your answer for this position is {index[k].tolist()}."
             )
         widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
         return (
-            f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Yours is "
-            f"{index[k].tolist()}."
+            f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Your "
+            f"answer "
+            f"for this position is {index[k].tolist()}."
         )
 
     return Property(text, lambda *case: not wrong(*case).size, says, mistake=Mistake(name, hint))
@@ -136,6 +146,10 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=_integers_or_floats,
     library=cell_index,
+    sweeps=tuple(
+        Sweep(f"nearly on the {name} edge", _beside(*place), ON_BOTH_SIDES)
+        for name, place in _EDGES_OF_THE_BOX.items()
+    ),
     properties=(
         _asked(
             "each position in the box has the column and row of its cell, counted from 0 at low, "
@@ -148,15 +162,16 @@ EXERCISE = Exercise(
             "a position on the upper edge of the box belongs to the last cell, n - 1",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0],
             "a position on an upper edge is not in the last cell along that edge",
-            "Which number does it get before you mend it, and is it mended in x and in y, each by "
-            "itself?",
+            "Which number does such a position get from the rounding, and where do you correct it: "
+            "for x alone, for y alone, and for both?",
         ),
         _asked(
             "a position outside the box is in no cell: its column and row are both -1",
             lambda xy, low, high: _outside(xy, low, high)[:, 0],
             "a position outside has a cell",
-            "Compare with low and high themselves: what lies beyond them, by however little, is "
-            "outside.",
+            "Compare with low and high themselves. A position beyond them is outside, however "
+            "small "
+            "the distance is.",
         ),
         Property(
             "columns and rows are integers, which can serve as indices",
@@ -196,11 +211,23 @@ def beyond_the_last(*case):
 
 @EXERCISE.mistake(
     "only the coordinate that lies outside gets -1",
-    "In which row is a position that lies to the left of the box?",
+    "Which row does a position have that lies to the left of the box, in no cell?",
     edge=_EDGES,
 )
 def one_coordinate(*case, edge):
     return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
+
+
+@EXERCISE.mistake(
+    "a position slightly outside the box counts as inside",
+    "Compare with low and high themselves. A position beyond them is outside, however small the "
+    "distance is.",
+    recognises=True,
+)
+def tolerance_at_the_edges(index, xy, low, high, n):
+    wrong = (index != cell_index(xy, low, high, n)).any(axis=1)
+    beyond = np.maximum(low - xy, xy - high).max(axis=1)
+    return bool(((beyond > 0) & (beyond < _SLIGHTLY * (high - low).min()))[wrong].all())
 
 
 @EXERCISE.mistake(
@@ -218,7 +245,8 @@ def truncated(*case, last, edge):
 
 @EXERCISE.mistake(
     "some or all positions outside are not marked",
-    "A position can be left, right, below or above: is one enough?",
+    "A position may lie left of the box, right of the box, below or above. Which of the four does "
+    "your code test, and is one of them enough?",
     some=(
         lambda parts, n: np.False_,
         lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),

@@ -9,15 +9,15 @@ from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
 
 _NUMPY_USED = Mistake(
-    "numpy's or math's function is used on symbols: take SymPy's",
-    "SymPy has functions and matrices of the same names. They take numbers too.",
+    "a function of numpy or math is called with symbols",
+    "SymPy has functions and matrices of the same names, which accept symbols and numbers.",
 )
 _ASKED_A_SYMBOL = Mistake(
-    "an if or a comparison looks at the value of a symbol, which has none",
-    "The matrix is one formula for all values: no case needs a branch of its own.",
+    "an if or a comparison asks for the value of a symbol, which has none",
+    "The matrix is one formula for all values. No case needs a branch of its own.",
 )
 _NUMBERS_NOT_TAKEN = Mistake(
-    "the arguments are taken for symbols only", "SymPy's functions take numbers too."
+    "the function accepts symbols only", "SymPy's functions accept numbers too."
 )
 
 
@@ -34,7 +34,9 @@ def _cases(rng):
     sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
     drawn = np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2)
     large = np.round(rng.uniform([0.3, 2.4, -0.9, -2.2], [0.5, 2.7, -0.6, -1.9]), 2)
-    return whole + some + [tuple(float(number) for number in row) for row in [*drawn, large]]
+    # The last numbers have many digits, which simple fractions do not give.
+    rows = [*drawn, large, sizes[0]]
+    return whole + some + [tuple(float(number) for number in row) for row in rows]
 
 
 def _factors(a, alpha, d, theta):
@@ -59,8 +61,8 @@ def dh_symbolic(a, alpha, d, theta):
 
 _COLUMN = Mistake(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
-    "Multiply the four matrices on paper: where do a, d and both angles stand, exactly and in "
-    "radians?",
+    "Multiply the four matrices on paper, and compare this column with yours, entry by entry. "
+    "Numbers must stay as they are, without rounding.",
 )
 
 EXERCISE = Exercise(
@@ -109,13 +111,14 @@ EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "Cannot convert expression to
 EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "which has no callable"))
 EXERCISE.mistake(_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute"))
 EXERCISE.mistake(_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'int' object has no attribute"))
+EXERCISE.mistake(_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'float' object has no attribute"))
 EXERCISE.mistake(
     _ASKED_A_SYMBOL, raises=("TypeError", "cannot determine truth value of Relational")
 )
 
 
 @EXERCISE.mistake(
-    "the modified convention is taken",
+    "the matrix is that of the modified convention",
     "With which of the four motions does the standard convention begin?",
 )
 def modified(a, alpha, d, theta):

@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_angles
-from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, with_one
+from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one
 from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
 
 _COUNT = Mistake(
-    "count is not used for the number of cells",
-    "May the last cells be empty? How many models are asked?",
+    "the number of models is not `count`",
+    "Does every cell have samples? How many models does the task ask for?",
 )
 _EMPTY = Mistake(
     "a model is fitted to a cluster without samples", "How many samples does a model need at least?"
@@ -114,14 +115,15 @@ def fit_cells(xy, q, cell, count, fit=_linear_regression, split=split_branches, 
 def _tell(index, models, xy, q, cell, count):
     c, k, j, _ = index
     n = np.sum(split_branches(q[cell == c]) == k)
+    samples = "1 sample" if n == 1 else f"{n} samples"
     return (
-        f"Samples of cluster {k} in cell {c}: {n}. Your row for q{j + 1} there is "
+        f"Cluster {k} in cell {c} has {samples}. Your row for q{j + 1} there is "
         f"{format_tuple(models[c, k, j])}."
     )
 
 
 def _far_off(models, right):
-    return ~np.isnan(right) & (np.abs(models - right) > 1e-7 * (1 + np.abs(right)))
+    return off(models, right, HALF_THE_DIGITS)
 
 
 EXERCISE = Exercise(
@@ -143,7 +145,8 @@ EXERCISE = Exercise(
             _tell,
             Mistake(
                 "a cluster of too few samples has a model",
-                "Do you count those of the cluster, or of the cell?",
+                "Which samples does your code count and fit there? The message below names the "
+                "cluster.",
             ),
         ),
         no_number(
@@ -153,7 +156,8 @@ EXERCISE = Exercise(
             _tell,
             Mistake(
                 "a cluster with enough samples has no model",
-                "Is each cluster of each cell asked by itself?",
+                "What does your code do with the cluster named below, and with the clusters and "
+                "cells before it?",
             ),
         ),
         no_number(
@@ -163,7 +167,9 @@ EXERCISE = Exercise(
             _tell,
             Mistake(
                 "a model is not that of its own samples",
-                "What is fitted to what, for which cell and cluster?",
+                "Which samples are fitted for the cluster named below, and which numbers stand "
+                "in its "
+                "row?",
             ),
         ),
     ),
@@ -179,10 +185,7 @@ EXERCISE = Exercise(
 )
 
 EXERCISE.mistake(
-    OTHER_FORM,
-    form=lambda array, *case: (
-        _COUNT if array.shape[1:] == (2, 2, 3) and len(array) < case[-1] else None
-    ),
+    _COUNT, form=lambda array, *case: array.shape[1:] == (2, 2, 3) and len(array) < case[-1]
 )
 EXERCISE.mistake(_EMPTY, raises=("ValueError", "Found array with 0 sample"))
 
@@ -214,14 +217,56 @@ def cluster_for_angle(*case):
 @EXERCISE.mistake(
     "the samples outside all cells, with number -1, go into the last cell",
     "Which entry of an array has index -1?",
+    written=("together", "before", "after"),
 )
-def outside_in_the_last_cell(xy, q, cell, count):
-    return fit_cells(xy, q, cell % count, count)
+def outside_in_the_last_cell(xy, q, cell, count, written):
+    if written == "together":
+        return fit_cells(xy, q, cell % count, count)
+    # The models of the last cell are written before or after those of the samples outside.
+    models = fit_cells(xy, q, cell, count)
+    outside = fit_cells(xy, q, np.where(cell < 0, count - 1, -1), count)[-1]
+    first, last = (outside, models[-1]) if written == "before" else (models[-1], outside)
+    models[-1] = np.where(np.isnan(last), first, last)
+    return models
+
+
+@EXERCISE.mistake(
+    "the samples of the whole cell are counted, not those of the cluster",
+    "How many samples does each cluster of the cell named below have?",
+)
+def cell_counted(xy, q, cell, count):
+    models = fit_cells(xy, q, cell, count, least=1)
+    for c in range(count):
+        if np.sum(cell == c) < 3:
+            models[c] = np.nan
+    return models
+
+
+@EXERCISE.mistake(
+    "the loop ends at the first cell without samples",
+    "What does your loop do after an empty cell?",
+)
+def loop_ends_at_an_empty_cell(xy, q, cell, count):
+    models = fit_cells(xy, q, cell, count)
+    empty = [c for c in range(count) if not np.any(cell == c)]
+    if empty:
+        models[empty[0] :] = np.nan
+    return models
+
+
+@EXERCISE.mistake(
+    "cluster 1 has no model where cluster 0 has too few samples",
+    "What does your code do with cluster 1 of a cell whose cluster 0 is too small?",
+)
+def second_cluster_left_out(xy, q, cell, count):
+    models = fit_cells(xy, q, cell, count)
+    models[np.isnan(models[:, 0, 0, 0])] = np.nan
+    return models
 
 
 @EXERCISE.mistake(
     "the number of samples that a model needs is not 3",
-    "Has a cluster of exactly 2 a model, and one of exactly 3?",
+    "Does a cluster of exactly 2 samples have a model, and one of exactly 3?",
     least=(1, 2, 4),
     fit=(_linear_regression, _least_squares),
 )

@@ -5,12 +5,21 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one
 
 
 def _affine(q, xy):
     return np.linalg.lstsq(with_one(q)[:, [1, 2, 0]], xy, rcond=None)[0].T
+
+
+def _centred(q, xy):
+    """Return what LinearRegression finds, also for one or two samples."""
+    middle, mean = q.mean(0), xy.mean(0)
+    A = np.linalg.lstsq(q - middle, xy - mean, rcond=1e-6)[0].T  # its tol
+    return np.column_stack([A, mean - A @ middle])
 
 
 def fit_joint_cells(q, xy, cell, count, fit=_affine, least=3):
@@ -42,10 +51,9 @@ def _judged(is_wrong, text, name, hint):
 
 def _tell(index, models, q, xy, cell, count):
     c, i, _ = index
-    return (
-        f"Samples in cell {c}: {np.sum(cell == c)}. Your row for {'xy'[i]} there is "
-        f"{format_tuple(models[c, i])}."
-    )
+    n = np.sum(cell == c)
+    samples = "1 sample" if n == 1 else f"{n} samples"
+    return f"Cell {c} has {samples}. Your row for {'xy'[i]} there is {format_tuple(models[c, i])}."
 
 
 EXERCISE = Exercise(
@@ -57,26 +65,27 @@ EXERCISE = Exercise(
     ],
     returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
     library=fit_joint_cells,
+    sweeps=(Sweep("one cell more", lambda rng, n: _case(rng, *([4] * n)), SIZES),),
     tries_arguments=False,
     properties=(
         _judged(
             no_gap,
             "a cell with fewer than 3 samples has no model: all 6 numbers are nan",
             "a cell of too few samples has a model",
-            "How many samples of its own has each cell?",
+            "How many samples does each cell have, and where does your code count them?",
         ),
         _judged(
             lambda a, b: no_gap(b, a),
             "a cell with 3 samples or more has a model",
             "a cell with enough samples has no model",
-            "How many samples has the cell that is named below, and what does your code do with "
-            "so many?",
+            "What does your code do with the cell named below, and with the cells before it?",
         ),
         _judged(
-            lambda a, b: off(a / 100, b / 100),
+            lambda a, b: off(a, b, HALF_THE_DIGITS),
             "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit",
             "a model is not that of its own samples",
-            "What is fitted to what, and for which cell?",
+            "Which samples are fitted for the cell named below, and which numbers stand in its "
+            "row?",
         ),
     ),
     hints=(
@@ -86,6 +95,15 @@ EXERCISE = Exercise(
         "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ beside "
         "line.intercept_.",
     ),
+)
+
+
+EXERCISE.mistake(
+    Mistake(
+        "the number of models is not `count`",
+        "Does every cell have samples? How many models does the task ask for?",
+    ),
+    form=lambda array, *case: array.shape[1:] == (2, 3) and len(array) < case[-1],
 )
 
 
@@ -99,16 +117,31 @@ def angles_from_positions(q, xy, cell, count):
 
 @EXERCISE.mistake(
     "the number of samples that a model needs is not 3",
-    "Has a cell of exactly 2 a model, and one of exactly 3?",
+    "Does a cell of exactly 2 samples have a model, and one of exactly 3?",
     least=(1, 2, 4),
+    fit=(_affine, _centred),
 )
-def another_limit(*case, least):
-    return fit_joint_cells(*case, least=least)
+def another_limit(*case, least, fit):
+    return fit_joint_cells(*case, fit=fit, least=least)
+
+
+@EXERCISE.mistake(
+    "the coefficients stand in another order",
+    "Which row belongs to x, which column to q1, and where does the constant stand?",
+    fit=(
+        lambda q, xy: np.column_stack([_affine(q, xy)[:, :2].T, _affine(q, xy)[:, 2]]),
+        lambda q, xy: _affine(q, xy).T.reshape(2, 3),
+        lambda q, xy: _affine(q, xy)[:, [2, 0, 1]],
+        lambda q, xy: _affine(q, xy)[::-1],
+    ),
+)
+def another_order(*case, fit):
+    return fit_joint_cells(*case, fit=fit)
 
 
 @EXERCISE.mistake(
     "the loop ends at the first cell without a model",
-    "What follows after that cell?",
+    "What does your loop do after such a cell?",
 )
 def loop_ends_at_a_gap(q, xy, cell, count):
     models = fit_joint_cells(q, xy, cell, count)

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip
 
 
@@ -45,13 +46,13 @@ def _cases(rng):
         _samples(rng, 40, drawn[1], 0.001),
         _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
         _samples(rng, 40, drawn[1], 0.001, -2.9, 2.9),
-        # Joints that have turned round: one revolution more or less is not enough to wrap these.
-        _turned(*_samples(rng, 30, drawn[0], 0)),
+        # Joints that have made whole revolutions: one more or less does not wrap these.
+        _revolved(*_samples(rng, 30, drawn[0], 0)),
         (np.array([[0, 0], [1, 0], [0, 1], [2, -1]]), np.array([[2, 0], [1, 2], [2, 1], [0, 2]])),
     ]
 
 
-def _turned(q, xy):
+def _revolved(q, xy):
     """Return samples whose first joint has made up to three revolutions, either way."""
     revolutions = np.arange(len(q)) % 7 - 3
     return q + np.column_stack([2 * np.pi * revolutions, np.zeros(len(q))]), xy
@@ -59,8 +60,8 @@ def _turned(q, xy):
 
 _OTHER_FIT = Mistake(
     "delta, one of its two columns, or their fit is not that of the text",
-    "Print delta for a few samples: is it small? Are both cosines those of the angles that were "
-    "sent?",
+    "Print the largest |delta| over all samples, which is below 0.3 here. Then compare your two "
+    "columns with cos q1 and cos(q1 + q2).",
 )
 
 EXERCISE = Exercise(
@@ -72,15 +73,16 @@ EXERCISE = Exercise(
     library=fit_sag,
     properties=(
         Property(
-            "the two coefficients fit delta with the least squared error, also if tips lie beyond "
-            "180 degrees",
-            lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < 1e-7,
+            "the two coefficients are the least-squares fit to delta, including for tips beyond "
+            "180 "
+            "degrees",
+            lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < HALF_THE_DIGITS,
             mistake=_OTHER_FIT,
         ),
     ),
     hints=(
-        "Which direction has the tip of the rigid arm? np.arctan2 gives the direction that was "
-        "measured.",
+        "In which direction does the tip of the rigid arm lie? np.arctan2 gives the measured "
+        "direction.",
         "A direction just beyond 180 degrees is given as -180. What does that do to the "
         "difference, and how did "
         "notebook 2 wrap an angle?",
@@ -94,18 +96,28 @@ EXERCISE = Exercise(
 
 @EXERCISE.mistake(
     "delta has the other sign",
-    "If the arm sags, which direction is ahead: the rigid arm's, or the measured one?",
+    "If the arm sags, which direction has the larger angle: the rigid arm's, or the measured one?",
 )
 def other_sign(q, xy):
     return -fit_sag(q, xy)
 
 
 @EXERCISE.mistake(
-    "an angle is off by a full revolution",
-    "What does arctan2 return for a tip just beyond 180 degrees?",
+    "a delta is off by a full revolution, or by several",
+    "Print the largest |delta| over all samples. What does arctan2 return for a tip just beyond "
+    "180 "
+    "degrees?",
+    wrap=(
+        lambda gap: gap,
+        lambda gap: gap % (2 * np.pi),
+        lambda gap: np.where(gap > np.pi, gap - 2 * np.pi, gap),
+        lambda gap: np.where(gap < -np.pi, gap + 2 * np.pi, gap),
+        np.unwrap,
+        lambda gap: np.where(np.abs(gap) > np.pi, gap - np.sign(gap) * 2 * np.pi, gap),
+    ),
 )
-def not_wrapped(q, xy):
-    return fit_sag(q, xy, wrap=lambda gap: gap)
+def not_wrapped(q, xy, wrap):
+    return fit_sag(q, xy, wrap=wrap)
 
 
 @EXERCISE.mistake(
@@ -127,7 +139,7 @@ def other_direction(q, xy, share):
 
 
 @EXERCISE.mistake(
-    "there is a constant beside the two",
+    "a constant term is fitted as well",
     "What is delta if both links stand upright?",
 )
 def with_a_constant(q, xy):

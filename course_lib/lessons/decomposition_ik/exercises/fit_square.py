@@ -4,13 +4,19 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.cells import quadratic_terms
 from course_lib.lessons.decomposition_ik.exercises.shared import with_one
 
 _ONE_COLUMN_LESS = Mistake(
-    "the factor of q2 has no column", "How many numbers has each row, and what is the last one?"
+    "the coefficient of q2 has no column",
+    "How many numbers does each row hold, and what is the last one?",
 )
+
+
+_WHOLE_TERMS = np.array([[1, 0, 0], [1, 1, 0], [1, 0, 1], [1, 2, 1], [1, -1, 2], [1, 1, -2]])
+_WHOLE_ANGLES = np.array([[1, 2], [0, 1], [2, -1], [1, 1], [3, 2], [-1, 2]])
 
 
 def _least_squares(terms, wanted):
@@ -31,7 +37,7 @@ def _cases(rng):
         middle = rng.uniform(1.2, 1.5) * np.array([np.cos(a := rng.uniform(0.5, 2.2)), np.sin(a)])
         xy = middle + rng.uniform(-0.3, 0.3, (m, 2))
         found.append(((with_one(xy), quadratic_terms(xy))[k // 2], two_link_angles(xy)[:, k % 2]))
-    return found
+    return [*found, (_WHOLE_TERMS, _WHOLE_ANGLES)]
 
 
 def _row(j):
@@ -39,7 +45,8 @@ def _row(j):
 
     def holds(model, terms, q):
         columns = np.column_stack([terms, q[:, 1]])
-        return np.abs(columns @ (model[j] - fit_square(terms, q)[j])).max() < 1e-7
+        off = np.abs(columns @ (model[j] - fit_square(terms, q)[j])).max()
+        return off < HALF_THE_DIGITS
 
     return holds
 
@@ -61,8 +68,10 @@ EXERCISE = Exercise(
             "row 0, times the terms and q2, fits q1 with the least squares",
             _row(0),
             mistake=Mistake(
-                "row 0 is no fit of q1 by the terms and q2 together",
-                "Which columns has A, in which order?",
+                "row 0 is not the least-squares fit of q1 by the terms and q2 together",
+                "Print the sum of squares of A @ row - q1, with A made of the terms and of q2. "
+                "Which "
+                "of your coefficients is not found by this fit?",
             ),
         ),
     ),
@@ -70,8 +79,8 @@ EXERCISE = Exercise(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
         "What is A and what is b for row 1? What does a query know when it computes the square of "
         "q2?",
-        "For row 0, A has one column more than the terms, and this row has one factor more. Which "
-        "column is that?",
+        "For row 0, A has one column more than the terms, and the row has one coefficient more. "
+        "Which column is that?",
     ),
 )
 
@@ -82,7 +91,7 @@ EXERCISE.mistake(_ONE_COLUMN_LESS, form=lambda array, terms, q: array.shape == (
 
 
 @EXERCISE.mistake(
-    "q2, or |q2|, is fitted, not its square",
+    "q2 or |q2| is fitted, not the square of q2",
     "Which of the three is smooth at the edge of the workspace?",
     target=(np.positive, np.abs),
 )
@@ -91,7 +100,7 @@ def not_the_square(terms, q, target):
 
 
 @EXERCISE.mistake(
-    "q1 has no term in q2",
+    "q1 is fitted without a term in q2",
     "Is q1 alone a smooth function of the position?",
 )
 def q1_without_q2(terms, q):
@@ -99,8 +108,8 @@ def q1_without_q2(terms, q):
 
 
 @EXERCISE.mistake(
-    "the square of q2 has a term in q2",
-    "What does a query know when it computes the square?",
+    "the square of q2 is fitted with a term in q2",
+    "Which angle does a query not know yet when it computes the square of q2?",
 )
 def square_by_q2(terms, q):
     columns = np.column_stack([terms, q[:, 1]])
@@ -108,8 +117,33 @@ def square_by_q2(terms, q):
 
 
 @EXERCISE.mistake(
-    "q1 has a term in the square of q2",
-    "Of what is the last entry of row 0 the factor?",
+    "q1 is fitted with a term in |q2|, or in the square of q2, instead of q2",
+    "The last entry of row 0 is a coefficient. Which quantity does it multiply?",
+    extra=(np.square, np.abs),
 )
-def q1_with_the_square(terms, q):
-    return fit_square(terms, q, extra=np.square)
+def q1_with_another_term(terms, q, extra):
+    found = fit_square(terms, q, extra=extra)
+    # For samples with q2 > 0 alone, |q2| is q2.
+    return None if np.array_equal(extra(q[:, 1]), q[:, 1]) else found
+
+
+@EXERCISE.mistake(
+    "the coefficient of q2 is set to -1/2 and not fitted",
+    "For which arm does -1/2 hold, and what does the task say about the coefficients?",
+)
+def coefficient_put_in(terms, q):
+    found = fit_square(terms, q)
+    found[0] = [*_least_squares(terms, q[:, 0] + q[:, 1] / 2), -0.5]
+    return found
+
+
+@EXERCISE.mistake(
+    "the terms are fitted first, and q2 is fitted to the residuals afterwards",
+    "Do two fits, one after the other, reach the least sum of squares of one fit with all columns?",
+)
+def one_after_the_other(terms, q):
+    found = fit_square(terms, q)
+    first = _least_squares(terms, q[:, 0])
+    residual = q[:, 0] - terms @ first
+    found[0] = [*first, residual @ q[:, 1] / (q[:, 1] @ q[:, 1])]
+    return found

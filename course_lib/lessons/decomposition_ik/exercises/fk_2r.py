@@ -2,10 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import two_link_tip
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import compared, near, two_link_tip
 
 _FIRST_ROWS = Mistake(
     "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
@@ -56,15 +58,28 @@ def _elbow(q):
     return np.stack([np.cos(q1), np.sin(q1)], -1)
 
 
-def _tell(found, q):
-    """The angles for which the position is farthest from where it should be."""
-    k = np.argmax(np.linalg.norm(found - two_link_tip(q), axis=-1))
-    angles, tip = np.reshape(q, (-1, 2))[k], found.reshape(-1, 2)[k]
-    elbow = round(float(np.linalg.norm(tip - _elbow(angles))), 9)
+def _elbow_distance(found, q):
+    return np.linalg.norm(found - _elbow(q), axis=-1)
+
+
+def _tell_distance(found, q):
+    """The pair whose tip has the distance from the elbow that is farthest from 1 m."""
+    gaps = np.ravel(_elbow_distance(found, q) - 1)
+    k = int(np.argmax(np.abs(gaps)))
     return (
-        f"For q = {format_tuple(angles)} yours is {format_tuple(np.round(tip, 9))}: {elbow:.4g} m "
-        f"from the elbow."
+        f"For q = {format_tuple(np.reshape(q, (-1, 2))[k])} your tip is at "
+        f"{format_tuple(found.reshape(-1, 2)[k])}, and its distance from the elbow differs from "
+        f"1 m "
+        f"by {gaps[k]:.3g} m."
     )
+
+
+def _tell_tip(found, q):
+    """The pair whose tip is farthest from where it should be."""
+    right = two_link_tip(q).reshape(-1, 2)
+    k = int(np.argmax(np.linalg.norm(found.reshape(-1, 2) - right, axis=-1)))
+    angles = format_tuple(np.reshape(q, (-1, 2))[k])
+    return f"For q = {angles} the tip is at {compared(right[k], found.reshape(-1, 2)[k])}."
 
 
 EXERCISE = Exercise(
@@ -74,31 +89,34 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(np.shape, exact=True),
     library=two_link_tip,
+    tolerance=EXACT,
+    sweeps=(Sweep("nearly stretched", lambda rng, q2: (np.array([rng.uniform(0.3, 2), q2]),)),),
+    angles=("q",),
     properties=(
         Property(
             "with both angles zero the arm is stretched along x: the tip is at (2, 0)",
-            lambda found, q: np.allclose(found, [2, 0], rtol=0, atol=1e-9),
+            lambda found, q: near(found, np.array([2, 0])),
             where=lambda q: np.size(q) > 0 and not np.any(q),
         ),
         Property(
             "the tip is 1 m from the elbow, which is 1 m from the base in the direction q1",
-            lambda found, q: np.allclose(
-                np.linalg.norm(found - _elbow(q), axis=-1), 1, rtol=0, atol=1e-9
-            ),
-            says=_tell,
+            lambda found, q: near(_elbow_distance(found, q), 1.0),
+            says=_tell_distance,
             mistake=Mistake(
-                "the second link is not 1 m long", "Which angle belongs to its cosine and sine?"
+                "the tip is not 1 m from the elbow",
+                "Print the elbow, (cos q1, sin q1), and your tip for the angles named below. Which "
+                "angle stands in each cosine and each sine?",
             ),
         ),
         Property(
-            "the second link bends by q2 from the direction of the first, counter-clockwise",
-            lambda found, q: np.allclose(found, two_link_tip(q), rtol=0, atol=1e-9),
-            says=_tell,
+            "the second link is rotated by q2 from the direction of the first, counter-clockwise",
+            lambda found, q: near(found, two_link_tip(q)),
+            says=_tell_tip,
         ),
     ),
     hints=(
         "The first link ends at the elbow, (cos q1, sin q1). Add the second link to it.",
-        "q2 is counted from the first link, so the second one points in the direction q1 + q2.",
+        "q2 is measured from the first link, so the second link points in the direction q1 + q2.",
         "q1, q2 = q[..., 0], q[..., 1] works for one pair and for many; np.stack([x, y], axis=-1) "
         "puts x and y back at the end.",
     ),
@@ -109,14 +127,14 @@ EXERCISE = Exercise(
     ),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 EXERCISE.mistake(_COLUMNS_ONLY, raises=("IndexError", "too many indices"))
 EXERCISE.mistake(_FIRST_ROWS, raises=("ValueError", "values to unpack"))
 
 
 @EXERCISE.mistake(
     "the second link has another direction than q1 + q2",
-    "From which direction is q2 counted, and which way round?",
+    "From which direction is q2 measured, and in which sense of rotation?",
     direction=(
         lambda q1, q2: q2,
         lambda q1, q2: q1 - q2,

@@ -6,31 +6,36 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
 from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip
 
-_EDGE, _REACH = 2 - 1e-3, 2 + 1e-9  # from here on a position is near the edge, and out of reach
-_FINE, _ROUGH = (
-    1e-9,
-    1e-7,
-)  # metres: inside, and near the edge, where a rounding of r moves q2 by its root
+_EDGE = 2 - 1e-3  # metres: from here on a position is near the edge
+_REACH = 2 + 1e-12  # metres: where rounding may take a position that is 2 m from the base
+_OUT = 2 + SIX_DIGITS  # metres: from _REACH up to here the task accepts either answer
+_FOLDED = 0.01  # metres: nearer to the base, arccos loses digits, as it does near the edge
 
-# Metres just out of reach; the task allows a tolerance of a micrometre for rounding.
-_BEYOND = (1e-5, 1e-4, 3e-4, 1e-3, 0.01, 0.03, 0.1)
-_SMALL = (0.1, 5e-3, 1e-3, 2e-4)  # metres from the base, where the arm is nearly folded
+# Metres from the edge, or from the base, where the arm is nearly stretched, or nearly folded.
+_JUST_OUT_OF_REACH = tuple(gap for gap in BESIDE if gap > 2 * SIX_DIGITS)
+_JUST_WITHIN = tuple(gap for gap in BESIDE if gap > 1e-12)
+_NEARLY_FOLDED = tuple(gap for gap in BESIDE if gap > 1e-4)
 
 _NO_ROWS = Mistake(
-    "a position out of reach is given another form",
-    "Every answer has the shape (2, 2), so that a table of queries can go on. What stands in it "
-    "here?",
+    "the answer for a position out of reach has another shape",
+    "Every answer has the shape (2, 2). Which four values does the task ask for here?",
 )
 _DIVIDED = Mistake(
     "y is divided by x, which may be 0", "Which function takes y and x without dividing them?"
 )
 _NO_COSINE = Mistake(
-    "arccos gets a number outside [-1, 1]: out of reach, or by rounding at the edge",
-    "Which positions have no solution? What is your cosine for xy = [np.nextafter(2, 3), 0], and "
-    "what do you do then?",
+    "arccos gets a number outside [-1, 1], because the position is out of reach or because of "
+    "rounding at the edge",
+    "Which positions have no solution? What is your cosine for xy = [np.nextafter(2, 3), 0], which "
+    "lies at 2 m to rounding?",
 )
+
+
+_NEARLY_STRETCHED = 2e-3  # rad: rounding by 1e-6 m at the edge changes q2 by the root of this
 
 
 def _cases(rng):
@@ -45,11 +50,14 @@ def _cases(rng):
     edge += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
     far = [[3.0, 0], [0, -2.5], [1.6, 1.6], [-2.001, 0]]
     far += [r * _direction(a) for r, a in rng.uniform(2.1, 6, (3, 2))]
-    far += [(2 + d) * _direction(a) for d, a in zip(_BEYOND, rng.uniform(-3, 3, 7), strict=True)]
     middle = [[0.0, 0.0], [0.01, -0.02]]
-    middle += [r * _direction(a) for r, a in zip(_SMALL, rng.uniform(-3, 3, 4), strict=True)]
     whole = [np.array([1, 1]), np.array([0, -1]), np.array([-1, 1]), np.array([3, 0])]
     return [(np.array(xy),) for xy in [*named, *within, *middle, *edge, *far, *whole]]
+
+
+def _at(radius):
+    """Return the case(rng, gap) of a position at the distance radius(gap) from the base."""
+    return lambda rng, gap: (radius(gap) * _direction(rng.uniform(-3, 3)),)
 
 
 def _direction(angle):
@@ -61,45 +69,54 @@ def _inside(xy):
 
 
 def _outside(xy):
-    return np.linalg.norm(xy) > _REACH
+    return np.linalg.norm(xy) > _OUT
 
 
 def _at_edge(xy):
-    return not _inside(xy) and not _outside(xy)
+    return _EDGE <= np.linalg.norm(xy) <= _REACH
 
 
-def _reaches(within):
-    return lambda q, xy: (np.linalg.norm(two_link_tip(q) - xy, axis=-1) < within).all()
+def _reaches(q, xy):
+    """Return whether both rows lead to xy, to as many digits as arccos has there."""
+    within = EXACT if _FOLDED < np.linalg.norm(xy) < _EDGE else SIX_DIGITS
+    return (np.linalg.norm(two_link_tip(q) - xy, axis=-1) < within).all()
 
 
 def _in_order(q, xy):
     """Whether the row with q2 >= 0 is the first; at q2 = pi the sign has no meaning."""
-    bend, slack = np.angle(np.exp(1j * q[:, 1])), 1e-3 * _at_edge(xy)
-    return (np.abs(bend) > np.pi - 1e-6).all() or (bend[0] >= -slack and bend[1] <= slack)
+    bend = np.angle(np.exp(1j * q[:, 1]))
+    slack = _NEARLY_STRETCHED if _at_edge(xy) else 0
+    folded = (np.abs(bend) > np.pi - SIX_DIGITS).all()
+    return folded or (bend[0] >= -slack and bend[1] <= slack)
 
 
 def _tell_tip(q, xy):
     if np.isnan(q).any():
         return (
-            f"xy = {xy.tolist()} is {float(np.linalg.norm(xy))} m from the base. Your answer holds "
-            f"NaN."
+            f"The position xy = {xy.tolist()} is {float(np.linalg.norm(xy))} m from the base. Your "
+            f"answer holds NaN."
         )
     row = int(np.argmax(np.linalg.norm(two_link_tip(q) - xy, axis=-1)))
-    tip = format_tuple(np.round(two_link_tip(q[row]), 6))
-    return f"With your {('first', 'second')[row]} row the tip is at {tip}, for xy = {xy.tolist()}."
+    tip = two_link_tip(q[row])
+    off = np.linalg.norm(tip - xy)
+    return (
+        f"With your {('first', 'second')[row]} row the tip is at {format_tuple(tip)}, which is "
+        f"{off:.2g} m from xy = {xy.tolist()}."
+    )
 
 
 def _alike(q, predicted, xy):
     """Whether the angles are the same up to multiples of 2 pi, and NaN stands at the same
     places."""
     gap = np.abs(np.angle(np.exp(1j * (q - predicted))))
-    return np.array_equal(np.isnan(q), np.isnan(predicted)) and np.nanmax(gap, initial=0) < 1e-6
+    same_gaps = np.array_equal(np.isnan(q), np.isnan(predicted))
+    return same_gaps and np.nanmax(gap, initial=0) < PREDICTED
 
 
 def ik_2r(xy):
     """Return both solutions (..., 2, 2) for positions (..., 2), q2 >= 0 first; NaN out of reach."""
     xy = np.asarray(xy, float)
-    in_reach = np.linalg.norm(xy, axis=-1) <= 2 + 1e-12
+    in_reach = np.linalg.norm(xy, axis=-1) <= _REACH
     return np.where(in_reach[..., None, None], two_link_angles(xy), np.nan)
 
 
@@ -110,11 +127,17 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda xy: (2, 2), gaps=True),
     library=ik_2r,
+    tolerance=EXACT,
+    sweeps=(
+        Sweep("just out of reach", _at(lambda gap: 2 + gap), _JUST_OUT_OF_REACH),
+        Sweep("nearly stretched", _at(lambda gap: 2 - gap), _JUST_WITHIN),
+        Sweep("nearly folded", _at(lambda gap: gap), _NEARLY_FOLDED),
+    ),
     alike=_alike,
     properties=(
         Property(
             "each row brings the tip to xy",
-            _reaches(_FINE),
+            _reaches,
             _tell_tip,
             where=_inside,
             mistake=other_bend,
@@ -129,23 +152,24 @@ EXERCISE = Exercise(
             where=_inside,
         ),
         Property(
-            "the tip reaches xy at the edge of the workspace too, stretched, where both rows are "
-            "the same",
-            lambda q, xy: _reaches(_ROUGH)(q, xy) and _in_order(q, xy),
+            "the tip reaches xy near the edge of the workspace too, where the arm is nearly "
+            "stretched",
+            lambda q, xy: _reaches(q, xy) and _in_order(q, xy),
             _tell_tip,
             where=_at_edge,
             mistake=Mistake(
-                "the edge is treated too roughly",
-                "Up to which distance is the arm not quite stretched?",
+                "a position near the edge of the workspace gets the answer of the stretched arm",
+                "By which angle is the elbow bent at the position named below?",
             ),
         ),
         Property(
             "a position out of reach, farther than 2 m from the base, has two rows of NaN",
             lambda q, xy: np.isnan(q).all(),
-            lambda q, xy: f"This position is {np.linalg.norm(xy):.6g} m from the base.",
+            lambda q, xy: f"This position lies {np.linalg.norm(xy) - 2:.3g} m beyond 2 m.",
             where=_outside,
             mistake=Mistake(
-                "a position out of reach has an answer", "Which distance is allowed for rounding?"
+                "a position out of reach has an answer",
+                "How far beyond 2 m may rounding take a position, according to the task?",
             ),
         ),
     ),
@@ -171,11 +195,21 @@ EXERCISE.mistake(_NO_COSINE, raises=("ValueError", "expected a number in range")
 
 @EXERCISE.mistake(
     "positions at the edge of the workspace count as out of reach",
-    "May rounding make the cosine exceed 1?",
+    "Which distance from the base does your code compare with 2, and may it be exactly 2? May "
+    "rounding make the cosine exceed 1?",
     recognises=True,
 )
 def edge_out_of_reach(q, xy):
     return _at_edge(xy) and np.isnan(q).any()
+
+
+@EXERCISE.mistake(
+    "a position near the edge of the workspace gets the answer of the stretched arm",
+    "By which angle is the elbow bent at the position named below?",
+    recognises=True,
+)
+def stretched_too_early(q, xy):
+    return 1.5 < np.linalg.norm(xy) < 2 and not np.isnan(q).any() and not q[:, 1].any()
 
 
 @EXERCISE.mistake(

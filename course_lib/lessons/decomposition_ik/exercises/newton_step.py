@@ -4,6 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
 
 
@@ -28,7 +30,7 @@ def _cases(rng):
     )
     elbow = two_link_angles(xy)[np.arange(4), [0, 1, 0, 1]]
     near_ones = elbow + rng.choice([-1, 1], (4, 2)) * rng.uniform(0.03, 0.2, (4, 2))
-    # A joint that has turned round, and steps that are long: neither is wrapped, or shortened.
+    # Joints beyond one revolution, and long steps: neither is wrapped, or shortened.
     far_ones = near_ones[:2] + 2 * np.pi * rng.choice([-2, -1, 1, 2], (2, 2))
     long_ones = [
         (np.array([0.3, 1.4]), np.array([-1.2, 0.9])),
@@ -45,6 +47,12 @@ def _cases(rng):
     ]
 
 
+def _nearly_there(rng, gap):
+    """Return angles that are off by the gap, and the position."""
+    q = np.array([rng.uniform(0.2, 1.5), rng.choice([-1, 1]) * rng.uniform(0.6, 1.8)])
+    return q + gap, two_link_tip(q)
+
+
 EXERCISE = Exercise(
     name="newton_step",
     points=2,
@@ -52,17 +60,22 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda q, xy: (2,)),
     library=newton_step,
+    tolerance=EXACT,
+    sweeps=(Sweep("nearly at the position", _nearly_there),),
+    angles=("q",),
     properties=(
         Property(
             "if q leads to xy already, it stays as it is",
             lambda answer, q, xy: near(answer, q),
-            where=lambda q, xy: near(two_link_tip(q), xy),
+            where=lambda q, xy: np.array_equal(two_link_tip(q), xy),
         ),
         Property(
             "J times the change of q is p - f(q)",
             lambda answer, q, xy: near(answer, newton_step(q, xy)),
             mistake=Mistake(
-                "the step is not J^-1 (p - f(q))", "Differentiate x and y. Is J inverted as it is?"
+                "the step is not J^-1 (p - f(q))",
+                "Compare the columns of your J with differences of f for small changes of q1 and "
+                "q2, and print J times your step beside p - f(q).",
             ),
         ),
     ),
@@ -91,10 +104,19 @@ def no_inverse(q, xy, solve):
     return newton_step(q, xy, solve=solve)
 
 
+def _with_cosine_of_q2(q):
+    """Return J with the sine and the cosine of q2 in place of those of q1 + q2."""
+    first, second = (np.array([-np.sin(angle), np.cos(angle)]) for angle in q)
+    return np.column_stack([first + second, second])
+
+
 @EXERCISE.mistake(
     "a column of J is not the derivative by its angle",
-    "Which links move with q1, which with q2, and which way?",
+    "Which links move with q1, which links move with q2, and in which direction?",
     jacobian=(
+        _with_cosine_of_q2,
+        lambda q: np.vstack([_jacobian(q)[0], _with_cosine_of_q2(q)[1]]),
+        lambda q: np.vstack([_with_cosine_of_q2(q)[0], _jacobian(q)[1]]),
         lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),
         lambda q: _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0],
         lambda q: (
@@ -105,6 +127,20 @@ def no_inverse(q, xy, solve):
 )
 def another_jacobian(q, xy, jacobian):
     return newton_step(q, xy, jacobian)
+
+
+@EXERCISE.mistake(
+    "long steps are shortened",
+    "Print J^-1 (p - f(q)) for the case below. By how much do your angles change?",
+    recognises=True,
+)
+def shortened(answer, q, xy):
+    step, right = answer - q, newton_step(q, xy) - q
+    length = np.linalg.norm(right)
+    shorter = np.linalg.norm(step) < 0.99 * length
+    clipped = np.allclose(step, np.clip(right, -np.abs(step).max(), np.abs(step).max()), atol=EXACT)
+    parallel = np.linalg.norm(step * length - right * np.linalg.norm(step)) < EXACT * length
+    return length > 0.1 and shorter and step.any() and (clipped or parallel)
 
 
 @EXERCISE.mistake(
@@ -120,7 +156,7 @@ def several_steps(q, xy, steps):
 
 @EXERCISE.mistake(
     "the step leads away from the position",
-    "From which position to which leads p - f(q)?",
+    "From which position to which position does p - f(q) lead?",
 )
 def away_from_the_target(q, xy):
     return 2 * q - newton_step(q, xy)
@@ -128,7 +164,7 @@ def away_from_the_target(q, xy):
 
 @EXERCISE.mistake(
     "the step itself is returned",
-    "Which angles does the arm have after it?",
+    "Which angles does the arm have after this step?",
 )
 def step_without_q(q, xy):
     return newton_step(q, xy) - q
@@ -136,7 +172,7 @@ def step_without_q(q, xy):
 
 @EXERCISE.mistake(
     "the angles are brought between -pi and pi, or between 0 and 2 pi",
-    "Does the formula do that?",
+    "Does the formula in the task change an angle by whole revolutions?",
     wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
 )
 def wrapped(q, xy, wrap):

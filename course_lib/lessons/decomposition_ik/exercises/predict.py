@@ -2,20 +2,21 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
 
 _ONE = Mistake(
-    "only one pair of angles is predicted for each query", "How many branches are there?"
+    "only one pair of angles is predicted for each query",
+    "How many branches, and so how many predictions, does each query have?",
 )
 _ALL = Mistake(
-    "the models of each query meet all positions",
-    "Which products of A @ xy.T belong to their own query?",
+    "the models of each query are applied to all positions",
+    "A @ xy.T holds a product for each pair of queries. Which of them belong to one query?",
 )
 _LEFT_OUT = Mistake(
-    "queries without a cell are left out", "What stands in row i if query i has no cell?"
+    "queries without a cell are left out", "What should row i hold if query i has no cell?"
 )
 
 
@@ -71,11 +72,10 @@ def _known_form(array, models, cell, xy):
 def _tell(index, angles, models, cell, xy):
     i, k, j = index
     row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
-    said = (
-        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}; its row for q{j + 1} in cluster "
-        f"{k}: {row}."
+    return (
+        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}. The row of its model for "
+        f"q{j + 1} in cluster {k} is {row}. Your angle is {angles[i, k, j]:.4g}."
     )
-    return f"{said} Yours is {angles[i, k, j]:.4g}."
 
 
 EXERCISE = Exercise(
@@ -93,7 +93,8 @@ EXERCISE = Exercise(
             _tell,
             Mistake(
                 "a prediction is not that of its own model",
-                "models[c, k, j] is of cell c, cluster k, angle j.",
+                "models[c, k, j] belongs to cell c, cluster k and angle j. Compute the angle named "
+                "below by hand.",
             ),
         ),
         no_number(
@@ -102,8 +103,8 @@ EXERCISE = Exercise(
             predict,
             _tell,
             Mistake(
-                "a missing model is answered",
-                "What does nan times a number give, and does your code keep it?",
+                "a number is returned where the model or the cell is missing",
+                "What does nan times a number give, and what does your code make of it?",
             ),
         ),
     ),
@@ -122,12 +123,12 @@ EXERCISE = Exercise(
     forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 
 
 @EXERCISE.mistake(
     "a query without a cell gets another cell's models",
-    "What does the index -1 mean in Python?",
+    "Which entry of an array does the index -1 mean in Python?",
     at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)),
 )
 def another_cell(models, cell, xy, at):
@@ -136,7 +137,29 @@ def another_cell(models, cell, xy, at):
 
 @EXERCISE.mistake(
     "the intercept is forgotten",
-    "How many numbers has a row of a model, and what does each multiply?",
+    "How many numbers does a row of a model hold, and what does each of them multiply?",
 )
 def intercept_forgotten(*case):
     return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))
+
+
+def _transposed(models, xy):
+    return np.einsum("mkij,mi->mkj", models[..., :2], xy) + models[..., 2]
+
+
+@EXERCISE.mistake(
+    "the coefficients of y in q1 and of x in q2 have changed places",
+    "Does a model's row belong to an angle or to a coordinate?",
+)
+def transposed(*case):
+    return predict(*case, affine=_transposed)
+
+
+@EXERCISE.mistake(
+    "both clusters of a query are nan where only one of them has no model",
+    "What does the model of the other cluster predict?",
+)
+def nan_for_both(*case):
+    angles = predict(*case)
+    angles[np.isnan(angles).any(axis=(1, 2))] = np.nan
+    return angles

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Property
+from course_lib.checks.tolerances import EXACT
 
 
 def with_one(xy):
@@ -25,9 +26,10 @@ def no_number(is_wrong, text, right, tell, mistake=None):
     return Property(text, lambda *case: not wrong(*case).size, says, mistake=mistake)
 
 
-def off(answer, right):
-    """Return where an answer is not the number that it should be."""
-    return ~np.isnan(right) & ~(np.abs(answer - right) <= 1e-9 * np.maximum(1, np.abs(right)))
+def off(answer, right, tolerance=EXACT):
+    """Return where an answer is not the number that it should be, relative to numbers above 1."""
+    allowed = tolerance * np.maximum(1, np.abs(right))
+    return ~np.isnan(right) & ~(np.abs(answer - right) <= allowed)
 
 
 def no_gap(answer, right):

@@ -11,12 +11,12 @@ from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
 
 _ONE_SAMPLE = Mistake(
-    "equal samples, or a single one, are not treated apart",
-    "How many different samples does K-means need? What is asked for if there are fewer?",
+    "the case of fewer than two different samples is not treated separately",
+    "How many different samples does k-means need? What does the task ask for if there are fewer?",
 )
 _CENTRES = Mistake(
     "the centres of the clusters are returned",
-    "Which attribute of the KMeans has a label a sample?",
+    "Which attribute of KMeans holds one label for each sample?",
 )
 
 
@@ -112,7 +112,8 @@ def _cases(rng):
     cells = [((0.2, 1.75), 12, 12), ((1.1, 1.4), 22, 3), ((-0.3, 1.8), 3, 22)]
     cells = [rng.permutation(_both_elbows(rng, *cell)) for cell in cells]
     pair = _both_elbows(rng, (0.4, 1.6), 1, 1)[::-1]
-    samples = [first, first[::-1], pair, *equal, *cells, *_one_elbow(rng), np.zeros((0, 2))]
+    whole = np.array([[0, 1], [1, -1], [0, 2], [2, -1]])
+    samples = [first, whole, first[::-1], pair, *equal, *cells, *_one_elbow(rng), np.zeros((0, 2))]
     return [*((q.copy(),) for q in samples), (first.tolist(),)]
 
 
@@ -147,9 +148,12 @@ EXERCISE = Exercise(
         Property(
             "each label is 0 or 1",
             lambda labels, q: np.isin(labels, (0, 1)).all(),
-            says=lambda labels, q: f"Among yours is {labels[~np.isin(labels, (0, 1))][0]:.4g}.",
+            says=lambda labels, q: (
+                f"One of your labels is {labels[~np.isin(labels, (0, 1))][0]:.4g}."
+            ),
             mistake=Mistake(
-                "there are other labels than 0 and 1", "What are the two clusters called?"
+                "there are other labels than 0 and 1",
+                "By which numbers does the task call the two clusters?",
             ),
         ),
         Property(
@@ -163,7 +167,10 @@ EXERCISE = Exercise(
             "both labels occur, wherever there are two different samples",
             lambda labels, q: labels.any() and not labels.all(),
             where=several,
-            mistake=Mistake("all samples are in one cluster", "How many clusters are asked for?"),
+            mistake=Mistake(
+                "all samples have the same label",
+                "Which labels did k-means give, and which lines of yours change them?",
+            ),
         ),
         Property(
             "the samples lie as near to the means of their clusters as two clusters can bring "
@@ -181,14 +188,15 @@ EXERCISE = Exercise(
             says=_means,
             where=several,
             mistake=Mistake(
-                "cluster 0 has the smaller mean q2", "Compare the two means with one another."
+                "cluster 0 has the smaller mean q2",
+                "Which numbers does your code compare to decide which cluster is 0?",
             ),
         ),
     ),
     hints=(
-        "K-means may call either cluster 0. In which case are the labels right as they are?",
-        "Compare the mean q2 of both, centres[0, 1] and centres[1, 1]. Which array has 0 for 1 and "
-        "1 for 0?",
+        "K-means may call either cluster 0. In which case are its labels right without a change?",
+        "Compare the mean q2 of both clusters, centres[0, 1] and centres[1, 1]. Which array has 0 "
+        "in place of 1, and 1 in place of 0?",
         "If the first is the smaller one, 1 - labels exchanges the two.",
     ),
 )
@@ -204,7 +212,7 @@ def _other(q, **changes):
 
 @EXERCISE.mistake(
     "the labels are swapped in some cells, or in all",
-    "Which cluster does KMeans call 0, and which do you want?",
+    "Which cluster does KMeans call 0, and which cluster should be 0?",
     n_init=(1, 10),
     swapped=(False, True),
 )
@@ -214,7 +222,7 @@ def not_renumbered(q, n_init, swapped):
 
 @EXERCISE.mistake(
     "the samples are split by the sign of q2",
-    "Which labels did k-means give, and what is left for you to decide?",
+    "Which labels did k-means give, and what does your code still have to decide?",
     every=(True, False),
 )
 def by_the_sign(q, every):
@@ -222,8 +230,18 @@ def by_the_sign(q, every):
 
 
 @EXERCISE.mistake(
-    "the clusters are numbered by something else than their mean q2",
-    "Which column of q is that, and which function?",
+    "the cluster of the first sample, or of the last one, is always 0",
+    "May the order of the samples decide which cluster is 0?",
+    sample=(0, -1),
+)
+def by_the_order(q, sample):
+    labels = _other(q)
+    return labels if labels is None or labels[sample] == 0 else 1 - labels
+
+
+@EXERCISE.mistake(
+    "the clusters are numbered by another quantity than their mean q2",
+    "Which column of q does the task name, and which function of it?",
     number=(
         lambda own: own[:, 0].mean(),
         lambda own: -own[:, 0].mean(),
@@ -231,6 +249,8 @@ def by_the_sign(q, every):
         lambda own: abs(own[:, 1].mean()),
         len,
         lambda own: own.mean(),
+        lambda own: own[:, 1].max(),
+        lambda own: own[:, 1].min(),
     ),
 )
 def ordered_otherwise(q, number):

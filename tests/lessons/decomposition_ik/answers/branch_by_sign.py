@@ -16,7 +16,7 @@ def right_by_the_sign(q):
 
 
 def wrong_sign_bit(q):
-    """-0.0 is in branch 1"""
+    """the zero with a minus sign, -0.0, is in branch 1"""
     return np.signbit(q[:, 1])
 
 

@@ -37,7 +37,7 @@ def wrong_floats(xy, low, high, n):
 
 
 def wrong_one_number(xy, low, high, n):
-    """one number is returned for each cell"""
+    """one number is returned for each position"""
     return right_floor(xy, low, high, n) @ [1, n]
 
 
@@ -48,6 +48,6 @@ def wrong_outside_left_out(xy, low, high, n):
 
 
 def wrong_with_a_tolerance(xy, low, high, n):
-    """a position outside has a cell"""
+    """a position slightly outside the box counts as inside"""
     near = np.clip(xy, low, high)
     return right_floor(np.where(abs(xy - near) < 1e-12, near, xy), low, high, n)

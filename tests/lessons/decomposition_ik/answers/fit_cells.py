@@ -60,5 +60,5 @@ def wrong_no_samples_fitted(xy, q, cell, count):
 
 
 def wrong_count_not_used(xy, q, cell, count):
-    """count is not used"""
+    """the number of models is not"""
     return right_linear_regression(xy, q, cell, cell.max() + 1)

@@ -28,5 +28,5 @@ def right_pinv(terms, q):
 
 
 def wrong_no_column(terms, q):
-    """the factor of q2 has no column"""
+    """the coefficient of q2 has no column"""
     return _solve(terms, np.column_stack([q[:, 0], q[:, 1] ** 2])).T

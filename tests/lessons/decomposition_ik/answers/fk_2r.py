@@ -40,7 +40,7 @@ def wrong_a_list_is_no_array(q):
 
 
 def wrong_sine_of_q2_alone(q):
-    """the second link is not 1 m long"""
+    """the tip is not 1 m from the elbow"""
     q = np.asarray(q, float)
     return right_both_angles(q) + np.stack(
         [0 * q[..., 0], np.sin(q[..., 1]) - np.sin(q.sum(axis=-1))], axis=-1

@@ -49,10 +49,20 @@ def wrong_math_acos(xy):
 
 
 def wrong_one_row_of_nan(xy):
-    """a position out of reach is given another form"""
+    """the answer for a position out of reach has another shape"""
     return [np.nan, np.nan] if np.linalg.norm(xy) > 2.1 else right_law_of_cosines(xy)
 
 
 def wrong_sorted(xy):
     """the angle of the elbow is right, and the first one is not"""
     return np.sort(right_law_of_cosines(xy), axis=1)
+
+
+def wrong_stretched_too_early(xy):
+    """a position near the edge of the workspace gets the answer of the stretched arm"""
+    r = np.hypot(*xy)
+    if r > 2 + 1e-9:
+        return np.full((2, 2), np.nan)
+    q2 = 0.0 if r > 1.99 else np.arccos(np.clip(r**2 / 2 - 1, -1, 1))
+    first = np.arctan2(xy[1], xy[0])
+    return np.array([[first - q2 / 2, q2], [first + q2 / 2, -q2]])

@@ -26,3 +26,18 @@ def right_as_a_list(q, xy):
     e, f = xy - _fk(q)
     det = np.sin(q[1])
     return [q[0] + (d * e - b * f) / det, q[1] + (a * f - c * e) / det]
+
+
+def wrong_half_a_radian_at_most(q, xy):
+    """long steps are shortened"""
+    q = np.asarray(q, float)
+    first, both = q[0], q[0] + q[1]
+    J = np.array(
+        [
+            [-np.sin(first) - np.sin(both), -np.sin(both)],
+            [np.cos(first) + np.cos(both), np.cos(both)],
+        ]
+    )
+    tip = np.array([np.cos(first) + np.cos(both), np.sin(first) + np.sin(both)])
+    step = np.linalg.solve(J, xy - tip)
+    return q + step * min(1, 0.5 / max(np.linalg.norm(step), 1e-300))

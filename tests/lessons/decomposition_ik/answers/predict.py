@@ -39,7 +39,7 @@ def wrong_mean_of_both(models, cell, xy):
 
 
 def wrong_all_positions(models, cell, xy):
-    """the models of each query meet all positions"""
+    """the models of each query are applied to all positions"""
     angles = models[cell] @ np.column_stack([xy, np.ones(len(xy))]).T
     angles[cell < 0] = np.nan
     return angles

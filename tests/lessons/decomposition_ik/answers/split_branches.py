@@ -40,7 +40,7 @@ def wrong_one_sample_crashes(q):
 
 
 def wrong_equal_samples_split(q):
-    """equal samples, or a single one, are not treated apart"""
+    """fewer than two different samples is not treated separately"""
     labels = right_kmeans_with_its_labels_flipped(q)
     labels[len(q) // 2 :] |= len(np.unique(q, axis=0)) == 1
     return labels
