@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_pose, near, part_is, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, in_blocks
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
@@ -59,7 +60,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
-            lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= 1e-9,
+            lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= EXACT,
             mistake=Mistake(
                 "the upper right block is not zero", "Does omega depend on v, or v on omega?"
             ),
@@ -93,7 +94,7 @@ EXERCISE.mistake(_NESTED, form=(2, 2, 3, 3))
 
 @EXERCISE.mistake(
     "[p] and R are in the wrong order, or R is missing or transposed in the lower left block",
-    "In which frame is p, and in which must omega be before the cross product?",
+    "In which frame is p given, and in which frame must omega be before the cross product?",
     part=_LOWER_LEFT,
     coupling=(lambda R, P: R @ P, lambda R, P: P, lambda R, P: P @ R.T),
 )
@@ -102,8 +103,8 @@ def order_of_the_coupling(T, coupling):
 
 
 @EXERCISE.mistake(
-    "the lower left block has its sign changed",
-    "The new v has the part p x omega: is [p] that, or omega x p?",
+    "the sign of the lower left block is changed",
+    "The new v contains p x (R omega). Does your block give this product, or the opposite one?",
     part=_LOWER_LEFT,
     coupling=(lambda R, P: P @ R, lambda R, P: P @ R.T, lambda R, P: R @ P),
 )

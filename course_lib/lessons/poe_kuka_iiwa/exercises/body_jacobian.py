@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import SAME_TWICE, part_is, products, remembered
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import adjoint, inverse
@@ -20,6 +21,9 @@ EXERCISE = Exercise(
     cases=shared.arms,
     returns=shared.read_jacobian,
     library=_right,
+    tolerance=EXACT,
+    sweeps=(shared.SMALL_ANGLES,),
+    angles=("q",),
     properties=(
         SAME_TWICE,
         part_is(
@@ -29,7 +33,9 @@ EXERCISE = Exercise(
             np.s_[:, -1],
             Mistake(
                 "the last column is not B_n",
-                "Which joints lie between the last axis and the end-effector?",
+                "Which joints lie between the last axis and the end-effector? Along whose axes "
+                "does "
+                "this Jacobian see the last axis?",
             ),
         ),
         part_is(
@@ -40,7 +46,8 @@ EXERCISE = Exercise(
             Mistake(
                 "an axis is not moved by all joints between it and the end-effector, each by its "
                 "own angle",
-                "Which exponentials, in which order, stand in Ad(...) before B_1?",
+                "Which exponentials, in which order, stand in Ad(...) before the body screw of the "
+                "column named below?",
             ),
         ),
         part_is(
@@ -66,7 +73,7 @@ EXERCISE.mistake(shared.ONE_COLUMN, form=(6,))
 
 @EXERCISE.mistake(
     "the exponentials of the body screws are in the wrong order, or of the wrong joints",
-    "Which move column i?",
+    "Which exponentials change column i, and in which order?",
     others=(
         lambda each, i: each[i + 1 :],
         lambda each, i: each[:i],
@@ -77,3 +84,22 @@ def other_joints(screws, M, q, others):
     B = screws @ adjoint(inverse(M)).T
     each = shared.exponentials(B, -q)
     return shared.columns([adjoint(products(others(each, i))[-1]) for i in range(len(q))], B)
+
+
+@EXERCISE.mistake(
+    "the columns are hybrid twists, along the axes of the base",
+    "Along the axes of which frame does a body twist see the motion?",
+)
+def along_the_axes_of_the_base(screws, M, q):
+    R = shared.tool_pose(screws, M, q)[shared.BLOCK]
+    return np.kron(np.eye(2), R) @ _right(screws, M, q)
+
+
+@EXERCISE.mistake(
+    "an axis is moved by the next joint only",
+    "Which joints lie between axis 1 and the end-effector of an arm with three joints?",
+)
+def next_joint_only(screws, M, q):
+    B = screws @ adjoint(inverse(M)).T
+    each = [*shared.exponentials(B, -q)[1:], np.eye(4)]
+    return shared.columns([adjoint(T) for T in each], B)

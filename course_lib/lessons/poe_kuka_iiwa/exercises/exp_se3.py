@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, first_off, unit
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
@@ -12,9 +13,9 @@ from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, hat, length
 
 _NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the series
-# Down to the angle of the given lines, at each power of ten and between: where somebody uses the
-# series too far, or a formula that loses its digits, its error shows at one of these.
-_ANGLES_DOWN = (0.3, 0.1, 0.03, 1e-2, 3e-3, 9e-4, 4e-4, 1e-4, 3e-5, 1.1e-5, 1e-5, 3e-6)
+# Where somebody uses the series too far, or a formula that loses its digits, the error shows at one
+# of these angles.
+_SMALL_ANGLES = (*BESIDE, 9e-4, 4e-4, 1.1e-5, 1e-100, 1e-170)
 
 
 def _cases(rng):
@@ -28,15 +29,23 @@ def _cases(rng):
     ]
     named += [(quarter * axis, still) for axis in (X, Y, Z)]
     named += [(quarter * axis, other) for axis, other in ((X, Y), (Y, Z), (-Z, Y))]
-    for angle in (0.5, 2.0, 5.0, 20.0, np.pi - 3e-4, np.pi, *_ANGLES_DOWN, 1.2e-8, 1e-9, 1e-12):
-        n, along = unit(rng), rng.uniform(0.5, 1)
-        across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
-        named.append((angle * n, across / np.linalg.norm(across) + along * n))
+    named += [_rotating(rng, angle) for angle in (0.5, 2.0, 5.0, 20.0, np.pi)]
     # v is so large that the error of the series, a^2 / 6 of v, shows from 2.9e-4 rad on.
     named += [(2.9e-4 * X, 1000 * Y), (2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
-    named += [(still, X), (still, np.array([1.0, 2, 3])), (1e-170 * n, n + 1), (still, still)]
+    named += [(still, X), (still, np.array([1.0, 2, 3])), (still, still)]
     whole = [np.array([0, 0, 1, 1, 2, 3]), np.array([-2, 1, 0, 0, 3, 1])]
     return [(twist,) for twist in (*map(np.concatenate, named), *whole)]
+
+
+def _rotating(rng, angle):
+    """Return omega with this length, and v with parts along omega and across."""
+    n, along = unit(rng), rng.uniform(0.5, 1)
+    across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
+    return angle * n, across / np.linalg.norm(across) + along * n
+
+
+def _sweep(what, angle, values=BESIDE):
+    return Sweep(what, lambda rng, x: (np.concatenate(_rotating(rng, angle(x))),), values)
 
 
 def _angle(twist):
@@ -84,8 +93,8 @@ def _p_mistake(T, twist):
 
 _NOT_THERE = Mistake(
     "p is not where the origin arrives",
-    "The part of v along omega moves the origin all the way, the rest along an arc. "
-    "Which term is which?",
+    "Compute the three terms of p for the twist below by hand: the part of v along omega, the step "
+    "along the arc, and the step to its side. Which of them differs from yours?",
 )
 
 EXERCISE = Exercise(
@@ -95,6 +104,12 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda twist: (4, 4)),
     library=exp_se3,
+    tolerance=10 * EXACT,
+    sweeps=(
+        _sweep("a small rotation", lambda size: size, _SMALL_ANGLES),
+        _sweep("nearly half a revolution", lambda gap: np.pi - gap),
+        _sweep("nearly a revolution", lambda gap: 2 * np.pi - gap),
+    ),
     properties=(
         LAST_ROW,
         Property(
@@ -117,7 +132,7 @@ EXERCISE = Exercise(
             mistake=_p_mistake,
         ),
         Property(
-            "a tiny rotation is none the less there: R - I is [omega], to two digits",
+            "a tiny rotation is a rotation too: R - I is [omega], to two digits",
             lambda T, twist: (
                 np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist)
             ),
@@ -157,7 +172,8 @@ def _p(
 
 @EXERCISE.mistake(
     "p is v, or R v",
-    "That is the velocity at the beginning, or at the end, of the motion: what is it on the way?",
+    "This is the velocity at the beginning, or at the end, of the motion. Which velocity does the "
+    "origin have in between?",
     part=COLUMN,
     rotated=(0, 1, -1),
 )
@@ -167,7 +183,7 @@ def p_is_v(twist, rotated):
 
 @EXERCISE.mistake(
     "the number n @ v stands for the part of v along n",
-    "Which vector along n is as long?",
+    "Which vector along n has this length?",
     part=COLUMN,
 )
 def number_for_the_part_along_the_axis(twist):
@@ -176,7 +192,7 @@ def number_for_the_part_along_the_axis(twist):
 
 @EXERCISE.mistake(
     "the part of v along n is bent into the arc as well",
-    "What is left of v without it?",
+    "Which part of v moves the origin straight along the axis?",
     part=COLUMN,
 )
 def all_of_v_on_the_arc(twist):
@@ -184,7 +200,7 @@ def all_of_v_on_the_arc(twist):
 
 
 @EXERCISE.mistake(
-    "the part along n x v has another length, as with omega for n",
+    "omega stands for n in the part of p along n x v, or this part has another factor",
     "How long is n?",
     part=COLUMN,
 )
@@ -194,7 +210,7 @@ def omega_for_n(twist):
 
 @EXERCISE.mistake(
     "a factor in the formula of p is wrong, or a term is missing",
-    "As a goes to 0, p goes to v: is that so in yours?",
+    "Compute the three terms of p on paper for a = pi / 2. Which of them differs from yours?",
     part=COLUMN,
     factors=(
         {"forward": lambda a: a * np.sin(a)},
@@ -230,9 +246,25 @@ def p_not_written(twist):
 
 
 @EXERCISE.mistake(
+    "an angle beyond one revolution is wrapped, and v belongs to the whole angle",
+    "How often does the origin go round its circle while omega rotates by 20 rad?",
+    part=COLUMN,
+    wrap=(lambda a: a % (2 * np.pi), lambda a: np.angle(np.exp(1j * a))),
+)
+def angle_wrapped(twist, wrap):
+    a = _angle(twist)
+    if a < 2 * np.pi:
+        return None
+    wrapped = abs(float(wrap(a)))
+    n = np.sign(wrap(a)) * twist[:3] / a
+    return _p(np.concatenate([wrapped * n, twist[3:]]))
+
+
+@EXERCISE.mistake(
     "the first terms of the series stand for angles that are too large",
-    "Up to which angle are they off by less than the task allows, and what do the given lines "
-    "compare a with?",
+    "Up to which angle is the error of these terms less than the task allows, and with which "
+    "number "
+    "do the given lines compare a?",
     part=COLUMN,
     below=(5e-4, 2e-3, 2e-2, 0.2, 0.4),
 )

@@ -1,13 +1,19 @@
 """first_bad_row: the first row of a joint trajectory that is not to be sent to a robot."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.arms import iiwa14
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 
 LIMITS = iiwa14().limits
-_ALL_ROWS = Mistake("all rows are returned, or True and False for each", "Asked for is one number.")
+_ALL_ROWS = Mistake(
+    "all rows are returned, or True and False for each row",
+    "The task asks for one number, that of the first bad row.",
+)
 
 
 def _motion(rng, n, joints=7):
@@ -19,6 +25,41 @@ def _motion(rng, n, joints=7):
         * np.sin(np.outer(t, rng.uniform(0.5, 2, joints)) + rng.uniform(0, 6, joints))
     )
     return t, q, limits
+
+
+_FAULTS = {  # of a row: change(t, q, limits, row)
+    "time not finite": lambda t, q, limits, row: t.__setitem__(row, np.nan),
+    "angle not finite": lambda t, q, limits, row: q.__setitem__((row, 2), np.inf),
+    "time": lambda t, q, limits, row: t.__setitem__(row, t[row - 1]),
+    "below": lambda t, q, limits, row: q.__setitem__((row, 4), limits[4, 0] - 0.1),
+    "above": lambda t, q, limits, row: q.__setitem__((row, 1), limits[1, 1] + 0.1),
+}
+
+
+def _two_faults(rng, first, second):
+    """Return a case whose rows 2 and 5 have these faults; the order of the rules must not "
+    "matter."""
+    t, q, limits = _motion(rng, 8)
+    _FAULTS[first](t, q, limits, 2)
+    _FAULTS[second](t, q, limits, 5)
+    return t, q, limits
+
+
+def _beside_a_limit(side):
+    """Return the case(rng, gap) with an angle so far beyond a limit, or inside; side: 0 or 1."""
+
+    def case(rng, gap):
+        t, q, limits = _motion(rng, 3)
+        q[1, 3] = limits[3, side] + gap
+        return (t, q, limits) if q[1, 3] != limits[3, side] else None
+
+    return case
+
+
+def _beside_the_time_before(rng, gap):
+    t, q, limits = _motion(rng, 3)
+    t = np.array([0.5, 0.5 + gap, 2.0])
+    return (t, q, limits) if t[1] != t[0] else None
 
 
 def _cases(rng):
@@ -55,6 +96,8 @@ def _cases(rng):
         (shifted[0] - 3.0, *shifted[1:]),
         _motion(rng, 1),
         spoilt(((0, 6), np.nan), n=1),
+        *(_two_faults(rng, *pair) for pair in itertools.permutations(_FAULTS, 2)),
+        (np.array([0, 1, 1]), np.zeros((3, 2), int), np.array([[-1, 1], [-1, 1]])),
     ]
 
 
@@ -75,6 +118,17 @@ def _first(bad):
     return int(np.argmax(bad)) if bad.any() else -1
 
 
+def _orders_of_the_rules():
+    """Return the orders in which somebody may test the rules, in groups, one group after "
+    "another."""
+    groups = ("t", "q"), ("time",), ("low", "high")
+    orders = list(itertools.permutations(groups))
+    for group in groups:
+        rest = tuple(rule for other in groups if other != group for rule in other)
+        orders += [(group, rest), (rest, group)]
+    return orders
+
+
 def _right(t, q, limits):
     return _first(_bad(t, q, limits))
 
@@ -83,18 +137,15 @@ def _why(t, q, limits, row):
     if row < 0:
         return "no row is bad"
     if not (np.isfinite(q[row]).all() and np.isfinite(t[row])):
-        return f"the first bad row is row {row}, which holds something that is not a finite number"
-    if row and t[row] <= t[row - 1]:
-        return (
-            f"the first bad row is row {row}, where the time, {t[row]:.4g} s, does not come after"
-            f" {t[row - 1]:.4g} s"
-        )
+        return f"the first bad row is row {row}, which holds a nan or an infinity"
+    if row and t[row] == t[row - 1]:
+        return f"the first bad row is row {row}, whose time is that of row {row - 1}"
+    if row and t[row] < t[row - 1]:
+        early = t[row - 1] - t[row]
+        return f"the first bad row is row {row}, {early:.2g} s before row {row - 1}"
     joint = int(np.argmax((q[row] < limits[:, 0]) | (q[row] > limits[:, 1])))
-    angle = f"{q[row, joint]:.6f}"
-    return (
-        f"the first bad row is row {row}, where joint {joint + 1} is at {angle} rad, beyond its"
-        " limits"
-    )
+    beyond = max(limits[joint, 0] - q[row, joint], q[row, joint] - limits[joint, 1])
+    return f"the first bad row is row {row}; joint {joint + 1} is {beyond:.2g} rad beyond a limit"
 
 
 EXERCISE = Exercise(
@@ -104,6 +155,11 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda *case: ()),
     library=_right,
+    sweeps=(
+        Sweep("an angle beside its lower limit", _beside_a_limit(0), ON_BOTH_SIDES),
+        Sweep("an angle beside its upper limit", _beside_a_limit(1), ON_BOTH_SIDES),
+        Sweep("a time beside that of the row before", _beside_the_time_before, ON_BOTH_SIDES),
+    ),
     properties=(
         Property(
             "the answer is the first row that is bad for any reason, counted from 0, or -1 if "
@@ -135,8 +191,8 @@ EXERCISE.mistake(_ALL_ROWS, form=lambda array, t, *rest: array.size > 1)
 
 
 @EXERCISE.mistake(
-    "row 0 is not looked at",
-    "It has no time before it: what else can be bad in it?",
+    "row 0 is not tested",
+    "Row 0 has no time before it. What else can be bad in row 0?",
 )
 def first_row_not_asked(t, q, limits):
     return _first(_bad(t, q, limits) & (np.arange(len(t)) > 0))
@@ -144,7 +200,7 @@ def first_row_not_asked(t, q, limits):
 
 @EXERCISE.mistake(
     "0 or the number of rows is returned for a file without a fault",
-    "What is a file with a fault in row 0, then?",
+    "Which answer does a trajectory with a fault in row 0 get, then?",
     number=(lambda t: 0, len),
 )
 def number_for_none(t, q, limits, number):
@@ -154,7 +210,7 @@ def number_for_none(t, q, limits, number):
 
 @EXERCISE.mistake(
     "numbers that are not finite go unnoticed",
-    "What is nan < 1, and what is infinity? Can t hold such numbers too?",
+    "What is nan < 1 in Python, and what is np.isnan(np.inf)? Can t hold such numbers too?",
     ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")),
 )
 def not_finite(t, q, limits, ignored):
@@ -164,8 +220,8 @@ def not_finite(t, q, limits, ignored):
 
 
 @EXERCISE.mistake(
-    "a time that stands still or runs backwards goes unnoticed",
-    "What must hold between a row and the one before?",
+    "a time that does not increase goes unnoticed",
+    "What must hold between the times of two neighbouring rows?",
     ignored=(("time",), ()),
 )
 def time_not_asked(t, q, limits, ignored):
@@ -174,7 +230,7 @@ def time_not_asked(t, q, limits, ignored):
 
 @EXERCISE.mistake(
     "an angle is not compared with both of its limits",
-    "What are the two columns of limits?",
+    "What do the two columns of limits hold?",
     ignored=(("low",), ("high",), ("low", "high")),
 )
 def limit_not_asked(t, q, limits, ignored):
@@ -190,7 +246,7 @@ def limits_taken_for_symmetric(t, q, limits):
 
 
 @EXERCISE.mistake(
-    "an angle exactly at its limit is refused",
+    "an angle exactly at its limit counts as bad",
     "What does the task say of a joint at its limit?",
 )
 def refused_at_the_limit(t, q, limits):
@@ -198,18 +254,42 @@ def refused_at_the_limit(t, q, limits):
 
 
 @EXERCISE.mistake(
-    "the fault that is looked for first is named",
-    "A row is bad for any of the reasons: which row is the first?",
+    "one reason is tested in all rows before the next reason is tested",
+    "A row is bad for any of the reasons. Which row is the first with any of them?",
+    rules=_orders_of_the_rules(),
 )
-def rule_by_rule(t, q, limits):
-    others = (("time", "low", "high"), ("t", "q", "low", "high"), ("t", "q", "time"))
-    rows = [_first(_bad(t, q, limits, ignored)) for ignored in others]
+def rule_by_rule(t, q, limits, rules):
+    every = [rule for group in rules for rule in group]
+    ignored = [[rule for rule in every if rule not in group] for group in rules]
+    rows = [_first(_bad(t, q, limits, others)) for others in ignored]
     return next((row for row in rows if row >= 0), -1)
 
 
 @EXERCISE.mistake(
+    "the time of row 0 is compared with 0",
+    "Must a trajectory begin at a time above 0?",
+    late=(np.less_equal, np.less),
+)
+def first_time_compared_with_0(t, q, limits, late):
+    return _first(_bad(t, q, limits) | np.append(late(t[:1], 0), np.zeros(len(t) - 1, bool)))
+
+
+@EXERCISE.mistake(
+    "a tolerance is granted at the limits, or between two times",
+    "Does the task allow for any angle beyond a limit, however small the distance is?",
+    recognises=True,
+)
+def tolerance_granted(row, t, q, limits):
+    beyond = np.maximum(limits[:, 0] - q, q - limits[:, 1])
+    slightly = np.isfinite(beyond).all() and 0 < beyond.max() < 0.05
+    late = np.diff(t)
+    hardly = np.isfinite(late).all() and -0.05 < late.min() <= 0
+    return row == -1 and (slightly or hardly)
+
+
+@EXERCISE.mistake(
     "rows are counted from 1",
-    "Which number has the first row of an array?",
+    "Which index does the first row of an array have?",
 )
 def counted_from_1(t, q, limits):
     row = _right(t, q, limits)
@@ -217,8 +297,8 @@ def counted_from_1(t, q, limits):
 
 
 @EXERCISE.mistake(
-    "the row before the fault is named, where time runs backwards",
-    "Of which two rows is np.diff(t)[i] made?",
+    "the row before the fault is returned where the time does not increase",
+    "From the times of which two rows is np.diff(t)[i] computed?",
 )
 def row_before(t, q, limits):
     return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))

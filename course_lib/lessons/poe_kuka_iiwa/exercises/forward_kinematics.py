@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import exp_se3
 
 _EACH = Mistake(
-    "a matrix for each joint is returned", "Where is the end-effector after all of them?"
+    "a matrix for each joint is returned",
+    "Which one pose does the end-effector have after the motions of all joints?",
 )
 
 
@@ -22,10 +23,13 @@ def _off(T, *case):
     right = shared.tool_pose(*case)
     if not near(T[:3, 3], right[:3, 3]):
         return (
-            f"It is at {format_tuple(right[:3, 3])}; the last column of yours says "
+            f"The end-effector is at {format_tuple(right[:3, 3])}; the last column of your T says "
             f"{format_tuple(T[:3, 3])}."
         )
-    return f"Your position is right, but not the orientation. {first_off(T[:3, :3], right[:3, :3])}"
+    return (
+        "The position in your T is right, and the orientation is not. "
+        f"{first_off(T[:3, :3], right[:3, :3])}"
+    )
 
 
 EXERCISE = Exercise(
@@ -35,6 +39,8 @@ EXERCISE = Exercise(
     cases=lambda rng: [*shared.arms(rng), (shared.WHOLE, shared.WHOLE_HOME, shared.WHOLE_ANGLES)],
     returns=numbers(lambda *case: (4, 4)),
     library=shared.tool_pose,
+    sweeps=(shared.SMALL_ANGLES,),
+    angles=("q",),
     properties=(
         SAME_TWICE,
         Property(
@@ -43,8 +49,7 @@ EXERCISE = Exercise(
             where=lambda screws, M, q: not q.any(),
             mistake=Mistake(
                 "with all angles 0 the product is not M",
-                "What is exp([S] 0), a 4 x 4 matrix? Multiply so many of these, with @, and M"
-                " once.",
+                "Which 4 x 4 matrix is exp([S] 0)? Multiply n of these matrices by @, and M once.",
             ),
         ),
         LAST_ROW,
@@ -72,12 +77,12 @@ EXERCISE = Exercise(
     forbidden=("course_lib.arms.SerialArm",),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 
 
 @EXERCISE.mistake(
     "M is missing",
-    "The exponentials move the end-effector away from home: where does its pose at home come in?",
+    "The exponentials move the end-effector away from home. Where does its home pose enter?",
 )
 def M_missing(screws, M, q):
     return products(shared.exponentials(screws, q))[-1]
@@ -93,7 +98,7 @@ def M_on_the_left(screws, M, q):
 
 @EXERCISE.mistake(
     "the exponentials are multiplied in the reverse order",
-    "Joint 1 moves all the others: which is applied last?",
+    "Joint 1 moves all the other joints. Which exponential acts on M last?",
     times_M=(lambda T, M: T @ M, lambda T, M: M @ T, lambda T, M: T),
 )
 def reverse_order(screws, M, q, times_M):
@@ -102,7 +107,7 @@ def reverse_order(screws, M, q, times_M):
 
 @EXERCISE.mistake(
     "the twists are added up",
-    "What is one motion after another, for matrices?",
+    "Which operation on matrices stands for one motion after another?",
 )
 def twists_added_up(screws, M, q):
     return exp_se3(q @ screws) @ M
@@ -115,3 +120,22 @@ def twists_added_up(screws, M, q):
 )
 def joint_left_out(screws, M, q, joint):
     return products(np.delete(shared.exponentials(screws, q), joint, axis=0))[-1] @ M
+
+
+@EXERCISE.mistake(
+    "small angles are left out",
+    "How far does an angle of 0.0005 rad move the end of an arm of 1 m?",
+    recognises=True,
+)
+def small_angles_left_out(T, screws, M, q):
+    kept = [np.abs(q) > size for size in np.sort(np.abs(q))]
+    return any(same(T, shared.tool_pose(screws, M, np.where(used, q, 0.0))) for used in kept[:-1])
+
+
+@EXERCISE.mistake(
+    "the joints beyond the sixth are left out",
+    "How many passes does your loop make for an arm of seven joints?",
+    joints=(5, 6),
+)
+def some_joints_only(screws, M, q, joints):
+    return products(shared.exponentials(screws, q)[:joints])[-1] @ M if len(q) > joints else None

@@ -4,12 +4,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import adjoint, inverse
 
 G = 9.81  # m/s^2
-_WRENCH = Mistake("a wrench is returned", "Asked for is one torque for each joint.")
+_WRENCH = Mistake("a wrench is returned", "The task asks for one torque for each joint.")
 
 
 def _cases(rng):
@@ -37,6 +38,10 @@ def _cases(rng):
     ]
 
 
+def _nearly_zero(rng, size):
+    return *shared.SMALL_ANGLES.case(rng, size), rng.uniform(1, 5), away_from_zero(rng, 3)
+
+
 def _weight(screws, M, q, mass, center):
     """Return the wrench of the load's weight, as the base sees it."""
     T, f = shared.tool_pose(screws, M, q), np.array([0, 0, -mass * G])
@@ -56,6 +61,8 @@ EXERCISE = Exercise(
         lambda screws, M, q, mass, center: (len(q),),
     ),
     library=_right,
+    sweeps=(Sweep("an angle is nearly 0", _nearly_zero, shared.SMALL_ANGLES.values),),
+    angles=("q",),
     properties=(
         part_is(
             "the torques hold the load: their work in a small motion is the energy that it gains",
@@ -63,8 +70,10 @@ EXERCISE = Exercise(
             ...,
             Mistake(
                 "these torques do not hold the load",
-                "How large is its weight, and where is its center of mass at these angles, seen "
-                "from the base? Which matrix takes a wrench to joint torques?",
+                "How large is the weight of the load, in which direction does it pull, and "
+                "where is "
+                "its center of mass at these angles, all seen from the base? Which matrix takes a "
+                "wrench to joint torques?",
             ),
         ),
     ),
@@ -95,7 +104,7 @@ def _by(screws, M, q, mass, center, wrench):
 
 @EXERCISE.mistake(
     "the center of mass is not rotated into the base's axes",
-    "In which frame is it given?",
+    "In which frame is `center` given?",
     origin=(0, 1),
 )
 def center_not_rotated(screws, M, q, mass, center, origin):
@@ -115,7 +124,7 @@ def moment(*case, factor):
 
 @EXERCISE.mistake(
     "the torques are those that the weight exerts on the joints",
-    "Which torques balance them?",
+    "Which torques of the motors balance the torques of the weight?",
 )
 def torques_of_the_weight(*case):
     return -_right(*case)
@@ -130,8 +139,8 @@ def force_first(*case):
 
 
 @EXERCISE.mistake(
-    "the Jacobian and the wrench belong to two frames",
-    "Seen from which frame is each of them?",
+    "the Jacobian and the wrench are seen from two different frames",
+    "From which frame is your Jacobian seen, and from which frame is your wrench seen?",
 )
 def body_jacobian_with_a_space_wrench(screws, M, q, mass, center):
     T = shared.tool_pose(screws, M, q)
@@ -141,7 +150,7 @@ def body_jacobian_with_a_space_wrench(screws, M, q, mass, center):
 
 @EXERCISE.mistake(
     "an inverse of the Jacobian takes the wrench to the torques",
-    "The joints' power equals the power at the load: which matrix follows from that?",
+    "The joints' power equals the power at the load. Which matrix follows from that?",
 )
 def inverse_for_the_transpose(screws, M, q, mass, center):
     wrench = _weight(screws, M, q, mass, center)
@@ -150,14 +159,14 @@ def inverse_for_the_transpose(screws, M, q, mass, center):
 
 @EXERCISE.mistake(
     "the load hangs at the end-effector's origin",
-    "Where does `center` come in?",
+    "Where does your code use `center`?",
 )
 def load_at_the_end_effector(screws, M, q, mass, center):
     return _right(screws, M, q, mass, 0 * center)
 
 
 @EXERCISE.mistake(
-    "the weight of the load is another one",
+    "the weight of the load is not mass times 9.81",
     "Which force, in newtons, pulls at `mass` kilograms?",
     weight=(lambda mass: 1, lambda mass: 1 / G, lambda mass: mass / G),
 )
@@ -172,3 +181,23 @@ def another_weight(screws, M, q, mass, center, weight):
 )
 def another_gravity(screws, M, q, mass, center, g):
     return _right(screws, M, q, mass * g / G, center)
+
+
+@EXERCISE.mistake(
+    "the screw axes at zero stand in place of the Jacobian at q",
+    "Where are the joints' axes when the joints have rotated by q?",
+)
+def axes_at_zero(*case):
+    screws = case[0]
+    return -screws @ _weight(*case)
+
+
+@EXERCISE.mistake(
+    "gravity pulls along the end-effector's axes",
+    "Along which axis, of which frame, does gravity pull?",
+)
+def gravity_of_the_end_effector(screws, M, q, mass, center):
+    def wrench(p, T, f):
+        return np.cross(p, T[:3, :3] @ f), T[:3, :3] @ f
+
+    return _by(screws, M, q, mass, center, wrench)

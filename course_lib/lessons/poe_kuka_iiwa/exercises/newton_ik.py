@@ -6,12 +6,16 @@ import numpy as np
 from course_lib.arms import ur5e
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import SOLVERS, any_pose, away_from_zero, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import KUKA, KUKA_HOME, jacobian, tool_pose
 from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
 
-STEPS, _CLOSE = 50, 1e-6  # radians and metres
-_REACHED = 1.001e-6  # a little more than asked for, because the student's sums round otherwise
+STEPS, _CLOSE = 50, SIX_DIGITS  # radians and metres
+_REACHED = (
+    1.001 * SIX_DIGITS
+)  # a little more than asked for, because the student's sums round otherwise
+_UNCHANGED = 1e-12  # rad: rounding of angles near pi
 _UR5E = ur5e().screw_axes, ur5e().home[-1]
 _LONG = np.array(
     [-1.5, -1.3, 1.6, 1.6, -0.1, -0.8]
@@ -68,6 +72,7 @@ def _cases(rng):
         _near(_UR5E, np.array([-1, -1.5, 1.2, 0.5, -1, 2]), rng),
         _near(kuka, bent, rng),
         _near(kuka, -bent, rng),
+        _near(kuka, np.array([1, 1, -1, 2, 0, 1, 1]), rng),
         _near(elsewhere, _BENT, rng),
         (*_UR5E, tool_pose(*_UR5E, _LONG - [0.3, 0.4, 0.1, 0.3, -0.2, -0.4]), _LONG),
         (*_UR5E, pose(here[:3, :3], [3.0, 0.5, 0.2]), _BENT),
@@ -90,14 +95,14 @@ def _gaps(q, screws, M, T_target, q0):
 
 
 def _off(q, *case):
-    return "At your angles the end-effector is {:.2g} rad and {:.2g} m away.".format(
+    return "At your angles the end-effector is {:.2g} rad and {:.2g} m from the target.".format(
         *_gaps(q, *case)
     )
 
 
 _INVERTED = Mistake(
     "the Jacobian is inverted",
-    "With seven joints it has seven columns. What stands for its inverse?",
+    "With seven joints the Jacobian has seven columns. Which matrix stands in place of an inverse?",
 )
 
 EXERCISE = Exercise(
@@ -123,8 +128,9 @@ EXERCISE = Exercise(
             where=lambda *case: not _out_of_reach(*case),
             mistake=Mistake(
                 "the iteration gives up although the target can be reached",
-                "How many steps does the task allow? The error may grow for a step. Does q change "
-                "in each of them?",
+                "How many steps does the task ask for, and does your loop make so many? The "
+                "error may "
+                "grow in a step. Print q and the error in each step.",
             ),
         ),
         Property(
@@ -133,7 +139,7 @@ EXERCISE = Exercise(
             _off,
             mistake=Mistake(
                 "the steps end before the target is reached",
-                "Does `short` decide that none is needed?",
+                "Where in your loop is `short` asked, and about which error?",
             ),
             points=1,
         ),
@@ -146,13 +152,13 @@ EXERCISE = Exercise(
         ),
         Property(
             "a q0 that has converged is returned unchanged",
-            lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 1e-12,
+            lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < _UNCHANGED,
             where=lambda screws, M, T_target, q0: (
-                np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-9
+                np.abs(T_target - tool_pose(screws, M, q0)).max() < EXACT
             ),
             mistake=Mistake(
                 "a step is made without a test before it",
-                "Does your loop test the error, and when?",
+                "At which place of your loop is the error tested for the first time?",
             ),
         ),
         Property(
@@ -161,7 +167,7 @@ EXERCISE = Exercise(
             where=_out_of_reach,
             mistake=Mistake(
                 "the last angles are returned, although they do not reach the target",
-                "When is it over?",
+                "Which value does the task ask for after the last step?",
             ),
         ),
     ),
@@ -176,7 +182,7 @@ EXERCISE = Exercise(
 )
 
 EXERCISE.mistake(
-    Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles."),
+    Mistake("a pose is returned", "Inverse kinematics leads from a pose to joint angles."),
     form=(4, 4),
 )
 EXERCISE.mistake(_INVERTED, raises=("LinAlgError", "must be square"))
@@ -184,8 +190,9 @@ EXERCISE.mistake(_INVERTED, raises=("LinAlgError", "must be square"))
 
 @EXERCISE.mistake(
     "the steps do not converge to a target close by, or end too soon",
-    "Print the error after each step. From which pose to which does it lead, and are its frame, "
-    "and the order of its halves, those of your Jacobian?",
+    "Print the error after each step. From which pose to which pose does it lead? Compare its "
+    "frame, "
+    "and the order of its halves, with those of your Jacobian.",
     error=(
         lambda T, T_target: log_se3(inverse(T_target) @ T),
         lambda T, T_target: log_se3(T_target @ inverse(T)),

@@ -6,7 +6,7 @@ from course_lib.arms import ur5e
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.tolerances import EXACT
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import orthogonality_error, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, axes
 
@@ -23,7 +23,7 @@ def _read(value):
     """Return the screw axes (6, 6) and M (4, 4), as the notebook goes on with them."""
     if not isinstance(value, tuple | list) or len(value) != 2:
         pair = Mistake(
-            "something other than a pair is returned", "The last line is `return screws, M`."
+            "the answer is not a pair", "The last line of the cell is `return screws, M`."
         )
         raise Unreadable(
             "the answer is a pair, screws of shape (6, 6) and M of shape (4, 4).", pair
@@ -32,9 +32,10 @@ def _read(value):
 
 
 def _direction_off(read):
-    i = int(np.argmax(np.abs(read[0][:, :3] - _OMEGA).max(1) > 1e-6))
+    i = int(np.argmax(np.abs(read[0][:, :3] - _OMEGA).max(1) > SIX_DIGITS))
     opposite = " It is the opposite one." if np.allclose(read[0][:, :3][i], -_OMEGA[i]) else ""
-    return f"Joint {i + 1} has another: yours is {format_tuple(read[0][:, :3][i])}.{opposite}"
+    yours = format_tuple(read[0][i, :3])
+    return f"The direction of joint {i + 1} in your answer is {yours}.{opposite}"
 
 
 def _velocity_off(read):
@@ -48,6 +49,10 @@ def _velocity_off(read):
         " off at 1 rad/s"
     )
     return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
+
+
+def _first_axis_off(R):
+    return int(np.argmax(np.abs(R - _R).max(0) > SIX_DIGITS))
 
 
 def _axes(vector):
@@ -66,10 +71,11 @@ EXERCISE = Exercise(
     properties=(
         Property(
             "the axes have the directions of the arrows in the drawing, of length one",
-            lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=1e-6),
+            lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=SIX_DIGITS),
             says=_direction_off,
             mistake=Mistake(
-                "an axis has another direction than its arrow", "Are the rows joints, omega first?"
+                "an axis has another direction than its arrow",
+                "Compare the row of the joint named below with its arrow in both views.",
             ),
             points=1,
         ),
@@ -78,9 +84,10 @@ EXERCISE = Exercise(
             lambda read: (np.abs(read[0][:, 3:] - _V) <= _TOLERANCE).all(),
             says=_velocity_off,
             mistake=Mistake(
-                "an axis is read elsewhere than it is drawn",
-                "Through which point goes the arrow of the joint below? Add up from the base, with "
-                "signs, to 0.1 mm.",
+                "an axis does not pass where it is drawn",
+                "Through which point does the arrow of the joint named below pass? Add up the "
+                "lengths "
+                "from the base, with signs, to 0.1 mm.",
             ),
             points=1,
         ),
@@ -88,7 +95,7 @@ EXERCISE = Exercise(
             "M is a pose (R, p): R^T R = I, det R = 1, and the last row is (0, 0, 0, 1)",
             lambda read: (
                 np.allclose(read[1][3], [0, 0, 0, 1], atol=EXACT)
-                and orthogonality_error(read[1][BLOCK]) < 1e-6
+                and orthogonality_error(read[1][BLOCK]) < SIX_DIGITS
                 and np.linalg.det(read[1][BLOCK]) > 0
             ),
             says=lambda read: (
@@ -101,10 +108,9 @@ EXERCISE = Exercise(
         ),
         Property(
             "the columns of the rotation in M are the flange's axes, seen from the base",
-            lambda read: np.allclose(read[1][BLOCK], _R, atol=1e-6),
+            lambda read: np.allclose(read[1][BLOCK], _R, atol=SIX_DIGITS),
             says=lambda read: (
-                f"The flange's {'xyz'[np.argmax(abs(read[1][BLOCK] - _R).max(0) > 1e-6)]} axis "
-                "points elsewhere."
+                f"The flange's {'xyz'[_first_axis_off(read[1][BLOCK])]} axis has another direction."
             ),
         ),
         Property(
@@ -115,9 +121,10 @@ EXERCISE = Exercise(
                 "again."
             ),
             mistake=Mistake(
-                "the flange is read elsewhere than it is drawn",
-                "Go from axis 6 to the flange in each view: which lengths lead there, along which "
-                "direction?",
+                "the flange is not where it is drawn",
+                "Go from axis 6 to the flange in each view. Which lengths lead there, and along "
+                "which "
+                "directions?",
             ),
             points=1,
         ),
@@ -141,7 +148,7 @@ EXERCISE = Exercise(
     ),
 )
 
-EXERCISE.mistake(Mistake("v is missing", "A screw axis is omega and v: six numbers."), form=(6, 3))
+EXERCISE.mistake(Mistake("v is missing", "A screw axis has six numbers, omega and v."), form=(6, 3))
 EXERCISE.mistake(
     Mistake("only the flange's position is returned", "A pose is R and p, of shape (4, 4)."),
     form=(3,),

@@ -5,6 +5,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import (
     X,
     Y,
@@ -77,6 +79,16 @@ def arms(rng):
     return [*named, *drawn, *far, *whole, named[2]]
 
 
+def _nearly_zero(rng, size):
+    """Return an arm with one small angle among others."""
+    angles = np.array([0.7, size, -1.1])[rng.permutation(3)]
+    return axes(*drawn_axes(rng, 3)), any_pose(rng), angles
+
+
+# Where somebody leaves out small angles. Below 1e-9 the error that this makes is allowed.
+SMALL_ANGLES = Sweep("an angle is nearly 0", _nearly_zero, tuple(x for x in BESIDE if x > EXACT))
+
+
 @remembered
 def exponentials(screws, q):
     """Return exp([S1] q1), ..., exp([Sn] qn)."""
@@ -113,6 +125,6 @@ def in_blocks(T, form):
 
 read_jacobian = numbers(lambda screws, *rest: (6, len(screws)))
 ONE_COLUMN = Mistake(
-    "one column is returned, not a matrix (6, n)",
+    "one column is returned, not a matrix of shape (6, n)",
     "Where does your loop collect the columns?",
 )

@@ -50,9 +50,10 @@ def _outside(rows):
 
 def _families(rows):
     k = next(k for k in range(3) if not _leads_out(k, rows[k]))
-    joints = " and ".join(str(joint + 1) for joint in _MOVED[k])
+    numbers_of_joints = " and ".join(str(joint + 1) for joint in _MOVED[k])
+    joints = f"joint{'s' if len(_MOVED[k]) > 1 else ''} {numbers_of_joints}"
     return (
-        f"Row {k}, for the {FAMILIES[k]}: joint {joints} alone should decide whether it is "
+        f"In row {k}, for the {FAMILIES[k]}, {joints} alone should decide whether the arm is "
         f"singular."
     )
 
@@ -77,7 +78,8 @@ EXERCISE = Exercise(
             lambda rows: ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all(),
             says=_outside,
             mistake=Mistake(
-                "an angle is beyond its limit", "arm.limits has them in radians, one row a joint."
+                "an angle is beyond its limit",
+                "arm.limits holds the limits in radians, one row per joint.",
             ),
         ),
         Property(
@@ -88,7 +90,8 @@ EXERCISE = Exercise(
                 f"{', '.join(str(6 - _rank_loss(row)) for row in rows)}."
             ),
             mistake=Mistake(
-                "a configuration is not singular", "The last of its singular values must be 0."
+                "a configuration is not singular",
+                "Print the singular values of its Jacobian. The last of them must be 0.",
             ),
         ),
         Property(
@@ -98,7 +101,10 @@ EXERCISE = Exercise(
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             says=_families,
             mistake=Mistake(
-                "two rows are of one family", "Which joints make each row regular when they move?"
+                "a row is singular for another reason than its family alone",
+                "Move the joints of the row named below by 0.3 rad, one after the other. Which "
+                "of them "
+                "change the smallest singular value?",
             ),
         ),
     ),
@@ -115,14 +121,16 @@ EXERCISE = Exercise(
 )
 
 EXERCISE.mistake(
-    Mistake("rows and columns are swapped", "One configuration a row: the shape is (3, 7)."),
+    Mistake(
+        "rows and columns have changed places", "One row per configuration makes the shape (3, 7)."
+    ),
     form=(7, 3),
 )
 
 
 @EXERCISE.mistake(
     "several singularities come together",
-    "What is the rank in each row, and which other angles are 0 there?",
+    "What is the rank in each row, and which other angles of the row are 0?",
     alike=lambda value, predicted: any(_rank_loss(row) > 1 for row in value),
 )
 def several_together():
@@ -137,7 +145,7 @@ def _nearly_singular(value, predicted):
 
 @EXERCISE.mistake(
     "pi / 2 is rounded",
-    "What is the last singular value of a configuration that is only near a singular one?",
+    "How large is the last singular value of a configuration that is only near a singular one?",
     place=((2, 4), (1, 2)),
     alike=_nearly_singular,
 )
@@ -157,8 +165,9 @@ def _half_way(value, predicted):
 
 
 @EXERCISE.mistake(
-    "q6 = 0 or q2 = 0 is taken for singular by itself",
-    "A seventh joint helps out: what if its neighbour moves too?",
+    "q6 = 0 or q2 = 0 alone is taken for singular",
+    "With q6 = 0 alone, another joint replaces the lost direction. Which neighbour of joint 6 must "
+    "have a special angle, too? Plot the smallest singular value against this angle.",
     place=((2, 4), (1, 2)),
     alike=_half_way,
 )
@@ -175,8 +184,8 @@ def _of_two_families(value, predicted):
 
 
 @EXERCISE.mistake(
-    "q2 and q6 are both 0 in a row: a fourth family",
-    "Which joints must move to leave it, those of one family alone?",
+    "q2 and q6 are both 0 in a row, which is a fourth family",
+    "Does the arm stay singular if joint 6 moves alone, and if joint 2 moves alone?",
     rows=((1,), (2,), (1, 2)),
     alike=_of_two_families,
 )

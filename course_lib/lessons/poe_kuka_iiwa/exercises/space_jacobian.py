@@ -3,9 +3,11 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, part_is, products
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
     ONE_COLUMN,
+    SMALL_ANGLES,
     arms,
     columns,
     exponentials,
@@ -15,14 +17,23 @@ from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
 from course_lib.rigid import adjoint
 
 _FIRST_MOVED = Mistake(
-    "the first axis is moved, or changed", "Which joints stand before the first? Column 1 is S1."
+    "the first axis is moved, or changed",
+    "Which joints stand before joint 1? Column 1 is S1.",
 )
+
+
+def _nearly_zero(rng, size):
+    screws, _, q = SMALL_ANGLES.case(rng, size)
+    return screws, q
+
 
 EXERCISE = Exercise(
     name="space_jacobian",
     points=2,
     arguments=("screws", "q"),
     cases=lambda rng: [(screws, q) for screws, M, q in arms(rng)],
+    sweeps=(Sweep("an angle is nearly 0", _nearly_zero, SMALL_ANGLES.values),),
+    angles=("q",),
     returns=read_jacobian,
     library=jacobian,
     properties=(
@@ -40,7 +51,7 @@ EXERCISE = Exercise(
             np.s_[:3],
             Mistake(
                 "an axis is not rotated by all joints before it, each by its own angle",
-                "Which exponentials, in which order, move the axis of joint 3?",
+                "Which exponentials, in which order, move the axis of the column named below?",
             ),
         ),
         part_is(
@@ -50,7 +61,7 @@ EXERCISE = Exercise(
             np.s_[3:],
             Mistake(
                 "an axis is rotated, but not moved",
-                "Which 6 x 6 matrix of a pose takes along both?",
+                "Which 6 x 6 matrix of a pose transforms both halves of a screw axis?",
             ),
         ),
     ),
@@ -69,7 +80,7 @@ EXERCISE.mistake(ONE_COLUMN, form=(6,))
 
 @EXERCISE.mistake(
     "the exponentials are multiplied in the reverse order",
-    "Joint 1 moves all the others: on which side is its?",
+    "Joint 1 moves all the other joints. On which side of the product does its exponential stand?",
     own=(0, 1),
 )
 def reverse_order(screws, q, own):

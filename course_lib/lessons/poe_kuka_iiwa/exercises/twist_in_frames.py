@@ -100,7 +100,7 @@ _ORDERS = [list(order) for order in itertools.permutations(range(3)) if order !=
 
 @EXERCISE.mistake(
     "the rows are in another order",
-    "Which row is space, which body, which hybrid?",
+    "In which order does the task name the space, the body and the hybrid twist?",
     order=_ORDERS,
 )
 def another_order(V_s, T, order):
@@ -109,7 +109,7 @@ def another_order(V_s, T, order):
 
 @EXERCISE.mistake(
     "the cross product in the hybrid row is missing, or in the wrong order",
-    "How fast does a rotation omega move p?",
+    "Which velocity does an angular velocity omega give to the point p?",
     part=HYBRID,
     sign=(-1, 0),
 )
@@ -118,8 +118,8 @@ def cross_product_reversed(V_s, T, sign):
 
 
 @EXERCISE.mistake(
-    "the hybrid row is rotated by R or R^T, or half of it is",
-    "Along which axes does the hybrid frame see?",
+    "the hybrid row, or one half of it, is rotated by R or R^T",
+    "Along the axes of which frame does the hybrid twist see the motion?",
     part=HYBRID,
     powers=((1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)),
     moved=(True, False),

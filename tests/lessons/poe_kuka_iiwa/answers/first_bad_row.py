@@ -39,3 +39,21 @@ def wrong_first_time_compared_with_the_last(t, q, limits):
         if not np.isfinite([t[i], *q[i]]).all() or t[i] <= t[i - 1]:
             return i
     return -1
+
+
+def wrong_times_first(t, q, limits):
+    """one reason is tested in all rows before the next reason is tested"""
+    late = np.flatnonzero(~(t[1:] > t[:-1]) & np.isfinite(t[1:]) & np.isfinite(t[:-1]))
+    if len(late):
+        return int(late[0]) + 1
+    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
+    bad |= ((q < limits[:, 0]) | (q > limits[:, 1])).any(axis=1)
+    return int(np.argmax(bad)) if bad.any() else -1
+
+
+def wrong_tolerance_at_the_limits(t, q, limits):
+    """a tolerance is granted at the limits, or between two times"""
+    bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
+    bad[1:] |= np.diff(t) <= 0
+    bad |= ((q < limits[:, 0] - 1e-7) | (q > limits[:, 1] + 1e-7)).any(axis=1)
+    return int(np.argmax(bad)) if bad.any() else -1

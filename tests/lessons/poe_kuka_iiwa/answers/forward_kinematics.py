@@ -31,3 +31,12 @@ def right_points_and_rotations_apart(screws, M, q):
         )
         R, p = np.column_stack([turn(column) for column in R.T]), q + turn(p - q)
     return [[*R[0], p[0]], [*R[1], p[1]], [*R[2], p[2]], [0, 0, 0, 1]]
+
+
+def wrong_small_angles_left_out(screws, M, q):
+    """small angles are left out"""
+    T = np.eye(4)
+    for screw, angle in zip(screws, q, strict=True):
+        if abs(angle) > 1e-4:
+            T = T @ exp_se3(screw * angle)
+    return T @ M

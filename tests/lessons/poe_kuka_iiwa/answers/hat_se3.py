@@ -19,3 +19,13 @@ def right_written_out(twist):
 
 def right_rows_on_top_of_each_other(twist):
     return np.vstack([np.column_stack([np.cross(twist[:3], np.eye(3)).T, twist[3:]]), np.zeros(4)])
+
+
+def wrong_slow_is_still(twist):
+    """a small omega, or a small twist, counts as 0"""
+    twist = np.asarray(twist, float)
+    V = np.zeros((4, 4))
+    V[:3, 3] = twist[3:]
+    if np.linalg.norm(twist[:3]) > 1e-9:
+        V[:3, :3] = hat(twist[:3])
+    return V

@@ -33,3 +33,14 @@ def right_shift_rotate_shift_back(omega, point, theta):
         return shift @ turn @ np.linalg.inv(shift)
 
     return there_and_back(theta), there_and_back(-theta)
+
+
+def wrong_small_rotation_is_none(omega, point, theta):
+    """a small rotation counts as none"""
+    W = hat(omega)
+    R = np.eye(3) + np.sin(theta) * W + (1 - np.cos(theta)) * W @ W
+    if abs(theta) < 1e-5:
+        R = np.eye(3)
+    p = point - R @ point
+    T = np.block([[R, p[:, None]], [np.zeros(3), 1]])
+    return np.array([T, np.linalg.inv(T)])
