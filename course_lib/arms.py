@@ -487,6 +487,19 @@ def iiwa14():
     return SerialArm.from_screws(omega, points, home, np.stack([-limits, limits], -1))
 
 
+# a (m), alpha (rad) and d (m) of the Panda's joints 1 to 7, modified (Craig's) convention.
+# Source: Franka Control Interface documentation, "Denavit-Hartenberg parameters".
+PANDA_ROWS = (
+    (0, 0, 0.333),
+    (0, -np.pi / 2, 0),
+    (0, np.pi / 2, 0.316),
+    (0.0825, np.pi / 2, 0),
+    (-0.0825, -np.pi / 2, 0.384),
+    (0, np.pi / 2, 0),
+    (0.088, np.pi / 2, 0),
+)
+
+
 def panda():
     """Return the Franka Emika Panda up to its flange, by the manufacturer's modified DH parameters.
 
@@ -501,16 +514,7 @@ def panda():
     >>> print(panda().fk(np.zeros(7))[:3, 3].round(9) + 0.0)
     [0.088 0.    0.926]
     """
-    quarter = np.pi / 2
-    rows = [
-        DHRow(a=0, alpha=0, d=0.333),
-        DHRow(a=0, alpha=-quarter, d=0),
-        DHRow(a=0, alpha=quarter, d=0.316),
-        DHRow(a=0.0825, alpha=quarter, d=0),
-        DHRow(a=-0.0825, alpha=-quarter, d=0.384),
-        DHRow(a=0, alpha=quarter, d=0),
-        DHRow(a=0.088, alpha=quarter, d=0),
-    ]
+    rows = [DHRow(a=a, alpha=alpha, d=d) for a, alpha, d in PANDA_ROWS]
     low = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
     high = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
     flange = transform(np.eye(3), [0, 0, 0.107])

@@ -8,22 +8,12 @@ import inspect
 import numpy as np
 
 from course_lib.arguments import real_array
-from course_lib.arms import iiwa14, panda
+from course_lib.arms import PANDA_ROWS, iiwa14, panda
 from course_lib.figures.solids import Model, link_poses, shell
 from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
 
 _IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
-# a, alpha, d of arms.panda(), in metres and radians: the rows of Craig's table.
-PANDA_ROWS = [
-    [0, 0, 0.333],
-    [0, -np.pi / 2, 0],
-    [0, np.pi / 2, 0.316],
-    [0.0825, np.pi / 2, 0],
-    [-0.0825, -np.pi / 2, 0.384],
-    [0, np.pi / 2, 0],
-    [0.088, np.pi / 2, 0],
-]
 
 
 def iiwa_toy():
@@ -83,7 +73,11 @@ def panda_toy(q):
         "and a pose needs only six numbers."
     )
     model = arm_view(panda(), q, "The Franka Panda and its joints")
-    model |= {"parts": ["frames", "elbow"], "names": names, "rows": PANDA_ROWS}
+    model |= {
+        "parts": ["frames", "elbow"],
+        "names": names,
+        "rows": [list(row) for row in PANDA_ROWS],
+    }
     model["frameNames"] = ["0", "f"]
     return Toy("arm", model, alt, caption=caption)
 
