@@ -66,16 +66,18 @@ class Judge:
 
 
 def parts(exercise):
-    """Yield exercises that together ask what this one asks: one for each case, then what holds
-    across the cases."""
+    """Yield exercises that together ask what this one asks: one for each case, those that the
+    engine makes included, then what holds across the cases."""
     if isinstance(exercise, WriteTest):
         both = [next(v for v in exercise.versions if v.right is right) for right in (True, False)]
         yield replace(exercise, versions=tuple(both))
         yield exercise
         return
     alone = tuple(wanted for wanted in exercise.properties if not wanted.across)
-    for case in exercise.cases(np.random.default_rng(PUBLIC_SEED)):
-        yield replace(exercise, cases=lambda rng, case=case: [case], properties=alone, broken=None)
+    cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
+    single = replace(exercise, properties=alone, broken=None, sweeps=(), angles=())
+    for case in cases:
+        yield replace(single, cases=lambda rng, case=case: [case])
     if exercise.broken or alone != exercise.properties:
         yield exercise
 

@@ -5,6 +5,8 @@ from scipy.optimize import lsq_linear
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import FOUR_DIGITS
 from course_lib.checks.vocabulary import away_from_zero, remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, panda_jacobian
 
@@ -81,8 +83,25 @@ def _cases(rng):
     return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]
 
 
+def _beside_the_bound(rng, gap):
+    """Return a case whose fastest joint, without bounds, is beside the bound."""
+    J, v, eps = _FLAT, np.array([0.9, 0.4]), 0.1
+    fastest = np.abs(_free(J, v, 1.0, eps)).max()
+    return J, v, fastest * (1 + gap), eps
+
+
+def _excess(q_dot, *case):
+    least = _cost(right(*case), *case)
+    return (
+        f"Your answer makes this sum {_cost(q_dot, *case) - least:.2g} larger than the least sum, "
+        f"{least:.6g}."
+    )
+
+
 def _alike(answer, predicted, *case):
-    return np.shape(answer) == np.shape(predicted) and np.allclose(answer, predicted, atol=1e-4)
+    return np.shape(answer) == np.shape(predicted) and np.allclose(
+        answer, predicted, atol=FOUR_DIGITS
+    )
 
 
 EXERCISE = Exercise(
@@ -96,11 +115,11 @@ EXERCISE = Exercise(
             "no joint is faster than `bound`",
             lambda q_dot, J, v, bound, eps: np.abs(q_dot).max() <= bound + 1e-6,
             says=lambda q_dot, J, v, bound, eps: (
-                f"Your fastest joint has {np.abs(q_dot).max():.4g}."
+                f"Your fastest joint exceeds it by {np.abs(q_dot).max() - bound:.2g}."
             ),
             mistake=Mistake(
-                "a joint is faster than the argument bound",
-                "Where is bound used, and for which joints?",
+                "a joint is faster than the argument `bound`",
+                "Where does your code use `bound`, and for which joints?",
             ),
         ),
         Property(
@@ -108,33 +127,37 @@ EXERCISE = Exercise(
             lambda q_dot, *case: (
                 _cost(q_dot, *case) <= _cost(right(*case), *case) * (1 + 1e-5) + 1e-7
             ),
-            says=lambda q_dot, *case: (
-                f"With yours it is {_cost(q_dot, *case):.6g}; {_cost(right(*case), *case):.6g} is "
-                f"possible."
-            ),
+            says=_excess,
             mistake=Mistake(
                 "other velocities within the bounds are better",
-                "Is each joint bounded by itself, in both directions? Which sum of squares is "
-                "least, and to the end?",
+                "Change one joint velocity of your answer by 0.01, up and down, within the "
+                ""
+                "bounds. For "
+                "which joint does the sum in the task become smaller?",
             ),
         ),
     ),
     hints=(
         "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more "
+        ""
         "rows than J has.",
-        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x - "
+        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x "
+        "- "
         "b|^2 within bounds.",
         "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), "
+        ""
         "bounds=(-bound, bound)).x",
     ),
     library=right,
+    tolerance=FOUR_DIGITS,
+    sweeps=(Sweep("a joint nearly at its bound", _beside_the_bound, ON_BOTH_SIDES),),
     alike=_alike,
 )
 
 
 @EXERCISE.mistake(
     "the bounds are ignored",
-    "How fast is the fastest joint of your answer?",
+    "How fast is the fastest joint of your answer, and how fast may it be?",
 )
 def unbounded(J, v, bound, eps):
     return _free(J, v, bound, eps)
@@ -142,7 +165,7 @@ def unbounded(J, v, bound, eps):
 
 @EXERCISE.mistake(
     "the best step without bounds is clipped, or scaled down, afterwards",
-    "If one joint is at its bound, could the others do part of its work?",
+    "If one joint is at its bound, could other joints do a part of its work?",
     cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max()),
 )
 def cut_afterwards(J, v, bound, eps, cut):
@@ -152,7 +175,24 @@ def cut_afterwards(J, v, bound, eps, cut):
 
 @EXERCISE.mistake(
     "eps stands for its square root",
-    "A row r of the matrix adds (r q_dot)^2: which r makes that eps q_dot^2?",
+    "A row r of the stacked matrix adds (r q_dot)^2 to the sum. Which r makes this eps q_dot^2?",
 )
 def eps_not_a_root(J, v, bound, eps):
     return right(J, v, bound, eps**2)
+
+
+@EXERCISE.mistake(
+    "eps is left out",
+    "Which of the two terms of the sum contains eps, and where does it stand in your code?",
+)
+def without_eps(J, v, bound, eps):
+    return right(J, v, bound, 1e-12)
+
+
+@EXERCISE.mistake(
+    "the bounds go from 0 to `bound`",
+    "May a joint move backwards?",
+)
+def forwards_only(J, v, bound, eps):
+    A, b = _stacked(J, v, eps)
+    return lsq_linear(A, b, bounds=(0, bound), method="bvls", tol=1e-14).x

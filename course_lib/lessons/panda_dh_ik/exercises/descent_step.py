@@ -4,7 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.vocabulary import any_pose, away_from_zero, near
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import any_pose, away_from_zero, near, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
     HIGH,
     LOW,
@@ -46,6 +48,17 @@ def _cases(rng):
     return [simple, moved, *drawn, there]
 
 
+def _rotated_by(angle):
+    """Return the case(rng, size) of a target that is rotated by angle(size), and moved."""
+
+    def case(rng, size):
+        T = any_pose(rng)
+        T_target = transform(exp_so3(angle(size) * unit(rng)) @ T[:3, :3], away_from_zero(rng, 3))
+        return away_from_zero(rng, 4), away_from_zero(rng, (6, 4)), T, T_target, 0.2
+
+    return case
+
+
 EXERCISE = Exercise(
     name="descent_step",
     points=1,
@@ -64,16 +77,23 @@ EXERCISE = Exercise(
             where=lambda q, J, T, T_target, step: np.array_equal(T[:3, :3], T_target[:3, :3]),
             mistake=Mistake(
                 "the step is not step J^T e",
-                "Print e: does it lead from T to T_target? Which matrix, and which number, stand "
-                "before it?",
+                "Print e. Does the vector e lead from T to T_target? Which matrix, and which "
+                "number, "
+                "stand before e?",
             ),
         ),
         Property(
-            "the error is the one that belongs to the geometric Jacobian",
+            "the answer is q + step J^T e, with the error e that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
+            says=lambda answer, q, *rest: (
+                f"Your answer minus q differs from step J^T e by up to "
+                f"{np.abs(answer - right(q, *rest)).max():.2g}."
+            ),
             mistake=Mistake(
-                "the error is not the one that belongs to J",
-                "Compare both halves of your e with those of pose_error(T, T_target).",
+                "the step is not step J^T e with the error that belongs to J",
+                "Compare both halves of your e with those of pose_error(T, T_target), and your "
+                "answer "
+                "with q + step * J.T @ e for this e.",
             ),
         ),
     ),
@@ -85,6 +105,16 @@ EXERCISE = Exercise(
         "e is what pose_error(T, T_target) returns, and it already leads to the target.",
     ),
     library=right,
+    sweeps=(
+        Sweep("a small rotation", _rotated_by(lambda size: size), BESIDE),
+        # Nearer to half a revolution, rounding decides between phi and -phi.
+        Sweep(
+            "nearly half a revolution",
+            _rotated_by(lambda size: np.pi - size),
+            tuple(size for size in BESIDE if size > 1e-3),
+        ),
+    ),
+    angles=("q",),
     broken=_broken,
 )
 
@@ -100,7 +130,7 @@ def rotation_in_the_translation(q, J, T, T_target, step, error):
 
 @EXERCISE.mistake(
     "the error is seen from the end-effector",
-    "Along which axes is the geometric Jacobian?",
+    "Along the axes of which frame are the rows of the geometric Jacobian?",
     position=(True, False),
 )
 def from_the_end_effector(q, J, T, T_target, step, position):
@@ -119,7 +149,7 @@ def halves_swapped(q, J, T, T_target, step):
 
 @EXERCISE.mistake(
     "the error, or one half of it, leads from the target to the arm",
-    "From which pose to which must it lead, where it is added?",
+    "From which pose to which pose must an error lead that is added to the angles?",
     signs=((-1, 1), (1, -1), (-1, -1)),
 )
 def half_reversed(q, J, T, T_target, step, signs):
@@ -128,7 +158,37 @@ def half_reversed(q, J, T, T_target, step, signs):
 
 @EXERCISE.mistake(
     "an inverse of J stands where J^T is asked for",
-    "Which method is this, and which the task's?",
+    "Which method uses an inverse, and which method does the task ask for?",
 )
 def inverse_for_the_transpose(q, J, T, T_target, step):
     return q + step * np.linalg.pinv(J) @ pose_error(T, T_target)
+
+
+@EXERCISE.mistake(
+    "the angles are brought between -pi and pi, or between 0 and 2 pi",
+    "Does the formula in the task change an angle by whole revolutions?",
+    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
+)
+def wrapped(*case, wrap):
+    return wrap(right(*case))
+
+
+@EXERCISE.mistake(
+    "a long error is shortened",
+    "How long is e, and which e does the task multiply by J^T?",
+    longest=(1.0, 0.5, 0.1),
+)
+def error_shortened(q, J, T, T_target, step, longest):
+    e = pose_error(T, T_target)
+    return q + step * J.T @ e * min(1.0, longest / max(np.linalg.norm(e), EXACT))
+
+
+@EXERCISE.mistake(
+    "phi has the length of a sine, as (R - R^T) / 2 gives it",
+    "How long is the vector of (R - R^T) / 2 for a rotation by 90 degrees, and by 180 degrees?",
+)
+def sine_for_the_angle(q, J, T, T_target, step):
+    e = pose_error(T, T_target)
+    angle = np.linalg.norm(e[3:])
+    e = np.concatenate([e[:3], e[3:] * np.sinc(angle / np.pi)])
+    return q + step * J.T @ e

@@ -1,4 +1,4 @@
-"""dh_modified: the pose of a frame in the one before by Craig's convention."""
+"""dh_modified: the pose of a frame in the previous frame by Craig's convention."""
 
 import functools
 import itertools
@@ -8,13 +8,21 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, near, part_is
-from course_lib.lessons.panda_dh_ik.exercises.shared import about_x, about_z, modified, standard
+from course_lib.lessons.panda_dh_ik.exercises.shared import (
+    VISIBLE,
+    about_x,
+    about_z,
+    modified,
+    standard,
+)
 from course_lib.rigid import transform
 
 _STEPS = Mistake(
     "the steps are returned, not their product",
-    "The answer is one pose: which product joins the steps?",
+    "The answer is one pose. Which product joins the steps?",
 )
 
 
@@ -82,6 +90,11 @@ EXERCISE = Exercise(
         "In the modified convention the pose along x is the left factor: along_x @ along_z.",
     ),
     library=modified,
+    sweeps=(
+        Sweep("small angles", lambda rng, size: (0.3, size, 0.5, -2 * size), VISIBLE),
+        Sweep("small lengths", lambda rng, size: (size, 0.7, -2 * size, 1.1), VISIBLE),
+    ),
+    angles=("alpha", "theta"),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms._dh_frames"),
 )
 
@@ -112,8 +125,8 @@ def _orders():
 
 
 @EXERCISE.mistake(
-    "this is the pose by the other convention, or its rotation or position is",
-    "Which pair of steps comes first here, that of x or that of z?",
+    "the pose, its rotation or its position is that of the standard convention",
+    "Which pair of steps comes first in the modified convention, that of x or that of z?",
     columns=(slice(4), slice(3), slice(3, 4)),
 )
 def other_convention(*row, columns):
@@ -124,8 +137,8 @@ def other_convention(*row, columns):
 
 @EXERCISE.mistake(
     "the steps are multiplied in another order",
-    "Each factor acts along the axes that the factors left of it made: which of a and d is along "
-    "an old axis, and which along a new one?",
+    "Each factor acts along the axes that the factors to its left have made. Which of a and d is "
+    "measured along an old axis, and which along a new axis?",
     order=_orders(),
 )
 def other_order(a, alpha, d, theta, order):
@@ -134,8 +147,18 @@ def other_order(a, alpha, d, theta, order):
 
 @EXERCISE.mistake(
     "the angles are taken for degrees, or converted to degrees",
-    "In which unit do they come?",
+    "In which unit are the angles given?",
     convert=(np.deg2rad, np.rad2deg),
 )
 def in_degrees(a, alpha, d, theta, convert):
     return modified(a, convert(alpha), d, convert(theta))
+
+
+@EXERCISE.mistake(
+    "small entries are set to 0, or rounded",
+    "How far does an angle of 0.0005 rad move the end of an arm of 1 m?",
+    recognises=True,
+)
+def small_entries_lost(T, *row):
+    wrong = np.abs(T - modified(*row)) > EXACT
+    return bool(wrong.any() and (np.abs(modified(*row))[wrong] < 0.02).all() and not T[wrong].any())

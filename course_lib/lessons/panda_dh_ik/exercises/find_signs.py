@@ -7,9 +7,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.vocabulary import remembered
-from course_lib.lessons.panda_dh_ik.exercises.shared import modified, standard
+from course_lib.lessons.panda_dh_ik.exercises.shared import T_W0, modified, standard
+from course_lib.rigid import inverse
 from course_lib.rotations import exp_so3
+
+_VISIBLE = tuple(size for size in BESIDE if size > 1e-6)
 
 
 def _patterns(table):
@@ -87,8 +91,16 @@ def _cases(rng):
     noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
     given = [simple, *drawn, noisy, *many]
-    unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
-    return [*given, *unlucky, _mirrored(rng)]
+    unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3], *_IN_THE_WORLD], given)
+    whole = np.array([[1, 1, 0], [2, 0, 1]]), np.array([[1, 2], [-1, 1], [2, -1]])
+    return [*given, *unlucky, _mirrored(rng), (*whole, _ends(*whole, [[-1, 1]])[0])]
+
+
+def _nearly_alike(rng, size):
+    """Return a case with a small angle: the poses of two patterns hardly differ."""
+    table = np.round(rng.uniform(0.2, 0.8, (2, 3)), 2)
+    q = np.array([[0.7, size], [-0.4, -size]])
+    return table, q, _ends(table, q, [[1, -1]])[0]
 
 
 def _mirrored(rng):
@@ -122,7 +134,7 @@ def _is_wrong(shortcut, case):
 
 def _off(answer, table, q, poses):
     k = int((_patterns(table) == answer).all(1).argmax())
-    return f"With yours the poses differ by up to {_gaps(table, q, poses)[k].max():.2g}."
+    return f"With your signs the poses differ by up to {_gaps(table, q, poses)[k].max():.2g}."
 
 
 EXERCISE = Exercise(
@@ -136,7 +148,8 @@ EXERCISE = Exercise(
             "the answer holds 1 and -1 only",
             lambda answer, *case: np.isin(answer, [1, -1]).all(),
             mistake=Mistake(
-                "something other than signs is returned", "Return the best pattern itself."
+                "something other than signs is returned",
+                "Return the best pattern itself, which holds 1 and -1.",
             ),
         ),
         Property(
@@ -145,8 +158,11 @@ EXERCISE = Exercise(
             says=_off,
             mistake=Mistake(
                 "another pattern fits better",
-                "Is each of the 2^n patterns tried as a whole, by dh_standard, in all "
-                "configurations, by whole poses?",
+                "For the case below, print the largest difference between your poses and the "
+                "measured "
+                "poses for each of the 2^n patterns. Is the pattern that you return the one "
+                "with the "
+                "least difference?",
             ),
         ),
     ),
@@ -161,13 +177,15 @@ EXERCISE = Exercise(
         "theta the sign times the angle.",
     ),
     library=right,
+    # Poses are compared to nine digits, so a smaller angle shows nothing.
+    sweeps=(Sweep("two patterns hardly differ", _nearly_alike, _VISIBLE),),
     tries_arguments=False,
 )
 
 
 @EXERCISE.mistake(
     "only positions are compared",
-    "Which joint may rotate the end-effector without moving it?",
+    "Which joint may rotate the end-effector without changing its position?",
 )
 def positions_only(table, q, poses):
     return _best(table, _gaps(table, q, poses)[..., 0].max(1))
@@ -197,7 +215,7 @@ def _differences(table, q, poses):
 
 @EXERCISE.mistake(
     "differences are added up with their signs",
-    "What do 0.3 and -0.3 add up to?",
+    "What is the sum of the differences 0.3 and -0.3?",
     whole=(False, True),
     absolute=(False, True),
 )
@@ -213,7 +231,7 @@ _SIGNED = EXERCISE.mistakes[-1].answers
 
 
 @EXERCISE.mistake(
-    "one joint is decided after the other",
+    "the sign of one joint is decided after the other",
     "Does the best sign of one joint depend on those of the others?",
     from_last=(False, True),
     size=(_largest, _squares),
@@ -236,7 +254,45 @@ _JOINT_BY_JOINT = EXERCISE.mistakes[-1].answers
 
 @EXERCISE.mistake(
     "the table is read in the modified convention",
-    "Which convention does the task name?",
+    "Which convention does the task name for the table?",
 )
 def other_convention(table, q, poses):
     return _best(table, _gaps(table, q, poses, modified).max((1, 2)))
+
+
+@EXERCISE.mistake(
+    "the table's poses and the measured poses are seen from two different frames",
+    "From which frame are the measured poses seen, and does T_w0 belong into your product?",
+    seen_from=(
+        lambda ends, poses: T_W0 @ ends - poses,
+        lambda ends, poses: ends - T_W0 @ poses,
+        lambda ends, poses: ends - inverse(T_W0) @ poses,
+    ),
+    size=(_largest, _squares),
+)
+def in_the_world(table, q, poses, seen_from, size):
+    return _best(table, size(seen_from(_all_ends(table, q), poses)))
+
+
+_IN_THE_WORLD = EXERCISE.mistakes[-1].answers
+
+
+@EXERCISE.mistake(
+    "the signs of all patterns so far are multiplied to the same angles",
+    "Which angles does the second pattern find after q *= signs?",
+)
+def signs_pile_up(table, q, poses):
+    piled = np.cumprod(_patterns(table), axis=0)
+    gaps = np.abs(_ends(table, q, piled) - poses).max((1, 2, 3))
+    return _best(table, gaps)
+
+
+@EXERCISE.mistake(
+    "the first pattern within a tolerance is returned",
+    "May several patterns come close to the measured poses, and which one does the task ask for?",
+    tolerance=(0.1, 0.02, 0.01, 1e-3, 1e-4),
+)
+def first_within_a_tolerance(table, q, poses, tolerance):
+    gaps = np.abs(_differences(table, q, poses)).max((1, 2, 3))
+    close = gaps < tolerance
+    return _patterns(table)[np.argmax(close)] if close.any() else right(table, q, poses)

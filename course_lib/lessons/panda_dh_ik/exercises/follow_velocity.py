@@ -5,6 +5,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SOLVED
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, READY, damped, panda_jacobian
 
@@ -69,18 +71,25 @@ def _cases(rng):
         (q[1], v[1], 0.1, 4, round(2 * s, 3), 0.03),
         (q[0], v[1], 0.1, 0, 0.1, 0.01),
         _leaves_the_limits(rng, v[0]),
+        (np.array([0, -1, 0, -2, 0, 2, 1]), np.array([1, 0, -1, 0, 1, 0]), 0.1, 2, 0.01, 0.05),
     ]
 
 
+def _beside_near(rng, gap):
+    """Return a step whose smallest singular value is beside `near`, where the damping begins."""
+    q = _drawn(rng)
+    return q, np.round(rng.uniform(0.1, 0.4, 6), 2), 0.1, 1, _smallest(q) * (1 + gap), 0.05
+
+
 def _first_off(path, *case):
-    k = int(np.argmax(np.abs(path - right(*case)).max(1) > 1e-8))
+    k = int(np.argmax(np.abs(path - right(*case)).max(1) > SOLVED))
     return f"Configuration {k} is the first that differs."
 
 
 _OTHER_STEP = Mistake(
-    "a step is not dt q_dot of the configuration before it",
-    "Print the first step: at which configuration is J, how large is eps, and by which time is "
-    "q_dot multiplied?",
+    "a step is not dt q_dot, with q_dot of the configuration before the step",
+    "Compute the step to the configuration named below by hand, from the configuration before it: "
+    "J, its smallest singular value, eps, q_dot and dt q_dot. What differs in your code?",
 )
 
 EXERCISE = Exercise(
@@ -91,11 +100,11 @@ EXERCISE = Exercise(
     returns=numbers(lambda q, v, dt, n, *rest: (n + 1, 7)),
     properties=(
         Property(
-            "the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < 1e-9
+            "the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < EXACT
         ),
         Property(
             "away from singularities, s > near, the flange moves with v: q_dot is J^+ v",
-            lambda path, *case: np.abs(path - right(*case)).max() < 1e-8,
+            lambda path, *case: np.abs(path - right(*case)).max() < SOLVED,
             _first_off,
             mistake=_OTHER_STEP,
             where=lambda q, v, dt, n, near, most: (
@@ -106,7 +115,7 @@ EXERCISE = Exercise(
             "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration "
             "before it, "
             "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
-            lambda path, *case: np.abs(path - right(*case)).max() < 1e-7,
+            lambda path, *case: np.abs(path - right(*case)).max() < HALF_THE_DIGITS,
             _first_off,
             mistake=_OTHER_STEP,
         ),
@@ -120,25 +129,39 @@ EXERCISE = Exercise(
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
     library=right,
+    sweeps=(Sweep("s nearly as large as near", _beside_near, ON_BOTH_SIDES[::4]),),
 )
 
 EXERCISE.mistake(
-    Mistake("J^T J is inverted where eps is 0", "Which of J J^T and J^T J can be?"),
+    Mistake(
+        "J^T J is inverted where eps is 0",
+        "Which of J J^T and J^T J has an inverse for seven joints?",
+    ),
     raises=("LinAlgError", "Singular"),
 )
 
 
 @EXERCISE.mistake(
     "the damping is not that of the task",
-    "Print it for s = 0, s = near / 2 and s > near: where is it largest, where is it 0, and does "
-    "it jump?",
+    "Print your eps for s = 0, s = near / 2, s slightly below near and s above near, and compare "
+    "these four numbers with the formula of the task.",
     eps_of=(
         lambda s, near, most: most,
         lambda s, near, most: 0.0,
         lambda s, near, most: most if s < near else 0.0,
         lambda s, near, most: most * (1 - s / near) if s < near else 0.0,
+        lambda s, near, most: most * (1 - s / near) ** 2 if s < near else 0.0,
+        lambda s, near, most: most * (1 - (s**2 / near) ** 2) if s**2 < near else 0.0,
         lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0,
     ),
 )
 def other_damping(*case, eps_of):
     return _walked(*case, eps_of=eps_of)
+
+
+@EXERCISE.mistake(
+    "the configurations are clipped to the joint limits",
+    "What does the task say about the joint limits?",
+)
+def clipped(*case):
+    return _walked(*case, limits=(LOW, HIGH))

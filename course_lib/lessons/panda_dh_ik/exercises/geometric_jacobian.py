@@ -3,15 +3,18 @@
 import numpy as np
 
 from course_lib.arms import DHRow, SerialArm
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, part_is
 from course_lib.lessons.panda_dh_ik.exercises import shared
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
 _FLANGE_TOO = Mistake(
-    "the flange's frame is counted as a joint's", "Which joint does the last frame belong to?"
+    "the flange's frame is counted as the frame of a joint",
+    "Which frames belong to joints, and which frame does no joint move?",
 )
 _SEVEN = Mistake(
     "the arm is taken to have seven joints", "How many joints does an arm with these frames have?"
@@ -34,7 +37,7 @@ def _known_form(array, frames):
     n, shape = len(frames) - 1, array.shape
     if array.ndim == 2 and len(array) == 6 and shape[1] > n:
         a_flange_s = (
-            shape[1] == n + 1 and np.abs(array[:3, -1]).max() < 1e-9
+            shape[1] == n + 1 and np.abs(array[:3, -1]).max() < EXACT
         )  # it does not move itself
         return _FLANGE_TOO if a_flange_s else SAME_TWICE.mistake
     return _FLANGE_TOO if shape == (n + 1, 6) else None
@@ -82,7 +85,9 @@ EXERCISE = Exercise(
             _BELOW,
             Mistake(
                 "an axis is not that of its joint",
-                "Which column of which frame is it, along the world's axes?",
+                "Which column of which frame is the axis of the joint named below, along the "
+                "world's "
+                "axes?",
             ),
         ),
         part_is(
@@ -92,7 +97,7 @@ EXERCISE = Exercise(
             _ABOVE,
             Mistake(
                 "the velocity is not z x (p - o) of its joint",
-                "From which point to which does p - o lead?",
+                "From which point to which point does p - o lead for the joint named below?",
             ),
         ),
     ),
@@ -105,15 +110,16 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm",),
     library=right,
+    sweeps=(Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 EXERCISE.mistake(_SEVEN, raises=("IndexError", "is out of bounds for axis 0"))
 
 
 @EXERCISE.mistake(
-    "the origin, or the axis too, is that of the next frame, or of the one before",
-    "On which joint's axis does frame i lie here?",
+    "the origin, or the axis too, is that of the next frame, or of the previous frame",
+    "On the axis of which joint does frame i lie in the modified convention?",
     z=(0, 1),
     step=(1, -1),
     base=(np.eye(4), shared.T_W0),
@@ -125,8 +131,8 @@ def another_frame(frames, z, step, base):
 
 @EXERCISE.mistake(
     "the velocity has the wrong sign",
-    "Let the axis of a joint point at you: which way does it move the flange, and what does the "
-    "product say?",
+    "Let the axis of a joint point at you. In which direction does a positive rotation move the "
+    "flange, and in which direction does your cross product point?",
 )
 def backwards(frames):
     return right(frames) * np.repeat([[-1], [1]], 3, 0)

@@ -5,16 +5,16 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.naming import attempt
 from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.registration import register_points
 
-_POSE = Mistake("a pose is returned", "Which matches agree with it?")
+_POSE = Mistake("a pose is returned", "Which matches agree with this pose?")
 _INDICES = Mistake(
-    "the numbers of some matches are returned",
+    "the indices of some matches are returned",
     "The answer is True or False for each of the n matches.",
 )
 _TOL = 0.005  # m
@@ -123,7 +123,8 @@ EXERCISE = Exercise(
             "the answer is True or False for each match",
             lambda good, *case: np.isin(good, [0, 1]).all(),
             mistake=Mistake(
-                "something other than True or False is returned", "What is compared with tol?"
+                "something other than True or False is returned",
+                "Which comparison with tol gives True or False?",
             ),
         ),
         Property(
@@ -132,23 +133,29 @@ EXERCISE = Exercise(
             where=lambda *case: right(*case).all(),
             mistake=Mistake(
                 "good matches are left out",
-                "Do all n take part, and may a set have three matches only?",
+                "Which distances does your code compare with tol for the case below, and how "
+                "many of "
+                "them are below it?",
             ),
         ),
         Property(
             "the good matches are the largest set within tol of one triple's pose",
             lambda good, *case: (good == right(*case)).all(),
-            says=lambda good, *case: f"Here: {', '.join(map(str, np.flatnonzero(right(*case))))}.",
+            says=lambda good, *case: (
+                f"Here the largest set has {int(right(*case).sum())} matches; yours has "
+                f"{int(good.sum())}."
+            ),
             mistake=Mistake(
                 "another set is returned than the largest one",
-                "Is every triple tried, are all n distances compared with tol, and is the largest "
-                "set kept?",
+                "Print, for each triple, how many of the n distances are below tol. Which "
+                "triple has "
+                "the largest number, and which set do you return?",
             ),
         ),
     ),
     hints=(
-        "Three matches fix a pose. If all three are good, the other good ones agree; if one is "
-        "wrong, hardly any.",
+        "Three matches determine a pose. If all three are good, the other good matches agree with "
+        "it. If one of them is wrong, hardly any match agrees.",
         "For each triple of itertools.combinations(range(n), 3): register it, and count the "
         "matches within tol.",
         "good = np.linalg.norm(src @ T[:3, :3].T + T[:3, 3] - dst, axis=1) < tol, with T from the "
@@ -159,17 +166,13 @@ EXERCISE = Exercise(
     tries_arguments=False,
 )
 
-EXERCISE.mistake(
-    OTHER_FORM,
-    form=lambda array, src, *rest: (
-        _POSE if array.shape == (4, 4) else _INDICES if array.ndim == 1 else None
-    ),
-)
+EXERCISE.mistake(_POSE, form=(4, 4))
+EXERCISE.mistake(_INDICES, form=lambda array, *case: array.ndim == 1)
 
 
 @EXERCISE.mistake(
     "the worst match is dropped, once or again and again",
-    "Can a good match look worst beside two wrong ones?",
+    "Can a good match have the largest residual if two other matches are wrong?",
     most=(1, 9),
 )
 def worst_dropped(src, dst, tol, most):
@@ -181,7 +184,7 @@ def worst_dropped(src, dst, tol, most):
 
 
 @EXERCISE.mistake(
-    "the triple with the smallest residuals of its own is taken",
+    "the triple with the smallest residuals of its own three matches decides",
     "Can three wrong matches fit one pose, and which number does the task make the largest?",
     measure=(np.max, np.sum, np.linalg.norm),
 )
@@ -193,8 +196,8 @@ _CLOSEST = EXERCISE.mistakes[-1].answers
 
 
 @EXERCISE.mistake(
-    "the pose with the smallest residuals of all matches is taken",
-    "Which matches count, where some are far off?",
+    "the pose with the smallest residuals of all matches decides",
+    "Which matches should count, if some of them are far off?",
     measure=(np.sum, np.linalg.norm, np.max),
 )
 def least_of_all(*case, measure):
@@ -206,7 +209,7 @@ _LEAST_OF_ALL = EXERCISE.mistakes[-1].answers
 
 @EXERCISE.mistake(
     "each coordinate is compared with tol, not the distance",
-    "How far is a point if each coordinate is off by tol?",
+    "How far off is a point whose three coordinates are all off by tol?",
 )
 def by_coordinates(src, dst, tol):
     masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]

@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, damped, panda_jacobian, panda_step
 
+_ROUNDING = 1e-14  # relative, of a product of two matrices
 _SQUARE = np.array([[1.0, 2], [0, 1]])
 _WHOLE = np.array([[0, 1, 2], [1, -1, 0]])
 
@@ -57,7 +60,7 @@ def _allowed(q, J, e, eps):
     """Return the error that a right answer may have: what rounding in J^T J does is divided by
     eps."""
     size = 1 + np.abs(damped(q, J, e, eps)).max()
-    return (1e-9 + 1e-14 * np.linalg.norm(J, 2) ** 2 / eps) * size
+    return (EXACT + _ROUNDING * np.linalg.norm(J, 2) ** 2 / eps) * size
 
 
 def _gap(answer, other):
@@ -71,7 +74,7 @@ def _right(answer, *case):
 
 def _alike(answer, predicted, q, *rest):
     """Return whether an answer is what is predicted, to the digits that the step has."""
-    share = min(1e-6 * (1 + np.abs(q).max() + np.abs(predicted - q).max()), 0.01)
+    share = min(PREDICTED * (1 + np.abs(q).max() + np.abs(predicted - q).max()), 0.01)
     return np.shape(answer) == np.shape(predicted) and _gap(answer, predicted) < max(
         share, _allowed(q, *rest)
     )
@@ -90,13 +93,13 @@ _OUTER = Mistake(
     "Arrays of shapes (n,) and (n, 1) add up to (n, n).",
 )
 _SINGULAR = Mistake(
-    "a matrix is inverted that is singular, or nearly: it is not damped by eps I",
-    "J^T J is never invertible if J is wide, and J J^T is not at a singularity. Where does eps "
+    "the matrix that is inverted is singular or nearly singular, because it is not damped by eps I",
+    "J^T J has no inverse if J is wide, and J J^T has none at a singularity. Where does eps "
     "belong?",
 )
 _OTHER_SIZE = Mistake(
-    "the unit matrix, or another array, has another size than what it is added to",
-    "J may have any shape (m, n). Which shapes have J J^T and J^T J?",
+    "the identity matrix, or another array, has another size than the matrix to which it is added",
+    "J may have any shape (m, n). Which shapes do J J^T and J^T J have?",
 )
 _NO_PRODUCT = Mistake(
     "a vector is multiplied by a matrix of another shape",
@@ -118,45 +121,53 @@ EXERCISE = Exercise(
             _off,
             where=lambda q, J, e, eps: e.any(),
             mistake=Mistake(
-                "the step is another one than the damped one",
-                "Does your formula hold for all J and eps?",
+                "the step differs from the damped step",
+                "Compute J^T (J J^T + eps I)^-1 e for the case below in single steps. Where "
+                "does your "
+                "code differ?",
             ),
         ),
         Property("if e is 0, the angles stay as they are", _right, _off),
     ),
     hints=(
-        "J J^T is (m, m), with m the number of rows of J. The unit matrix has to have that size "
+        "J J^T is (m, m), with m the number of rows of J. The identity matrix must have this size "
         "too.",
         "Solve (J J^T + eps I) x = e: x = np.linalg.solve(J @ J.T + eps * np.eye(len(e)), e).",
         "The step is J.T @ x. Add it to q: a new array, so that q stays as it is.",
     ),
     library=damped,
+    sweeps=(
+        Sweep(
+            "the damping is small",
+            lambda rng, eps: (*panda_step(rng), eps),
+            tuple(eps for eps in BESIDE if eps > EXACT),
+        ),
+    ),
+    angles=("q",),
     alike=_alike,
     forbidden=("course_lib.ik.damped_path",),
 )
 
 EXERCISE.mistake(
-    OTHER_FORM,
-    form=lambda array, q, J, *rest: (
-        _OUTER if array.shape in ((len(q), len(q)), J.T.shape) else None
-    ),
+    _OUTER, form=lambda array, q, J, *rest: array.shape in ((len(q), len(q)), J.T.shape)
 )
 EXERCISE.mistake(_SINGULAR, raises=("LinAlgError", "Singular"))
 EXERCISE.mistake(
-    Mistake("J itself is inverted", "Is J square in general?"), raises=("LinAlgError", "square")
+    Mistake("J itself is inverted", "Does a matrix of shape (m, n) have an inverse?"),
+    raises=("LinAlgError", "square"),
 )
 EXERCISE.mistake(_NO_PRODUCT, raises=("ValueError", "core dimension"))
 EXERCISE.mistake(_NO_PRODUCT, raises=("ValueError", "not aligned"))
 EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "broadcast"))
 EXERCISE.mistake(
-    Mistake("q is changed in place", "What does q += ... write into?"),
+    Mistake("q is changed in place", "Into which array does q += ... write?"),
     raises=("UFuncTypeError", ""),
 )
 
 
 @EXERCISE.mistake(
     "the number on the diagonal is not eps",
-    "Is it squared, is a root taken, or is the unit matrix added without it?",
+    "Print the matrix that you invert minus J J^T. Which number stands on its diagonal?",
     number=(np.square, np.sqrt, np.reciprocal, np.ones_like),
 )
 def another_number(q, J, e, eps, number):
@@ -174,7 +185,8 @@ def along_the_gradient(q, J, e, eps, size):
 
 @EXERCISE.mistake(
     "the angles are brought between -pi and pi, or between 0 and 2 pi",
-    "Does the task ask for that, and what does a joint do whose angle jumps by a revolution?",
+    "Does the formula in the task change an angle by whole revolutions? What does a joint do whose "
+    "angle jumps by one?",
     wrap=(
         lambda q: np.arctan2(np.sin(q), np.cos(q)),
         lambda q: q % (2 * np.pi),

@@ -5,14 +5,18 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, near
 from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, panda_jacobian
 
 _OTHER_SIZE = Mistake(
-    "J J^+ stands for J^+ J, or I has another size", "On which vectors does the projector act?"
+    "J J^+ stands for J^+ J, or I has another size",
+    "Which shape does a matrix have that acts on joint angles?",
 )
 _PROJECTOR = Mistake(
-    "the projector is returned, not the joint angles", "To what is it applied, and what is q + ...?"
+    "the projector is returned, not the joint angles",
+    "To which vector does the task apply the projector, and what does it add to q?",
 )
 
 
@@ -52,6 +56,13 @@ def _cases(rng):
     ]
 
 
+def _nearly_singular(rng, size):
+    """Return a case with a singular value of about this size, in directions without a meaning."""
+    U, V = (np.linalg.qr(rng.normal(size=(n, n)))[0] for n in (3, 5))
+    J = U @ np.column_stack([np.diag([1.3, 0.7, size]), np.zeros((3, 2))]) @ V
+    return away_from_zero(rng, 5), J, away_from_zero(rng, 5), 0.5
+
+
 EXERCISE = Exercise(
     name="null_space_step",
     points=2,
@@ -65,19 +76,22 @@ EXERCISE = Exercise(
             "to first order the end-effector stays: J times the change of q is 0",
             lambda answer, q, J, *rest: near(J @ (answer - q), np.zeros(len(J))),
             says=lambda answer, q, J, *rest: (
-                f"Yours moves it at {np.abs(J @ (answer - q)).max():.3g}."
+                f"J times the change in your answer has an entry of "
+                f"{np.abs(J @ (answer - q)).max():.3g}."
             ),
             mistake=Mistake(
                 "the step still moves the end-effector",
-                "What is J times I - J^+ J, for any J, and does a factor, or damping, keep it so?",
+                "Print J times your matrix in place of I - J^+ J. Which of your steps makes it "
+                "differ "
+                "from 0: the inverse, a damping, or a cut-off of singular values?",
             ),
         ),
         Property(
             "of all such changes this one is closest to gain (q_middle - q)",
             lambda answer, *case: near(answer, right(*case)),
             mistake=Mistake(
-                "the step is not all of gain (I - J^+ J)(q_middle - q)",
-                "Which part of it is missing?",
+                "the step is not gain (I - J^+ J)(q_middle - q)",
+                "Compare your change of q with this product for the case below, factor by factor.",
             ),
         ),
     ),
@@ -90,11 +104,17 @@ EXERCISE = Exercise(
         "q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)",
     ),
     library=right,
+    # With a smaller singular value, rounding in J decides the directions of the null space.
+    sweeps=(Sweep("nearly singular", _nearly_singular, tuple(x for x in BESIDE if x > 1e-5)),),
+    angles=("q",),
 )
 
 EXERCISE.mistake(_PROJECTOR, form=lambda array, q, *rest: array.shape == (len(q), len(q)))
 EXERCISE.mistake(
-    Mistake("J J^T is inverted, which fails at a singularity", "What works there too?"),
+    Mistake(
+        "J J^T is inverted, which fails at a singularity",
+        "Which function of numpy gives J^+ at a singularity, too?",
+    ),
     raises=("LinAlgError", "Singular"),
 )
 EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "core dimension"))
@@ -102,19 +122,37 @@ EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "could not be broadcast"))
 
 
 @EXERCISE.mistake(
-    "J is taken to have full rank, which it has not at a singularity",
-    "J J^T has no inverse there, and the null space has more dimensions: does your formula still "
-    "hold?",
+    "J is assumed to have full rank, which is false at a singularity",
+    "J J^T has no inverse at a singularity, and the null space has more dimensions. Which part of "
+    "your formula needs full rank?",
     recognises=True,
 )
 def full_rank(answer, q, J, *rest):
-    return np.linalg.svd(J, compute_uv=False)[-1] < 1e-9
+    return np.linalg.svd(J, compute_uv=False)[-1] < EXACT
 
 
 @EXERCISE.mistake(
-    "the wish q_middle - q is not projected, or its other part is kept",
-    "Which part of it does J^+ J hold?",
+    "q_middle - q is not projected, or the other part of it is kept",
+    "Which part of q_middle - q is J^+ J (q_middle - q)?",
     kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J),
 )
 def no_projection(q, J, q_middle, gain, kept):
     return q + gain * kept(J) @ (q_middle - q)
+
+
+@EXERCISE.mistake(
+    "q_middle - q is wrapped to less than half a revolution",
+    "Is a joint at 4 pi in the same place within its range as a joint at 0?",
+    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
+)
+def difference_wrapped(q, J, q_middle, gain, wrap):
+    return q + gain * _projector(J) @ wrap(q_middle - q)
+
+
+@EXERCISE.mistake(
+    "the answer is brought between -pi and pi, or between 0 and 2 pi",
+    "Does the formula in the task change an angle by whole revolutions?",
+    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
+)
+def wrapped(*case, wrap):
+    return wrap(right(*case))

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
+from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, near, products
+from course_lib.checks.special_cases import Sweep
+from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, compared, near, products
 from course_lib.lessons.panda_dh_ik.exercises import shared
 
 _FLANGE = shared.about_z(0.0, 0.107)
@@ -19,12 +19,12 @@ def _known_form(array, q):
         return SAME_TWICE.mistake
     if array.shape == (9, 4, 4):
         return Mistake(
-            "there is one pose too many, most likely the base",
-            "Which frame is the first of the eight?",
+            "there is one pose too many, perhaps that of the base",
+            "Which frame does the task name as the first of the eight?",
         )
     if array.shape == (8, 3):
         return Mistake(
-            "only the positions are returned", "Each of the eight is a whole pose, 4 x 4."
+            "only the positions are returned", "Each of the eight is a pose of shape (4, 4)."
         )
     return None
 
@@ -33,7 +33,8 @@ def _cases(rng):
     bent = np.array([0.4, 0.5, -0.3, -1.6, 0.8, 1.9, 0.6])
     one = [np.where(np.arange(7) == i, np.pi / 2 if i % 2 else 0.5, 0.0) for i in range(7)]
     drawn = list(np.round(rng.uniform(shared.LOW, shared.HIGH, (4, 7)), 2))
-    return [(q,) for q in (shared.READY, np.zeros(7), bent, *one, *drawn, drawn[0])]
+    whole = np.array([1, -1, 0, -2, 0, 2, 1])
+    return [(q,) for q in (shared.READY, np.zeros(7), bent, *one, *drawn, whole, drawn[0])]
 
 
 def steps(q):
@@ -53,15 +54,13 @@ def _off(T, q):
     right = shared.frames(q)
     k = next(k for k in range(8) if not near(T[k], right[k]))
     if not near(T[k, :3, 3], right[k, :3, 3]):
-        wanted, yours, what = right[k, :3, 3], T[k, :3, 3], "is at"
+        wanted, yours, what = right[k, :3, 3], T[k, :3, 3], "Its position is"
     else:
         i = int(np.argmax(np.abs(T[k] - right[k]).max(0)))
-        wanted, yours, what = right[k, :3, i], T[k, :3, i], f"has its {'xyz'[i]} axis along"
+        wanted, yours, what = right[k, :3, i], T[k, :3, i], f"Its {'xyz'[i]} axis is"
     row = f" (row {k + 1} of the table)" if k < 7 else ""
-    return (
-        f"The first that differs is {_NAMES[k]}{row}: it {what} {format_tuple(wanted)}, yours "
-        f"{format_tuple(yours)}."
-    )
+    difference = f"{what} {compared(wanted, yours)}."
+    return f"The first pose that differs is that of {_NAMES[k]}{row}. {difference}"
 
 
 EXERCISE = Exercise(
@@ -74,12 +73,14 @@ EXERCISE = Exercise(
         SAME_TWICE,
         LAST_ROW,
         Property(
-            "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle alone",
+            "frame 1 is on the base, d = 0.333 above it, and rotates with the first angle only",
             lambda T, q: near(T[0], shared.frames(q)[0]),
             says=_off,
             mistake=Mistake(
                 "frame 1 is not T_w0 T_1",
-                "On which side does T_1 stand, and is your row (a, alpha, d)?",
+                "Compute T_w0 @ dh_modified(*modified_table[0], q[0]), and compare it with your "
+                "first "
+                "pose.",
             ),
         ),
         Property(
@@ -87,9 +88,9 @@ EXERCISE = Exercise(
             lambda T, q: near(T, shared.frames(q)),
             _off,
             mistake=Mistake(
-                "a pose is not the one before it times its own step",
-                "T = T @ dh_modified(...) makes a new array. Which frame is the first that is off, "
-                "and by which row?",
+                "a pose is not the previous pose times its own step",
+                "Multiply your previous pose by the step of the pose named below, and compare the "
+                "product with your pose. For the flange the step is the pose `flange`.",
             ),
         ),
     ),
@@ -101,15 +102,55 @@ EXERCISE = Exercise(
         "(8, 4, 4).",
     ),
     library=shared.frames,
+    sweeps=(Sweep("small angles", lambda rng, size: (shared.READY + size,), shared.VISIBLE),),
+    angles=("q",),
     forbidden=("course_lib.arms.panda", "course_lib.arms.SerialArm"),
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_known_form)
+EXERCISE.mistake(form=_known_form)
 
 
 @EXERCISE.mistake(
-    "the base is left out: these are poses seen from the base",
+    "the base is left out, so that the poses are seen from the base",
     "Where is the base in the world?",
 )
 def base_left_out(q):
     return _chain(*steps(q), base=np.eye(4))
+
+
+@EXERCISE.mistake(
+    "only some of the poses are seen from the world, and the others from the base",
+    "From which frame does the task want all eight poses to be seen?",
+)
+def flange_alone_in_the_world(q):
+    poses = _chain(*steps(q), base=np.eye(4))
+    poses[-1] = shared.T_W0 @ poses[-1]
+    return poses
+
+
+@EXERCISE.mistake(
+    "the first pose is that of the base, and the other frames follow one place later",
+    "Which frame does the task name as the first of the eight?",
+)
+def base_first(q):
+    right = shared.frames(q)
+    return np.array([shared.T_W0, *right[:6], right[-1]])
+
+
+@EXERCISE.mistake(
+    "one array stands in several places, so that its last change shows in all of them",
+    "Which line changes T in place, and what does the list hold after it: one array, or several?",
+    flange_too=(True, False),
+)
+def one_array(q, flange_too):
+    right = shared.frames(q)
+    last = right[-1] if flange_too else right[-2]
+    return np.array([last] * 7 + [right[-1]])
+
+
+@EXERCISE.mistake(
+    "the angles are clipped to the joint limits",
+    "Does the task restrict the angles for which the poses are wanted?",
+)
+def clipped(q):
+    return shared.frames(np.clip(q, shared.LOW, shared.HIGH))

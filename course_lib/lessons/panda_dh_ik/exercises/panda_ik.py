@@ -8,6 +8,7 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import SOLVERS, remembered
 from course_lib.ik import solve
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
@@ -23,7 +24,9 @@ from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, length, log_so3, rot_z
 
 # metres and radians; a little more than asked for, because the student's sums round otherwise
-_REACHED = 1.001e-6
+_REACHED = 1.001 * SIX_DIGITS
+
+_AT_A_POSE = 1e-3  # m and rad: of a pose that the iteration was to reach, by mistake
 
 _LOW_DOWN = np.array(
     [0.1, 0.6, -0.1, -2.0, 0.1, 2.6, 0.8]
@@ -72,6 +75,7 @@ _AT_A_LIMIT = np.column_stack(
 _ABOUT_READY = READY + 0.1 * np.array(
     [-1, 1, -1, 1, -1, -1, 1]
 )  # of all such signs, those that take the most steps
+_WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
 
@@ -119,7 +123,8 @@ def _cases(rng):
     poses = [at_ready @ transform(exp_so3(w), p) for w, p in errors]
     poses += [shifted, rotated, transform(at_ready[:3, :3], [3.0, 0.13, 0.6])]
     cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
-    return cases[:4] + [_moved(rng, T, READY, READY) for T in poses] + cases[4:]
+    cases = cases[:4] + [_moved(rng, T, READY, READY) for T in poses] + cases[4:]
+    return [*cases, (flange(_WHOLE + 0.05 * rng.choice([-1, 1], 7)), _WHOLE)]
 
 
 @remembered
@@ -143,7 +148,7 @@ def _found(q, *case):
 
 
 def _inside(q, T, q0):
-    return not _found(q) or bool(((q >= LOW - 1e-9) & (q <= HIGH + 1e-9)).all())
+    return not _found(q) or bool(((q >= LOW - EXACT) & (q <= HIGH + EXACT)).all())
 
 
 def _near(T, q0):
@@ -163,43 +168,47 @@ def _second_missed(values, cases):
 
 def _outside(q, T, q0):
     j = int(np.argmax(np.maximum(LOW - q, q - HIGH)))
-    return f"Joint {j + 1} may be between {LOW[j]:.4f} and {HIGH[j]:.4f}; yours is {q[j]:.6g}."
+    beyond = max(LOW[j] - q[j], q[j] - HIGH[j])
+    return (
+        f"Joint {j + 1} may be between {LOW[j]:.4f} and {HIGH[j]:.4f} rad; yours is {beyond:.2g} "
+        f"rad "
+        f"beyond."
+    )
 
 
 def _off(q, T, q0):
     p, (metres, angle) = flange(q)[:3, 3], _gaps(flange(q), T)
-    yours = f"yours is at {format_tuple(p)}, {metres:.3g} m and {angle:.3g} rad off"
-    return f"It should be at {format_tuple(T[:3, 3])}; {yours}."
+    return (
+        f"With your angles the flange is at {format_tuple(p)}, {metres:.3g} m and {angle:.3g} rad "
+        f"from the target at {format_tuple(T[:3, 3])}."
+    )
 
 
 def _elsewhere(q, T, q0):
     j = int(np.argmax(np.abs(q - q0)))
-    return (
-        f"Joint {j + 1} goes from {q0[j]:.4g} to {q[j]:.4g}: do you look at the error before the "
-        f"first step?"
-    )
+    return f"Joint {j + 1} changes by {q[j] - q0[j]:.2g} rad, although q0 is a solution."
 
 
 _NOT_CONVERGING = Mistake(
     "the steps do not converge to a target close by",
-    "Print the length of the error after each step: before the first it is small, if T_target and "
-    "your flange are seen "
-    "from the same frame. Do e and the rows of J have the same order and axes? Are both computed "
-    "again for each q?",
+    "Print the length of the error before the first step and after each step. The first length is "
+    "at most 0.15 here. Then compare the order and the axes of e with those of the rows of J, and "
+    "look for values that are not computed again for each q.",
 )
 _STUCK = Mistake(
-    "no start leads to this target: there are no restarts, or too few of them converge",
-    "A descent gets stuck in a local minimum or at a limit. If you restart already, how many of "
-    "your starts converge?",
+    "no start leads to this target, because there are no restarts or because too few of them "
+    "converge",
+    "A descent gets stuck in a local minimum or at a limit. Count how many starts your code makes "
+    "for this target, and how many different ones they are.",
 )
 _START = Mistake(
     "q0 is returned as it came",
-    "It may lie outside the limits: what does the task do with it first?",
+    "q0 may lie outside the limits. What do the given lines do with q0 first?",
 )
-_IGNORED = Mistake("the limits are ignored", "Where can a step lead?")
+_IGNORED = Mistake("the limits are ignored", "Can a step lead beyond the limits?")
 _LAST = Mistake(
     "the last angles are returned, although they do not reach T_target",
-    "What do you test before return?",
+    "Which test of the error stands before your return?",
 )
 
 EXERCISE = Exercise(
@@ -222,7 +231,7 @@ EXERCISE = Exercise(
             _inside,
             _outside,
             where=_reachable,
-            mistake=lambda q, T, q0: _START if np.abs(q - q0).max() < 1e-6 else _IGNORED,
+            mistake=lambda q, T, q0: _START if np.abs(q - q0).max() < SIX_DIGITS else _IGNORED,
         ),
         Property(
             "the flange is within 1e-6 m and 1e-6 rad of T_target, in the world",
@@ -233,12 +242,14 @@ EXERCISE = Exercise(
         ),
         Property(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
-            lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < 1e-6,
+            lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < SIX_DIGITS,
             _elsewhere,
             mistake=Mistake(
-                "the iteration does not begin at q0", "What is q before the first step?"
+                "the iteration does not begin at q0, or makes a step without a test before it",
+                "What is q before the first step, and where is the error tested for the first "
+                "time?",
             ),
-            where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < 1e-9,
+            where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < EXACT,
         ),
         Property(
             "a target close by is reached: seven numbers are returned, not NaN",
@@ -284,14 +295,23 @@ EXERCISE = Exercise(
 )
 
 EXERCISE.mistake(
-    Mistake("a pose is returned", "Inverse kinematics goes from a pose to joint angles."),
+    Mistake("a pose is returned", "Inverse kinematics leads from a pose to joint angles."),
     form=(4, 4),
+)
+EXERCISE.mistake(
+    Mistake(
+        "too many steps are made, or a loop never ends",
+        "For a target out of reach all your steps are made, starts times steps. How many are "
+        "they in "
+        "your code, and how many steps does a start take that converges?",
+    ),
+    raises=("TimeUp", ""),
 )
 
 
 @EXERCISE.mistake(
     "the iteration stops too early, or the angles are rounded",
-    "How close does the task ask you to come, and does your damping still slow you down there?",
+    "How close to the target does the task ask you to come, and how large is your damping there?",
     recognises=True,
 )
 def stopped_too_early(q, T, q0):
@@ -299,27 +319,29 @@ def stopped_too_early(q, T, q0):
 
 
 @EXERCISE.mistake(
-    "the base is forgotten, or counted twice or the wrong way",
-    "From where is T_target seen, and from where is your flange?",
+    "T_w0 is left out, or used twice, or inverted",
+    "From which frame is T_target seen, and from which frame is the pose of your flange seen?",
     recognises=True,
 )
 def base_forgotten(q, T, q0):
     back = inverse(T_W0)
-    return any((_gaps(PANDA.fk(q), goal) < 1e-3).all() for goal in (T, T_W0 @ T, back @ back @ T))
+    return any(
+        (_gaps(PANDA.fk(q), goal) < _AT_A_POSE).all() for goal in (T, T_W0 @ T, back @ back @ T)
+    )
 
 
 @EXERCISE.mistake(
-    "the flange is forgotten: the frame of joint 7 is at T_target",
-    "Which of the eight poses is the flange's?",
+    "the frame of joint 7 is at T_target, and not the flange",
+    "Which of the eight poses is that of the flange?",
     recognises=True,
 )
 def flange_forgotten(q, T, q0):
-    return bool((_gaps(frames(q)[6], T) < 1e-3).all())
+    return bool((_gaps(frames(q)[6], T) < _AT_A_POSE).all())
 
 
 @EXERCISE.mistake(
     "only the position, or only the orientation, is brought to T_target",
-    "How many numbers has the error?",
+    "How many numbers does the error have, and which of them do you use?",
     recognises=True,
 )
 def one_half_only(q, T, q0):

@@ -5,15 +5,19 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.vocabulary import any_pose, first_off, near
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_x
 
 _NOT_MOVED = Mistake(
-    "the points are not moved by T_wc", "Which two parts of a pose act on a point?"
+    "the points are not moved by T_wc",
+    "Take the point in the camera's frame for the first pixel below. Where does T_wc take it?",
 )
-_ONES = Mistake("the points have a fourth entry 1", "Three coordinates for each point.")
+_ONES = Mistake(
+    "the points have a fourth entry 1", "The task asks for three coordinates for each point."
+)
 
 
 def _rays(pixels, K):
@@ -28,20 +32,19 @@ def right(pixels, depths, K, T_wc):
 
 
 def _cases(rng):
-    simple, other = (
-        [[600.0, 0, 320], [0, 600, 240], [0, 0, 1]],
-        [[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]],
-    )
+    simple = [[600.0, 0, 320], [0, 600, 240], [0, 0, 1]]
     hangs = transform(rot_x(np.pi), [0.3, 0.1, 1.4])
     three = np.array([[320.0, 240], [380, 240], [320, 180]])
     cases = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
     cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
-    for n in (1, 3, 4, 7):
-        pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)), n % 2)
-        cases.append(
-            (pixels, np.round(rng.uniform(0.3, 1.5, n), 3), np.array(other), any_pose(rng))
-        )
-    return cases
+    return [*cases, _drawn(rng, 4)]
+
+
+def _drawn(rng, n):
+    """Return n pixels of a camera with two focal lengths."""
+    K = np.array([[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]])
+    pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)), n % 2)
+    return pixels, np.round(rng.uniform(0.3, 1.5, n), 3), K, any_pose(rng)
 
 
 def _right(points, *case):
@@ -68,7 +71,8 @@ EXERCISE = Exercise(
             _off,
             where=lambda pixels, depths, K, T_wc: np.array_equal(T_wc, np.eye(4)),
             mistake=Mistake(
-                "the point in the camera's frame is another one", "Solve u = f_x x / z + c_x for x."
+                "the point in the camera's frame is wrong",
+                "Solve u = f_x x / z + c_x for x, and v = f_y y / z + c_y for y.",
             ),
         ),
         Property(
@@ -84,8 +88,8 @@ EXERCISE = Exercise(
             _right,
             _off,
             mistake=Mistake(
-                "K, or a pixel, is not used as it came",
-                "Which numbers differ from camera to camera?",
+                "a number in K, or a pixel, is not used as it is given",
+                "Which entries of K does your code use, and does it change the pixels first?",
             ),
         ),
     ),
@@ -98,6 +102,7 @@ EXERCISE = Exercise(
         "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
     ),
     library=right,
+    sweeps=(Sweep("the number of pixels", _drawn, SIZES),),
 )
 
 EXERCISE.mistake(_ONES, form=lambda array, pixels, *rest: array.shape == (len(pixels), 4))
@@ -105,7 +110,8 @@ EXERCISE.mistake(_ONES, form=lambda array, pixels, *rest: array.shape == (len(pi
 
 @EXERCISE.mistake(
     "T_wc is inverted",
-    "It is the camera's pose in the world: which coordinates does it take to which?",
+    "T_wc is the camera's pose in the world. From which frame to which frame does it take "
+    "coordinates?",
 )
 def inverted(pixels, depths, K, T_wc):
     return right(pixels, depths, K, inverse(T_wc))
@@ -113,15 +119,15 @@ def inverted(pixels, depths, K, T_wc):
 
 @EXERCISE.mistake(
     "the points are rotated by the transpose of R_wc",
-    "They are rows: what is R p, if p is written as a row?",
+    "The points are rows. What is R p, if p is written as a row?",
 )
 def transposed(pixels, depths, K, T_wc):
     return right(pixels, depths, K, np.eye(4)) @ T_wc[:3, :3] + T_wc[:3, 3]
 
 
 @EXERCISE.mistake(
-    "the depth is taken as the distance along the ray",
-    "Along which axis is it measured?",
+    "the depth is used as the distance along the ray",
+    "Along which axis of the camera is the depth measured?",
 )
 def along_the_ray(pixels, depths, K, T_wc):
     rays = _rays(pixels, K)

@@ -3,9 +3,10 @@ than they can give."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, rows
+from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.tolerances import EXACT, FOUR_DIGITS, SIX_DIGITS
 from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY, T_W0
 from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE, IN_MUG, between, clearances, shares
@@ -13,22 +14,26 @@ from course_lib.rigid import inverse, transform
 from course_lib.rotations import length, log_so3, rot_z
 
 _MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
+_ANGLE = 1e-3  # rad: the task's
 _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake(
-    "the times are missing", "In each row the time stands before the seven angles."
+    "the times are missing", "In each row the time stands in front of the seven angles."
 )
 _TWICE = Mistake(
-    "a row stands twice, or the time goes back",
-    "Is the last row of one leg also the first of the next? At which time does the second leg "
-    "start?",
+    "the time does not increase between two rows",
+    "Print the times of the two rows named below. At which time does the second leg start, and "
+    "which "
+    "row of it repeats the last row of the first leg?",
 )
 _JERKS = Mistake(
-    "a leg is not at rest at its ends, or its rows are not evenly spaced in time",
-    "Which of u and s is the time, and which the share of the path?",
+    "a leg is not at rest at its ends, or its rows do not have the times that `timed` gives them",
+    "Which of u and s is the time, and which is the share of the path?",
 )
-_SWAPPED = Mistake("rows and columns are swapped", "One row for each time: shape (n, 8).")
+_SWAPPED = Mistake(
+    "rows and columns have changed places", "One row for each time makes the shape (n, 8)."
+)
 
 
 def legs(q0, T_grasp, s=_EASED):
@@ -63,7 +68,7 @@ def right(q0, T_grasp):
 
 
 def _cases(rng):
-    """Return three tasks, each turned as a whole about the axis of joint 1, which makes none of
+    """Return three tasks, each rotated as a whole about the axis of joint 1, which makes none of
     them easier.
 
     In the second, speed decides; in the last two a straight line in joint space is no way down.
@@ -102,7 +107,7 @@ def _steps(row):
 
 
 def _inside(x):
-    return bool(((x[:, 1:] >= LOW - 1e-9) & (x[:, 1:] <= HIGH + 1e-9)).all())
+    return bool(((x[:, 1:] >= LOW - EXACT) & (x[:, 1:] <= HIGH + EXACT)).all())
 
 
 def _gripper(x):
@@ -110,14 +115,13 @@ def _gripper(x):
 
 
 def _begins(x, q0, T):
-    return np.abs(x[0, 1:] - q0).max() < 1e-6
+    return np.abs(x[0, 1:] - q0).max() < SIX_DIGITS
 
 
 def _ends(x, q0, T):
     end = _gripper(x)
-    return (
-        length(end[:3, 3] - T[:3, 3]) < 1e-4 and length(log_so3(T[:3, :3] @ end[:3, :3].T)) < 1e-3
-    )
+    angle = length(log_so3(T[:3, :3] @ end[:3, :3].T))
+    return length(end[:3, 3] - T[:3, 3]) < FOUR_DIGITS and angle < _ANGLE
 
 
 def _gaps(x, T):
@@ -158,11 +162,12 @@ def _too_much(which, unit):
 
 _JUMPS = Mistake(
     "the joint angles jump between two rows",
-    "Neighbouring poses have solutions far apart, too. From which configuration does each search "
-    "begin?",
+    "Neighbouring poses may have solutions that are far apart. From which configuration does each "
+    "search begin?",
 )
 _TOO_SHORT = Mistake(
-    "a leg is too short in time for its speeds", "What does `timed` make of a leg?"
+    "a leg takes less time than its speeds need",
+    "Which times does `timed` give the rows of a leg, and which times do your rows have?",
 )
 
 
@@ -188,7 +193,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "the first row is the time 0 and q0",
-            lambda x, *case: abs(x[0, 0]) < 1e-9 and _begins(x, *case),
+            lambda x, *case: abs(x[0, 0]) < EXACT and _begins(x, *case),
             mistake=Mistake(
                 "the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"
             ),
@@ -197,11 +202,14 @@ EXERCISE = Exercise(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
             lambda x, q0, T: (
-                f"It is at {format_tuple(_gripper(x)[:3, 3])}, not at {format_tuple(T[:3, 3])}."
+                f"The gripper is at {format_tuple(_gripper(x)[:3, 3])}, "
+                f"{1000 * length(_gripper(x)[:3, 3] - T[:3, 3]):.3g} mm from the position of "
+                f"T_grasp."
             ),
             mistake=Mistake(
                 "the plan ends elsewhere than at T_grasp",
-                "Which flange pose brings the gripper there?",
+                "Which pose of the flange brings the gripper to T_grasp, and is it the last of "
+                "`poses`?",
             ),
         ),
         Property("all angles are within the limits", lambda x, *case: _inside(x)),
@@ -219,8 +227,9 @@ EXERCISE = Exercise(
             mistake=_too_fast,
         ),
         Property(
-            "no joint accelerates harder than it may, at the start and at the end included: it "
-            "rests before and after",
+            "no joint accelerates more than its bound, including the start and the end, because "
+            "the "
+            "arm rests before and after",
             lambda x, *case: shares(x)[1].max() < _BOUND,
             _too_much(1, "acceleration"),
             mistake=_JERKS,
@@ -230,27 +239,28 @@ EXERCISE = Exercise(
             lambda x, *case: x[-1, 0] <= _LONGEST,
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
             mistake=Mistake(
-                "it is slower than it need be", "By which factor may all times shrink?"
+                "the plan is slower than necessary",
+                "By which factor may all times shrink until a speed or an acceleration reaches its "
+                "bound?",
             ),
         ),
         Property(
-            "each row is at most 0.2 s after the one before",
+            "each row is at most 0.2 s after the previous row",
             lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
             _steps(np.argmax),
             mistake=Mistake(
-                "the rows are too far apart in time", "How many rows does each leg have?"
+                "two rows are too far apart in time", "How many rows does each leg have?"
             ),
         ),
         Property(
-            "it enters nothing deeper than 1 cm",
+            "the arm enters nothing deeper than 1 cm",
             lambda x, *case: _arrives(x, *case, -0.01),
             points=1,
         ),
     ),
     hints=(
-        "The second leg begins at `above`. One panda_ik for each further pose, which starts from "
-        "the angles of the one "
-        "before, makes its configurations, an array of shape (41, 7).",
+        "The second leg begins at `above`. Call panda_ik for each further pose, with the angles of "
+        "the previous pose as its start. The configurations are an array of shape (41, 7).",
         "`timed` gives the second leg its times, as it gave them to `over`, but not from time 0: "
         "what is `start`?",
         "The first row of the second leg stands at the end of `over` already. Leave it out: "
@@ -260,12 +270,12 @@ EXERCISE = Exercise(
     tries_arguments=False,
 )
 
-EXERCISE.mistake(OTHER_FORM, form=_other_form)
+EXERCISE.mistake(form=_other_form)
 
 
 @EXERCISE.mistake(
     "the path to the grasp leads through something",
-    "From where must the fingers come, if they are to end on both sides of the mug? And how far "
+    "From which side must the fingers come, so that they end on both sides of the mug? How far "
     "apart are your rows?",
     seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR),
 )
@@ -275,8 +285,8 @@ def straight_to_the_grasp(q0, T_grasp):
 
 @EXERCISE.mistake(
     "the flange, not the gripper, ends at T_grasp",
-    "Which pose does panda_ik take?",
-    seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < 1e-3,
+    "Which frame does panda_ik bring to the pose that it is given?",
+    seen=lambda x, q0, T: np.abs(T_W0 @ PANDA.fk(x[-1, 1:]) - T).max() < _ANGLE,
 )
 def flange_at_the_grasp(q0, T_grasp):
     return right(q0, T_grasp @ IN_FLANGE)
@@ -284,7 +294,7 @@ def flange_at_the_grasp(q0, T_grasp):
 
 @EXERCISE.mistake(
     "the speeds are within their bounds, but the motion starts or ends at full speed",
-    "What does that ask of the motors in the first row?",
+    "Which acceleration do the motors need in the first row, from rest to this speed?",
     seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND,
 )
 def from_full_speed(q0, T_grasp):

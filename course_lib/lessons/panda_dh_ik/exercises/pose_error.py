@@ -5,21 +5,25 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import any_pose, away_from_zero, near, unit
+from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
+from course_lib.checks.vocabulary import any_pose, away_from_zero, compared, near, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, length, log_so3, matrix_to_quaternion
 
-_NEARLY_PI = np.pi - 1e-6  # rad; beyond it phi and -phi are both right
+_NEARLY_PI = np.pi - SIX_DIGITS  # rad; beyond it phi and -phi are both right
 # As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below
 # pi.
 _ROUNDED_PI = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
-_HALVES = Mistake("the halves are not joined", "e has six numbers. np.concatenate joins arrays.")
-_NO_ROTATION = Mistake(
-    "the logarithm is asked of something that is no rotation", "By what are rotations compared?"
+_HALVES = Mistake(
+    "the halves are not joined", "The error has six numbers. np.concatenate joins arrays."
 )
-_WHOLE_POSE = Mistake("the logarithm is given the whole pose", "Which block of T is the rotation?")
+_NO_ROTATION = Mistake(
+    "log_so3 gets a matrix that is not a rotation",
+    "Which operation compares two rotations, a difference or a product?",
+)
+_WHOLE_POSE = Mistake("log_so3 gets the whole pose", "Which block of T is the rotation?")
 
 
 def _between(T, T_target):
@@ -56,19 +60,7 @@ def _cases(rng):
     far = [(transform(np.eye(3), [20.0, -30, 5]) @ T, T_target) for T, T_target in any_two[:2]]
     there = [any_pose(rng) for _ in range(6)]
     shifted = [(T, transform(T[:3, :3], away_from_zero(rng, 3))) for T in there[:2]]
-    angles = [
-        10 * degree,
-        90 * degree,
-        170 * degree,
-        179.9 * degree,
-        1e-9,
-        1e-9,
-        1e-9,
-        1e-5,
-        3e-4,
-        3e-3,
-    ]
-    angles += [np.pi - 3e-4, np.pi - 1e-5, np.pi - 1e-9, np.pi, np.pi]
+    angles = [10 * degree, 90 * degree, 170 * degree, 179.9 * degree, 1e-9, 1e-9, np.pi, np.pi]
     rotated = [_rotated(any_pose(rng), angle * unit(rng)) for angle in angles]
     nearly_half = (np.pi - 2e-4) * unit(
         rng
@@ -80,11 +72,19 @@ def _cases(rng):
     return [*named, *any_two, *far, *((T, T.copy()) for T in there), *shifted, *rotated, named[1]]
 
 
+def _by(rng, angle):
+    return _rotated(any_pose(rng), angle * unit(rng))
+
+
+# Below 1e-10 rad, rounding in the product of two rotations exceeds the five digits asked for.
+_SMALL_ANGLES = tuple(size for size in BESIDE if size > 3e-10)
+
+
 def _fine(T, T_target):
     """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some
     digits."""
     angle = _angle(T, T_target)
-    return 1e-7 if angle > _NEARLY_PI else max(EXACT, 1e-14 / (np.pi - angle) ** 2)
+    return HALF_THE_DIGITS if angle > _NEARLY_PI else max(EXACT, 1e-14 / (np.pi - angle) ** 2)
 
 
 def _gap(e, *case):
@@ -94,12 +94,10 @@ def _gap(e, *case):
 def _off(e, *case):
     wanted = pose_error(*case)
     if not near(e[:3], wanted[:3]):
-        return f"That is {format_tuple(wanted[:3])}; yours are {format_tuple(e[:3])}."
-    found = f"{length(e[3:]):.4g} rad, phi = {format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
-    return (
-        f"{length(wanted[3:]):.4g} rad are between them, phi = {format_tuple(wanted[3:])}; yours "
-        f"are {found}."
-    )
+        return f"That is {compared(wanted[:3], e[:3])}."
+    angle, phi = length(wanted[3:]), format_tuple(wanted[3:])
+    yours = f"{format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
+    return f"The rotation between them is {angle:.4g} rad, phi = {phi}; your phi is {yours}."
 
 
 def _alike(e, predicted, *case, up_to_two_pi=False):
@@ -136,22 +134,30 @@ EXERCISE = Exercise(
             _off,
             mistake=Mistake(
                 "phi does not take R to R_target",
-                "Is it the logarithm of R_target R^T, however small?",
+                "Compute exp([phi]) R for your phi, and compare it with R_target. By which "
+                "angle do "
+                "the two differ for small and for large rotations?",
             ),
         ),
         Property(
             "phi is the shortest rotation: its angle is at most pi",
-            lambda e, *case: length(e[3:]) < np.pi + max(1e-6, _fine(*case)),
+            lambda e, *case: length(e[3:]) < np.pi + max(SIX_DIGITS, _fine(*case)),
             _off,
             mistake=Mistake(
                 "the longer rotation is taken",
-                "By which smaller angle does the same rotation succeed?",
+                "Which smaller angle, about the opposite axis, gives the same rotation?",
             ),
         ),
         Property(
-            "a tiny rotation keeps its digits, as the last steps to a target need them",
+            "a tiny rotation keeps its digits, which the last steps to a target need",
             lambda e, *case: _gap(e, *case) <= 1e-5 * _angle(*case),
             _off,
+            mistake=Mistake(
+                "a tiny rotation counts as none, or has lost its digits",
+                "What does arccos of a number slightly below 1 give? rotations.log_so3 handles "
+                "this "
+                "case.",
+            ),
             where=lambda T, T_target: (
                 0 < _angle(T, T_target) < 1e-2 and not np.array_equal(T[:3, :3], T_target[:3, :3])
             ),
@@ -172,6 +178,10 @@ EXERCISE = Exercise(
         ":3].T)])",
     ),
     library=pose_error,
+    sweeps=(
+        Sweep("a small rotation", lambda rng, size: _by(rng, size), _SMALL_ANGLES),
+        Sweep("nearly half a revolution", lambda rng, gap: _by(rng, np.pi - gap)),
+    ),
     alike=_alike,
     forbidden=("course_lib.ik.pose_error",),
 )
@@ -184,7 +194,7 @@ EXERCISE.mistake(_WHOLE_POSE, raises=("ValueError", "of shape (..., 3, 3)"))
 
 @EXERCISE.mistake(
     "the error, or one half of it, leads away from the target",
-    "From which pose to which should it lead?",
+    "From which pose to which pose should the error lead?",
     signs=((-1, -1), (-1, 1), (1, -1)),
 )
 def away_from_the_target(T, T_target, signs):
@@ -193,7 +203,7 @@ def away_from_the_target(T, T_target, signs):
 
 @EXERCISE.mistake(
     "the error, or one half of it, is seen from the end-effector",
-    "Along which axes are the rows of the Jacobian?",
+    "Along the axes of which frame are the rows of the Jacobian?",
     halves=((True, True), (True, False), (False, True)),
 )
 def from_the_end_effector(T, T_target, halves):
@@ -203,9 +213,10 @@ def from_the_end_effector(T, T_target, halves):
 
 
 @EXERCISE.mistake(
-    "the translation holds a part of the rotation: it is that of a product of poses, or of its "
-    "logarithm",
-    "Which point's velocity do the upper rows of the Jacobian give?",
+    "the translation contains a part of the rotation, because it is that of a product of poses "
+    "or of "
+    "its logarithm",
+    "The velocity of which point do the upper rows of the Jacobian give?",
     error=(
         lambda T, G: np.append((G @ inverse(T))[:3, 3], pose_error(T, G)[3:]),
         lambda T, G: np.roll(log_se3(G @ inverse(T)), 3),
@@ -224,7 +235,8 @@ def _quaternion(R):
 
 @EXERCISE.mistake(
     "angles, rotation vectors or quaternions of the two rotations are subtracted",
-    "Do rotations about different axes add up, and is it -358 degrees from 179 to -179?",
+    "Do rotations about different axes add up? By how many degrees does an arm have to rotate from "
+    "179 to -179 degrees?",
     measure=(roll_pitch_yaw, log_so3, _quaternion),
     order=(1, -1),
     alike=_alike_up_to_two_pi,

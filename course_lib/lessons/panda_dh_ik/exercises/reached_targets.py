@@ -6,11 +6,14 @@ import numpy as np
 from course_lib import ik
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY
 from course_lib.rotations import exp_so3
 
 _REACHED = 1e-3  # metres and radians
+_WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
+_BESIDE_THE_BOUND = (0.3, -0.3, 0.1, -0.1, 0.01, -0.01, 1e-4, -1e-4, 1e-6, -1e-6)
 # From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the
 # third to 0.04 mm.
 _PASSING = np.array([-0.107, 0.83, 0.509, -0.359, 1.817, 0.075, -1.281])
@@ -81,12 +84,27 @@ def _cases(rng):
         (PANDA.fk(HIGH[None] + 0.1), HIGH + 0.1, 0.01, 0),
         (halves, READY, 1000.0, 2),
         *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
+        (PANDA.fk(np.array([_WHOLE, READY])), _WHOLE, 0.01, 15),
     ]
+
+
+def _beside_the_bound(half):
+    """Return the case(rng, gap) of a start whose error, in one half, is beside the bound."""
+
+    def case(rng, gap):
+        target = PANDA.fk(READY)
+        if half == "metres":
+            target[0, 3] += _REACHED * (1 + gap)
+        else:
+            target[:3, :3] = exp_so3([0, _REACHED * (1 + gap), 0]) @ target[:3, :3]
+        return target[None], READY, 0.01, 0
+
+    return case
 
 
 _ONE_MATRIX = Mistake(
     "a batch is transposed, multiplied or solved as if it were one matrix",
-    "J has the shape (n, 6, 7): what does J.T do to it, and which shape does e need?",
+    "J has the shape (n, 6, 7). Which shape does J.T have, and which shape does e need?",
 )
 
 EXERCISE = Exercise(
@@ -103,7 +121,7 @@ EXERCISE = Exercise(
             lambda found, *case: np.isin(found, [0, 1]).all(),
             mistake=Mistake(
                 "something other than True or False is returned",
-                "With what are both errors compared?",
+                "With which number does the task compare both errors?",
             ),
         ),
         Property(
@@ -112,14 +130,14 @@ EXERCISE = Exercise(
             "error are below 1e-3",
             lambda found, *case: (found == right(*case)).all(),
             says=lambda found, *case: (
-                f"In yours {int(found.sum())} of {len(found)} are reached; "
+                f"In your answer {int(found.sum())} of {len(found)} targets are reached; in fact "
                 f"{int(right(*case).sum())} are."
             ),
             mistake=Mistake(
-                "the steps, or the test after them, are others than the task's",
-                "Is eps constant, are targets seen from the base, do error and Jacobian fit, and "
-                "do both halves count? "
-                "With no steps the start is judged as it is.",
+                "the steps, or the test after them, differ from the task's",
+                "Take one target of the case below, and compare the first step and the last "
+                "test of "
+                "your code with the task, number by number.",
             ),
         ),
     ),
@@ -134,6 +152,10 @@ EXERCISE = Exercise(
         "are to be below 1e-3.",
     ),
     library=right,
+    sweeps=tuple(
+        Sweep(f"{half} beside the bound", _beside_the_bound(half), _BESIDE_THE_BOUND)
+        for half in ("metres", "radians")
+    ),
     tries_arguments=False,
     forbidden=("course_lib.ik.solve",),
 )
@@ -154,4 +176,38 @@ EXERCISE.mistake(_ONE_MATRIX, raises=("ValueError", "core dimension"))
     clip=("", "end"),
 )
 def limits_ignored(*case, clip):
-    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1) if case[3] else None
+    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1)
+
+
+@EXERCISE.mistake(
+    "with no steps no target counts as reached",
+    "What does the task say about steps = 0?",
+)
+def never_at_the_start(targets, q0, eps, steps):
+    return right(targets, q0, eps, steps) if steps else np.zeros(len(targets), bool)
+
+
+@EXERCISE.mistake(
+    "only the position, or only the orientation, is compared with the bound",
+    "Which two lengths does the task compare with 1e-3?",
+    half=(0, 1),
+)
+def one_half(*case, half):
+    return _sizes(_descended(*case)[-1])[:, half] < _REACHED
+
+
+@EXERCISE.mistake(
+    "the number on the diagonal is not eps",
+    "Print the matrix that you invert minus J J^T. Which number stands on its diagonal?",
+    number=(np.square, np.sqrt),
+)
+def another_damping(targets, q0, eps, steps, number):
+    return right(targets, q0, float(number(eps)), steps)
+
+
+@EXERCISE.mistake(
+    "a target counts as reached as soon as any step comes close to it",
+    "At the end of how many steps does the task judge a target?",
+)
+def reached_on_the_way(*case):
+    return (_sizes(_descended(*case)) < _REACHED).all(-1).any(0)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     IS_A_POSE,
@@ -14,6 +15,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     exactly,
     in_a_plane,
     moved,
+    nearly_in_a_plane,
     noisy,
     product,
     read_pose,
@@ -75,6 +77,10 @@ def _cases(rng):
     return [*named, *drawn, *planes, *weightless, *noise, *scaled, *over, *away, *small, *others]
 
 
+def _of_size(rng, n):
+    return noisy(rng, _uneven(rng, n))
+
+
 def _squares(T, src, dst, weights):
     return weights @ ((moved(T, src) - dst) ** 2).sum(-1)
 
@@ -82,8 +88,9 @@ def _squares(T, src, dst, weights):
 def _off(T, *case):
     yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
     return (
-        f"{difference(T, registered(*case))} The sum is {yours:.6g} with yours; {least:.6g} is "
-        "possible."
+        f"{difference(T, registered(*case))} With your T the sum is {yours - least:.2g} larger "
+        f"than "
+        f"the least sum, {least:.6g}."
     )
 
 
@@ -101,11 +108,14 @@ def _broken(src, dst, weights):
     return pose(R, c_dst - R @ c_src)
 
 
-_POSITION = Mistake("R is right, and p is not", "To which point does T take the centroid of src?")
+_POSITION = Mistake(
+    "R is right, and p is not", "To which point must T take the weighted centroid of src?"
+)
 _WITHOUT_NOISE = Mistake(
     "T is wrong even without noise",
-    "Is dst on the left in the sum of the w_i b_i a_i^T, and by what are the weighted sums"
-    " divided?",
+    "Compare your two centroids and the sum of the w_i b_i a_i^T with the text, for the case "
+    "below. "
+    "Which factor of each product comes from dst?",
 )
 
 EXERCISE = Exercise(
@@ -132,8 +142,10 @@ EXERCISE = Exercise(
             lambda T, *case: close(T, registered(*case)),
             _off,
             mistake=Mistake(
-                "the weights count otherwise",
-                "Does each w_i, itself, stand once in each of the sums?",
+                "the weights count in another way",
+                "How often, and as which power, does each w_i stand in the sums of the two "
+                "centroids, "
+                "and in the sum of the products?",
             ),
         ),
     ),
@@ -152,6 +164,10 @@ EXERCISE = Exercise(
         "R = U @ np.diag([1, 1, d]) @ Vt with d = det(U @ Vt), so that R is never a reflection.",
     ),
     library=registered,
+    sweeps=(
+        Sweep("the number of points", _of_size, tuple(n for n in SIZES if n > 2)),
+        Sweep("points nearly in a plane", nearly_in_a_plane),
+    ),
     broken=_broken,
     forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),
 )
@@ -160,8 +176,8 @@ EXERCISE.mistake(POINTS_MOVED, form=are_points)
 
 EXERCISE.mistake(
     Mistake(
-        "rigid.transform is given a reflection",
-        "Which sign makes U V^T a rotation, and costs least?",
+        "rigid.transform gets a reflection",
+        "Which sign makes U V^T a rotation, and at which singular value does it cost least?",
     ),
     raises=("ValueError", "is not a rotation"),
 )
@@ -179,7 +195,7 @@ def _has_block(T, block, src, dst, weights):
 
 @EXERCISE.mistake(
     "R is the rotation nearest to the transpose of B",
-    "Are the points of dst on the left in B?",
+    "Which points stand on the left in the products of B, those of src or those of dst?",
     recognises=True,
 )
 def of_the_transpose(T, *case):
@@ -198,7 +214,8 @@ def sign_missing(T, *case):
 
 @EXERCISE.mistake(
     "R is not the best rotation if U V^T is a reflection",
-    "Where do you change a sign, and what does that cost at each of the singular values?",
+    "Where does your code change a sign, and how much does that cost at each of the singular "
+    "values?",
     recognises=True,
 )
 def sign_elsewhere(T, *case):

@@ -6,13 +6,15 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.tolerances import EXACT
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered
 from course_lib.registration import register_points
 
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 1, 0]])
-_FLAT = 1e-9  # a singular value that is zero but for rounding, as a share of the largest
-_SEARCHED = 1e-7  # the error of a pose that is found by search, with steps down to rounding
+_FLAT = EXACT  # a singular value that is zero but for rounding, as a share of the largest
+_SEARCHED = (
+    HALF_THE_DIGITS  # the error of a pose that is found by search, with steps down to rounding
+)
 
 
 @remembered
@@ -127,6 +129,14 @@ def in_a_plane(rng):
     return found
 
 
+def nearly_in_a_plane(rng, thickness):
+    """Return an exact case in a plane but for one point, at this height above it."""
+    src = _points(rng, 4)
+    src[:, 2] = 0
+    src[0, 2] = thickness
+    return src, moved(any_pose(rng), src), np.ones(4)
+
+
 def _sign_of_determinant(B):
     U, _, Vt = np.linalg.svd(B)
     return int(np.sign(np.linalg.det(U @ Vt)))
@@ -136,7 +146,8 @@ POINTS_MOVED = Mistake(
     "the moved points are returned", "The answer is the pose that moves them, a 4 x 4 matrix."
 )
 _APART = Mistake(
-    "R and p are returned apart", "The answer is one matrix T (4, 4). Where are R and p in it?"
+    "R and p are returned separately",
+    "The answer is one matrix T of shape (4, 4). Where do R and p stand in it?",
 )
 
 
@@ -169,8 +180,8 @@ IS_A_POSE = (
             f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}."
         ),
         mistake=Mistake(
-            "the block is no rotation",
-            "Which factor of the singular value decomposition stretches?",
+            "the block is not a rotation",
+            "Which factor of the singular value decomposition changes lengths?",
         ),
     ),
     Property("R is no reflection: det R = +1", lambda T, *case: np.linalg.det(T[:3, :3]) > 0),

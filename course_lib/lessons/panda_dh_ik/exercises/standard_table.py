@@ -4,6 +4,8 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, near
 from course_lib.lessons.panda_dh_ik.exercises.shared import TABLE
 
@@ -13,19 +15,23 @@ def converted(table):
     return np.column_stack([np.vstack([table[1:, :2], [0, 0]]), table[:, 2]])
 
 
+def _drawn(rng, n):
+    table = away_from_zero(rng, (n, 3))
+    table[0, :2] = 0
+    return table
+
+
 def _cases(rng):
     two = np.array([[0, 0, 0.3], [0.5, np.pi / 2, 0.1]])
-    drawn = [away_from_zero(rng, (n, 3)) for n in (3, 4, 7)]
-    for table in drawn:
-        table[0, :2] = 0
+    drawn = [_drawn(rng, n) for n in (3, 4)]
     return [
         (table,) for table in (two, TABLE, *drawn, np.array([[0, 0, 1], [2, 1, 3], [4, -1, 0]]))
     ]
 
 
 def _first_off(answer, table):
-    i = int(np.argmax(np.abs(answer - converted(table)).max(1)))
-    return f"Row {i + 1} differs: the steps of the two tables do not multiply to the same pose."
+    i = int(np.argmax(np.abs(answer - converted(table)).max(1) > EXACT))
+    return f"Row {i}, counted from 0, is the first that differs from the row of the standard table."
 
 
 EXERCISE = Exercise(
@@ -47,19 +53,20 @@ EXERCISE = Exercise(
         ),
     ),
     hints=(
-        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), with X_3 nothing. Which X "
-        "is beside Z_1 now?",
+        "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), where X_3 is the identity. "
+        "Which X follows Z_1 in the second product?",
         "The column d stays. Where do the columns a and alpha go, and what stands in the last row?",
         "np.column_stack([np.roll(table[:, 0], -1), np.roll(table[:, 1], -1), table[:, 2]])",
     ),
     library=converted,
+    sweeps=(Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),),
 )
 
 
 @EXERCISE.mistake(
     "the wrong columns move, or in the wrong direction",
-    "A row holds a, alpha, d: which of them belong to a step along x, which to one along z, and "
-    "which of its neighbours does the step X_1 join, Z_1 or Z_2?",
+    "A row holds a, alpha and d. Which of them belong to a step along x, and which to a step along "
+    "z? Which neighbour does the step X_1 join in the standard convention, Z_1 or Z_2?",
     shifts=((1, 1, 0), (-1, -1, -1), (0, 0, -1), (0, 0, 1), (-1, 0, 0), (0, -1, 0)),
     around=(True, False),
 )
@@ -78,3 +85,23 @@ def other_columns_move(table, shifts, around):
 )
 def last_row_kept(table):
     return np.concatenate([converted(table)[:-1], [[*table[-1, :2], *converted(table)[-1, 2:]]]])
+
+
+@EXERCISE.mistake(
+    "a or alpha has lost its sign",
+    "May a link length a, or an angle alpha, be negative in a table?",
+    columns=((0,), (1,), (0, 1)),
+)
+def sign_lost(table, columns):
+    answer = converted(table)
+    for column in columns:
+        answer[:, column] = np.abs(answer[:, column])
+    return answer
+
+
+@EXERCISE.mistake(
+    "the rows' a and alpha come in reverse order",
+    "Which row of the modified table holds the step that follows Z_1?",
+)
+def reversed_rows(table):
+    return np.column_stack([table[::-1, :2], table[:, 2]])

@@ -55,7 +55,7 @@ EXERCISE = WriteTest(
         "Applying it means: add the first half to the position, and multiply the rotation by "
         "exp([phi]) on the left. "
         "Try several pairs: small angles, large ones, and positions far from the origin.",
-        "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] is to be close to "
+        "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] must be close to "
         "T_target[:3, :3], "
         "and the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose "
         "with atol=1e-8.",
@@ -88,6 +88,9 @@ EXERCISE = WriteTest(
         Version("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
         Version(
             "that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))
+        ),
+        Version(
+            "that loses tiny rotations", _stretched(lambda angle: np.where(angle < 3e-5, 0, angle))
         ),
         Version("in degrees", _scaled(1, 180 / np.pi)),
     ),

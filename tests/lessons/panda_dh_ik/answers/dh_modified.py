@@ -34,3 +34,10 @@ def wrong_steps_apart(a, alpha, d, theta):
 def wrong_the_librarys(a, alpha, d, theta):
     """course_lib.arms.SerialArm is called"""
     return arms.SerialArm.from_dh([arms.DHRow(a, alpha, d, theta)]).fk([0.0])
+
+
+def wrong_small_entries_set_to_0(a, alpha, d, theta):
+    """small entries are set to 0, or rounded"""
+    T = right_two_halves(a, alpha, d, theta)
+    T[np.abs(T) < 1e-4] = 0
+    return T

@@ -33,3 +33,10 @@ def wrong_basis_of_n_minus_m_vectors(q, J, q_middle, gain):
 def wrong_projector(q, J, q_middle, gain):
     """the projector is returned"""
     return np.eye(len(q)) - np.linalg.pinv(J) @ J
+
+
+def wrong_shorter_way_round(q, J, q_middle, gain):
+    """q_middle - q is wrapped"""
+    d = q_middle - q
+    d = np.angle(np.exp(1j * d))
+    return q + gain * (d - np.linalg.pinv(J) @ (J @ d))
