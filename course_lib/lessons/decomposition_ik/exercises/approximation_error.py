@@ -15,7 +15,7 @@ _ONE = Mistake(
     "What would remain hidden if one of the two predictions were quite wrong?",
 )
 _NOT_LINED_UP = Mistake(
-    "each position does not stand beside both of its predictions",
+    "the positions are not aligned with both of their predictions",
     "The tips have the shape (m, 2, 2), the positions (m, 2). Where does xy need one more axis?",
 )
 _VECTORS = Mistake(

@@ -22,7 +22,7 @@ _NUMBERS_NOT_TAKEN = Mistake(
 
 
 def _cases(rng):
-    """Whole numbers go in as they are, all others as symbols; see adapters.py."""
+    """Whole numbers are passed as numbers, all others as symbols; see adapters.py."""
     whole = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
     some = [
         (1, 0, 0, 0.5),
@@ -36,6 +36,7 @@ def _cases(rng):
     large = np.round(rng.uniform([0.3, 2.4, -0.9, -2.2], [0.5, 2.7, -0.6, -1.9]), 2)
     # The last numbers have many digits, which simple fractions do not give.
     rows = [*drawn, large, sizes[0]]
+    return whole + some + [tuple(float(number) for number in row) for row in rows]
     return whole + some + [tuple(float(number) for number in row) for row in rows]
 
 

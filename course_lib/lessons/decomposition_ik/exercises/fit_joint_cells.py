@@ -92,7 +92,7 @@ EXERCISE = Exercise(
         "models = np.full((count, 2, 3), np.nan), and then a loop over the cells, as in fit_cells.",
         "own = cell == c; what is fitted is the position, xy[own], and its arguments are the "
         "angles, q[own].",
-        "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ beside "
+        "line = LinearRegression().fit(q[own], xy[own]); models[c] has line.coef_ next to "
         "line.intercept_.",
     ),
 )
@@ -109,7 +109,7 @@ EXERCISE.mistake(
 
 @EXERCISE.mistake(
     "angles are fitted to positions, as in fit_cells",
-    "Which of the two is to be predicted here?",
+    "Which of the two does the task want to predict?",
 )
 def angles_from_positions(q, xy, cell, count):
     return fit_joint_cells(xy, q, cell, count)

@@ -75,7 +75,7 @@ EXERCISE = Exercise(
             mistake=Mistake(
                 "the step is not J^-1 (p - f(q))",
                 "Compare the columns of your J with differences of f for small changes of q1 and "
-                "q2, and print J times your step beside p - f(q).",
+                "q2, and compare J times your step with p - f(q).",
             ),
         ),
     ),

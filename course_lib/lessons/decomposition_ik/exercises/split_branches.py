@@ -71,7 +71,7 @@ def _lumps(rng, *lumps):
 
 
 def _one_elbow(rng):
-    """Elongated clouds of samples of one elbow; what makes each of them hard is said beside it."""
+    """Elongated clouds of samples of one elbow; comments say what makes each of them hard."""
     largest = _lumps(
         rng, (0.4, 0.55, 0.04, 0.01, 12), (1.6, 0.5, 0.04, 0.2, 12)
     )  # is not in the one of larger mean

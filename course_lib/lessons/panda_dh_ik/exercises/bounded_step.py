@@ -84,7 +84,7 @@ def _cases(rng):
 
 
 def _beside_the_bound(rng, gap):
-    """Return a case whose fastest joint, without bounds, is beside the bound."""
+    """Return a case whose fastest joint, without bounds, is near the bound."""
     J, v, eps = _FLAT, np.array([0.9, 0.4]), 0.1
     fastest = np.abs(_free(J, v, 1.0, eps)).max()
     return J, v, fastest * (1 + gap), eps

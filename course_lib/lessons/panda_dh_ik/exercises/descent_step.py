@@ -67,7 +67,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda q, *rest: (len(q),)),
     properties=(
         Property(
-            "at the target the angles stay as they are",
+            "at the target the angles do not change",
             lambda answer, q, *rest: near(answer, q),
             where=lambda q, J, T, T_target, step: np.array_equal(T, T_target),
         ),

@@ -55,14 +55,15 @@ def right(table, q, poses):
     return _best(table, _gaps(table, q, poses).max((1, 2)))
 
 
-def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None):
+def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small=False):
     """Return a table, configurations, and the poses that they have if some joints have the opposite
     sign.
 
     The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong
     answers to the case. reversed_joints: how many joints have the opposite sign, or None for any
-    number but all.
+    number but all. small: whether all angles are small, so that all patterns are close.
     """
+    least = 0.02 if small else 0.2  # of the difference of the second best pattern
     while True:
         table = np.round(rng.uniform(0.2, 0.8, (n, 3)), 2)
         table[:, 1] = rng.choice([-1, 1], n) * np.round(rng.uniform(0.6, 1.5, n), 2)
@@ -72,14 +73,15 @@ def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None):
         if reversed_joints is not None:
             signs = np.ones(n, int)
             signs[n - reversed_joints :] = -1
-        q = np.round(rng.uniform(0.4, 1.4, (3, n)) * rng.choice([-1, 1], (3, n)), 2)
+        size = rng.uniform(0.1, 0.3, (2, n)) if small else rng.uniform(0.4, 1.4, (3, n))
+        q = np.round(size * rng.choice([-1, 1], size.shape), 2)
         if zero is not None:
             q[zero] = 0  # which fits any pattern
         poses = _ends(table, q, [signs])[0]
         if noise:
             poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
         mixed = reversed_joints is not None or (signs > 0).any()
-        clear = mixed and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > 0.2
+        clear = mixed and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > least
         if clear and not any(np.array_equal(answer(table, q, poses), signs) for answer in deceives):
             return table, q, poses
 
@@ -91,9 +93,15 @@ def _cases(rng):
     noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
     given = [simple, *drawn, noisy, *many]
-    unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3], *_IN_THE_WORLD], given)
+    unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
     whole = np.array([[1, 1, 0], [2, 0, 1]]), np.array([[1, 2], [-1, 1], [2, -1]])
-    return [*given, *unlucky, _mirrored(rng), (*whole, _ends(*whole, [[-1, 1]])[0])]
+    # A constant difference of all poses decides only where the patterns are close.
+    given += [
+        *unlucky,
+        _mirrored(rng),
+        *_unlucky(rng, _IN_THE_WORLD, [*given, *unlucky], small=True),
+    ]
+    return [*given, (*whole, _ends(*whole, [[-1, 1]])[0])]
 
 
 def _nearly_alike(rng, size):
@@ -119,12 +127,12 @@ def _mirrored(rng):
     return table, q, _ends(table, q, [[-1, *rng.choice([-1, 1], 2)]])[0]
 
 
-def _unlucky(rng, shortcuts, cases):
+def _unlucky(rng, shortcuts, cases, small=False):
     """Return further cases, so that each shortcut, which is often right by luck, misses one."""
     added = []
     for shortcut in shortcuts:
         if not any(_is_wrong(shortcut, case) for case in (*cases, *added)):
-            added.append(_case(rng, 4, deceives=[shortcut]))
+            added.append(_case(rng, 3 if small else 4, deceives=[shortcut], small=small))
     return added
 
 

@@ -76,7 +76,7 @@ def _cases(rng):
 
 
 def _beside_near(rng, gap):
-    """Return a step whose smallest singular value is beside `near`, where the damping begins."""
+    """Return a step whose smallest singular value is near `near`, where the damping begins."""
     q = _drawn(rng)
     return q, np.round(rng.uniform(0.1, 0.4, 6), 2), 0.1, 1, _smallest(q) * (1 + gap), 0.05
 

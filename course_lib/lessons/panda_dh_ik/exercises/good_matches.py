@@ -146,7 +146,7 @@ EXERCISE = Exercise(
                 f"{int(good.sum())}."
             ),
             mistake=Mistake(
-                "another set is returned than the largest one",
+                "the set that is returned is not the largest one",
                 "Print, for each triple, how many of the n distances are below tol. Which "
                 "triple has "
                 "the largest number, and which set do you return?",

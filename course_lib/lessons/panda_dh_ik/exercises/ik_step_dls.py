@@ -127,7 +127,7 @@ EXERCISE = Exercise(
                 "code differ?",
             ),
         ),
-        Property("if e is 0, the angles stay as they are", _right, _off),
+        Property("if e is 0, the angles do not change", _right, _off),
     ),
     hints=(
         "J J^T is (m, m), with m the number of rows of J. The identity matrix must have this size "

@@ -38,7 +38,7 @@ def _cases(rng):
 
 
 def steps(q):
-    """Return each frame in the one before, and the flange in the last: (8, 4, 4)."""
+    """Return each frame in the previous frame, and the flange in frame 7, (8, 4, 4)."""
     return np.array(
         [shared.modified(*row, theta) for row, theta in zip(shared.TABLE, q, strict=True)]
         + [_FLANGE]

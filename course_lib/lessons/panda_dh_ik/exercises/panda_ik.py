@@ -36,7 +36,7 @@ _BEYOND = np.array([0.3, 0.4, -0.5, -1.9, 0.4, 3.4, 0.2])  # with joint 6 beyond
 
 # Configurations whose flange poses are not reached from the ready configuration without a restart:
 # damped steps of many kinds (damping constant, or by the error, large and small), clipped to the
-# limits after each step, end beside these poses; steps without limits end outside the limits. From
+# limits after each step, end near these poses; steps without limits end outside the limits. From
 # a random configuration about every third start succeeds.
 _HARD = np.array(
     [
@@ -53,7 +53,7 @@ _HARD = np.array(
 
 
 # With joint 1 at its limit, and starts 0.2 rad below: solvers with few steps, with a damping that
-# is large or negative, or that leave the limits on their way, end beside one of these. No case is
+# is large or negative, or that leave the limits in between, end near one of these. No case is
 # there whose difficulty depends on the numbers drawn: who finds all targets in the notebook finds
 # all of them in grading.
 _AT_A_LIMIT = np.column_stack(
@@ -202,7 +202,7 @@ _STUCK = Mistake(
     "for this target, and how many different ones they are.",
 )
 _START = Mistake(
-    "q0 is returned as it came",
+    "q0 is returned unchanged",
     "q0 may lie outside the limits. What do the given lines do with q0 first?",
 )
 _IGNORED = Mistake("the limits are ignored", "Can a step lead beyond the limits?")

@@ -89,7 +89,7 @@ def _cases(rng):
 
 
 def _beside_the_bound(half):
-    """Return the case(rng, gap) of a start whose error, in one half, is beside the bound."""
+    """Return the case(rng, gap) of a start whose error, in one half, is near the bound."""
 
     def case(rng, gap):
         target = PANDA.fk(READY)
@@ -149,7 +149,7 @@ EXERCISE = Exercise(
         "shape (n, 6, 6), then "
         "J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
         "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], "
-        "are to be below 1e-3.",
+        "must be below 1e-3.",
     ),
     library=right,
     sweeps=tuple(

@@ -203,7 +203,8 @@ def of_the_transpose(T, *case):
 
 
 @EXERCISE.mistake(
-    "U V^T has the same sign for all points: it is returned as it is, or always changed",
+    "U V^T is returned for all points without a test for a reflection, or its sign is always "
+    "changed",
     "How do you see whether it is a reflection, and at which singular value does a change of sign "
     "cost least?",
     recognises=True,

@@ -1,4 +1,4 @@
-"""adjoint: the matrix that takes twists from one frame to another; a bug is to be found."""
+"""adjoint: find the bug. The matrix takes twists from one frame to another."""
 
 import numpy as np
 

@@ -199,7 +199,7 @@ def first_row_not_asked(t, q, limits):
 
 
 @EXERCISE.mistake(
-    "0 or the number of rows is returned for a file without a fault",
+    "0 or the number of rows is returned for a trajectory without a fault",
     "Which answer does a trajectory with a fault in row 0 get, then?",
     number=(lambda t: 0, len),
 )

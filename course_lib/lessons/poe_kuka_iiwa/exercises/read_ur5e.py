@@ -43,12 +43,14 @@ def _velocity_off(read):
     i = int(np.argmax(off > _TOLERANCE))
     if np.allclose(read[0][:, 3:][i], -_V[i], atol=_TOLERANCE):
         return f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is the opposite one."
-    beside = _axes(np.cross(read[0][:, :3][i], read[0][:, 3:][i] - _V[i]))
+    shifted = _axes(np.cross(read[0][:, :3][i], read[0][:, 3:][i] - _V[i]))
     shown = (
         f"The v of joint {i + 1}, {format_tuple(read[0][:, 3:][i])}, is {1000 * off[i]:.3g} mm/s"
         " off at 1 rad/s"
     )
-    return shown + (f": it belongs to an axis that is shifted along {beside}." if beside else ".")
+    if not shifted:
+        return f"{shown}."
+    return f"{shown}, as the v of an axis that is shifted along {shifted}."
 
 
 def _first_axis_off(R):
@@ -138,7 +140,8 @@ EXERCISE = Exercise(
         (
             "Dimensions are distances between neighbours: go on from axis 4, whose point is there. "
             "Mind the signs: the arm "
-            "points along -x. Axis 5 hangs down beside axis 4, axis 6 is parallel to axis 4, lower."
+            "points along -x. Axis 5 points down next to axis 4. Axis 6 is parallel to axis 4, "
+            "and lower."
         ),
         (
             "For M: the flange's z points along axis 6, away from the arm; its x is parallel to the"

@@ -106,5 +106,5 @@ def wrong_library(T, q0):
 
 
 def wrong_start_not_clipped(T, q0):
-    """q0 is returned as it came"""
+    """q0 is returned unchanged"""
     return q0 if np.linalg.norm(ik.pose_error(T_w0 @ arm.fk(q0), T)) < 1e-7 else search(T, q0)

@@ -29,7 +29,7 @@ def wrong_fourth_entry(pixels, depths, K, T_wc):
 
 
 def wrong_one_focal_length(pixels, depths, K, T_wc):
-    """K, or a pixel, is not used as it came"""
+    """a number in K, or a pixel, is not used as it is given"""
     return right_by_the_inverse(pixels, depths, K * [[1], [K[0, 0] / K[1, 1]], [1]], T_wc)
 
 

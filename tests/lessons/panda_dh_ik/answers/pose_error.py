@@ -33,7 +33,7 @@ def right_by_the_textbooks_branches(T, T_target):
 
 
 def wrong_arccos_and_unit_axis(T, T_target):
-    """unnamed"""
+    """a tiny rotation counts as none"""
     e = right_by_log_so3(T, T_target)
     size, angle = np.linalg.norm(e[3:]), np.arccos(np.clip(np.cos(np.linalg.norm(e[3:])), -1, 1))
     return np.append(e[:3], angle / size * e[3:] if 0 < size < 3 else e[3:])

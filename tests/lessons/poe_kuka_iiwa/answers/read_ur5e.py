@@ -29,14 +29,14 @@ def right_as_lists():
 
 
 def wrong_lengths_of_the_iiwa():
-    """the flange is read elsewhere"""
+    """the flange is not where it is drawn"""
     screws, M = right_matrix_and_cross_products()
     M[:3, 3] = 0, 0, 1.301
     return screws, M
 
 
 def wrong_screws_alone():
-    """something other than a pair is returned"""
+    """the answer is not a pair"""
     return right_matrix_and_cross_products()[0]
 
 
