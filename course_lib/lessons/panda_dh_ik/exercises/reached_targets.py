@@ -45,11 +45,19 @@ def right(targets, q0, eps, steps):
     return (_sizes(_descended(targets, q0, eps, steps)[-1]) < _REACHED).all(-1)
 
 
+def _shows_all(case, found):
+    """Return whether other limits and another damping show in a case."""
+    ignored = limits_ignored(*case, clip="")
+    others = [limits_ignored(*case, clip="end")]
+    others += [another_damping(*case, number=number) for number in (np.square, np.sqrt)]
+    return (ignored & ~found).any() and all((other != found).any() for other in others)
+
+
 def _case(rng, n, q0, eps, steps, spread, limited=False):
     """Return n targets, some of which are reached and some are not, none of them a close call.
 
     limited: one of those not reached is reached by whoever ignores the limits, and clipping at the
-    end only shows too.
+    end only, and another damping, show too.
     """
     while True:
         targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
@@ -59,8 +67,7 @@ def _case(rng, n, q0, eps, steps, spread, limited=False):
         if len(targets) < n or found.all() or not found.any():
             continue
         case = targets, q0, eps, steps
-        ignored, late = limits_ignored(*case, clip=""), limits_ignored(*case, clip="end")
-        if not limited or ((ignored & ~found).any() and (late != found).any()):
+        if not limited or _shows_all(case, found):
             return case
 
 

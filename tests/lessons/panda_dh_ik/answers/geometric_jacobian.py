@@ -27,7 +27,7 @@ def right_seen_from_each_joint(frames):
 
 
 def wrong_flange_counted(frames):
-    """the flange's frame is counted as a joint's"""
+    """the flange's frame is counted as the frame of a joint"""
     z, o, p = frames[:, :3, 2], frames[:, :3, 3], frames[-1, :3, 3]
     return np.vstack([np.cross(z, p - o).T, z.T])
 

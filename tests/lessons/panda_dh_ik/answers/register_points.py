@@ -54,7 +54,7 @@ def wrong_as_in_the_report(src, dst, weights):
 
 
 def wrong_sign_of_the_products_determinant(src, dst, weights):
-    """the block is no rotation"""
+    """the block is not a rotation"""
     return kabsch(
         src, dst, weights, lambda V, Ut, H: V @ np.diag([1, 1, np.sign(np.linalg.det(H))]) @ Ut
     )
@@ -75,13 +75,13 @@ def wrong_Vt_taken_for_V(src, dst, weights):
 
 
 def wrong_apart(src, dst, weights):
-    """R and p are returned apart"""
+    """R and p are returned separately"""
     T = right_kabsch(src, dst, weights)
     return T[:3, :3], T[:3, 3]
 
 
 def wrong_weights_missing(src, dst, weights):
-    """the weights count otherwise"""
+    """the weights count in another way"""
     return right_kabsch(src, dst, np.ones(len(src)) * (weights > 0))
 
 
