@@ -79,8 +79,9 @@ def _known_form(array, xy, angles):
 def _tell(index, errors, xy, angles):
     i, k = index
     tip = format_tuple(np.round(two_link_tip(angles[i, k]), 9))
+    right = distances(xy, angles)[i, k]
     return (
-        f"Prediction {k} takes the tip to {tip}, and xy[{i}] is {format_tuple(xy[i])}. Yours is "
+        f"Prediction {k} takes the tip to {tip}, {right:.4g} m from xy[{i}]. Your distance is "
         f"{errors[i, k]:.4g}."
     )
 

@@ -37,7 +37,7 @@ def right_in_a_loop_of_permutations_as_a_column(src, dst, tol):
 
 
 def wrong_indices(src, dst, tol):
-    """the numbers of some matches"""
+    """the indices of some matches"""
     return np.flatnonzero(right_all_triples(src, dst, tol))[:3]
 
 

@@ -65,7 +65,7 @@ def right_limits_by_a_sine(T, q0):
 
 
 def wrong_no_restarts(T, q0):
-    """there are no restarts, or too few of them converge"""
+    """there are no restarts or because too few of them converge"""
     q = search(T, q0, starts=1)
     return q if np.linalg.norm(ik.pose_error(T_w0 @ arm.fk(q), T)) < 1e-7 else np.full(7, np.nan)
 
@@ -76,12 +76,12 @@ def wrong_last_angles(T, q0):
 
 
 def wrong_base_forgotten(T, q0):
-    """the base is forgotten"""
+    """T_w0 is left out"""
     return search(T, q0, starts=2, T_base=np.eye(4))
 
 
 def wrong_flange_forgotten(T, q0):
-    """the flange is forgotten"""
+    """the frame of joint 7 is at T_target"""
     return search(T @ FLANGE, q0)
 
 

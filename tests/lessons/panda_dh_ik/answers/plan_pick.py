@@ -61,7 +61,7 @@ def wrong_times_missing(q0, T_grasp):
 
 
 def wrong_slow(q0, T_grasp):
-    """slower than it need be"""
+    """the plan is slower than necessary"""
     return planned(q0, T_grasp, slower=20)
 
 
@@ -72,5 +72,5 @@ def wrong_down_in_joint_space(q0, T_grasp):
 
 
 def wrong_rows_too_far_apart(q0, T_grasp):
-    """the rows are too far apart in time"""
+    """two rows are too far apart in time"""
     return np.column_stack([0.3 * np.arange(17), planned(q0, T_grasp)[::5, 1:]])

@@ -29,10 +29,10 @@ def wrong_elbow_at_a_right_angle():
 
 
 def wrong_elbow_three_times():
-    """two rows are of one family"""
+    """a row is singular for another reason"""
     return np.tile(right_by_the_text()[0], (3, 1))
 
 
 def wrong_columns():
-    """rows and columns are swapped"""
+    """rows and columns have changed places"""
     return right_by_the_text().T
