@@ -140,4 +140,4 @@ def test_a_function_for_numbers_used_on_symbols_is_named_without_the_numbers_of_
     verdict = judge(DH_SYMBOLIC, Here(function))
     assert verdict.state == ERROR
     assert "For theta" not in describe(verdict)
-    assert "numpy's or math's function is used on symbols: take SymPy's" in describe(verdict)
+    assert "a function of numpy or math is called with symbols" in describe(verdict)

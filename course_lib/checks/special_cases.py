@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course_lib.checks.tolerances import EXACT
+
 _MOST_WHOLE = 4  # cases repeated with whole numbers in their arrays
 _MOST_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
@@ -19,6 +21,8 @@ _LARGEST_WHOLE = 1e6
 # changes by no more than a factor of about 3, so no wrong branch fits between them.
 BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in (3.1, 1))
 ON_BOTH_SIDES = tuple(sign * gap for gap in BESIDE for sign in (1, -1))
+# Sizes of numbers that somebody may take for 0, and whose loss shows in answers right to EXACT.
+SMALL = tuple(size for size in BESIDE if size > EXACT)
 OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too generous bound lets pass
 SIZES = (1, 2, 3, 7)
 
@@ -35,7 +39,7 @@ class Sweep:
         case(rng, value): the arguments of one case, whose distance from what is special, or whose
         size, is the value; None where there is no such case.
     values : tuple of float, optional
-        BESIDE, ON_BOTH_SIDES, OUT_OF_REACH, SIZES, or others.
+        BESIDE, ON_BOTH_SIDES, SMALL, OUT_OF_REACH, SIZES, or others.
 
     Examples
     --------

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
@@ -72,6 +72,10 @@ def _nearly_there(rng, gap):
     return xy, two_link_angles(xy) + np.array([gap, 0])
 
 
+def _nearly_stretched(rng, size):
+    return np.array([[1.2, size]]), np.array([[[size, 0.4], [0.5, -size]]])
+
+
 def _known_form(array, xy, angles):
     return _VECTORS if array.shape == (len(xy), 2, 2) else _ONE if array.size == len(xy) else None
 
@@ -94,7 +98,10 @@ EXERCISE = Exercise(
     returns=numbers(lambda xy, angles: (len(xy), 2), gaps=True),
     library=distances,
     tolerance=EXACT,
-    sweeps=(Sweep("a prediction that is nearly right", _nearly_there),),
+    sweeps=(
+        Sweep("a prediction that is nearly right", _nearly_there),
+        Sweep("small angles", _nearly_stretched, SMALL),
+    ),
     properties=(
         no_number(
             off,

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
 
@@ -61,7 +61,10 @@ EXERCISE = Exercise(
     returns=numbers(lambda q, xy: (2,)),
     library=newton_step,
     tolerance=EXACT,
-    sweeps=(Sweep("nearly at the position", _nearly_there),),
+    sweeps=(
+        Sweep("nearly at the position", _nearly_there),
+        Sweep("q1 and y nearly 0", lambda rng, x: (np.array([x, 1.2]), np.array([1.1, x])), SMALL),
+    ),
     angles=("q",),
     properties=(
         Property(

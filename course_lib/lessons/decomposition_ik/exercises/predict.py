@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
 
 _ONE = Mistake(
@@ -78,6 +79,14 @@ def _tell(index, angles, models, cell, xy):
     )
 
 
+def _small(rng, size):
+    """Return models with small coefficients of x, and large ones of the small y."""
+    models = _some_models(rng, 2)
+    models[..., 0] *= size
+    xy = np.array([[1.5, size], [-0.7, -size]])
+    return models, np.array([1, 0]), xy
+
+
 EXERCISE = Exercise(
     name="predict",
     points=2,
@@ -85,6 +94,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), gaps=True),
     library=predict,
+    sweeps=(Sweep("small coefficients and positions", _small, SMALL),),
     properties=(
         no_number(
             off,

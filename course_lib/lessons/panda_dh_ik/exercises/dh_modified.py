@@ -8,11 +8,10 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, near, part_is
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
-    VISIBLE,
     about_x,
     about_z,
     modified,
@@ -91,8 +90,8 @@ EXERCISE = Exercise(
     ),
     library=modified,
     sweeps=(
-        Sweep("small angles", lambda rng, size: (0.3, size, 0.5, -2 * size), VISIBLE),
-        Sweep("small lengths", lambda rng, size: (size, 0.7, -2 * size, 1.1), VISIBLE),
+        Sweep("small angles", lambda rng, size: (0.3, size, 0.5, -2 * size), SMALL),
+        Sweep("small lengths", lambda rng, size: (size, 0.7, -2 * size, 1.1), SMALL),
     ),
     angles=("alpha", "theta"),
     forbidden=("course_lib.arms.SerialArm", "course_lib.arms._dh_frames"),

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.special_cases import SIZES, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, part_is
 from course_lib.lessons.panda_dh_ik.exercises import shared
@@ -71,6 +71,13 @@ def _cases(rng):
     ]
 
 
+def _short(rng, size):
+    """Return the frames of two joints and a flange that are close to each other."""
+    steps = [transform(rot_x(size), size * away_from_zero(rng, 3)) for _ in range(2)]
+    first = any_pose(rng)
+    return (np.array([first, first @ steps[0], first @ steps[0] @ steps[1]]),)
+
+
 EXERCISE = Exercise(
     name="geometric_jacobian",
     points=2,
@@ -110,7 +117,10 @@ EXERCISE = Exercise(
     ),
     forbidden=("course_lib.arms.SerialArm",),
     library=right,
-    sweeps=(Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),),
+    sweeps=(
+        Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),
+        Sweep("a short, nearly straight arm", _short, SMALL),
+    ),
 )
 
 EXERCISE.mistake(form=_known_form)

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.special_cases import SIZES, SMALL, Sweep
 from course_lib.checks.vocabulary import any_pose, first_off, near
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.rigid import inverse, transform
@@ -45,6 +45,13 @@ def _drawn(rng, n):
     K = np.array([[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]])
     pixels = np.round(rng.uniform([0, 0], [640, 480], (n, 2)), n % 2)
     return pixels, np.round(rng.uniform(0.3, 1.5, n), 3), K, any_pose(rng)
+
+
+def _on_the_axis(rng, size):
+    """Return a pixel near (c_x, c_y) = 0, and a camera close to the world's origin."""
+    K = np.array([[580.0, 0, 0], [0, 610, 0], [0, 0, 1]])
+    T_wc = transform(rot_x(size), [size, -2 * size, 3 * size])
+    return np.array([[580 * size, -610 * size]]), np.array([0.7]), K, T_wc
 
 
 def _right(points, *case):
@@ -102,7 +109,10 @@ EXERCISE = Exercise(
         "p_c = depth * inv(K) @ (u, v, 1), and p_w = R_wc p_c + p_wc.",
     ),
     library=right,
-    sweeps=(Sweep("the number of pixels", _drawn, SIZES),),
+    sweeps=(
+        Sweep("the number of pixels", _drawn, SIZES),
+        Sweep("nearly on the camera's axis", _on_the_axis, SMALL),
+    ),
 )
 
 EXERCISE.mistake(_ONES, form=lambda array, pixels, *rest: array.shape == (len(pixels), 4))

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import any_pose, away_from_zero, compared, near, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
@@ -74,6 +74,12 @@ def _cases(rng):
 
 def _by(rng, angle):
     return _rotated(any_pose(rng), angle * unit(rng))
+
+
+def _nearly_there(rng, size):
+    """Return two poses nearly at the origin, rotated by an ordinary angle."""
+    near_origin = (size * away_from_zero(rng, 3) for _ in range(2))
+    return tuple(transform(exp_so3(unit(rng)), p) for p in near_origin)
 
 
 # Below 1e-10 rad, rounding in the product of two rotations exceeds the five digits asked for.
@@ -182,6 +188,7 @@ EXERCISE = Exercise(
     library=pose_error,
     sweeps=(
         Sweep("a small rotation", lambda rng, size: _by(rng, size), _SMALL_ANGLES),
+        Sweep("a small distance", _nearly_there, SMALL),
         Sweep("nearly half a revolution", lambda rng, gap: _by(rng, np.pi - gap), _GAPS),
     ),
     alike=_alike,

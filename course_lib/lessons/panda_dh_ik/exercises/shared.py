@@ -5,8 +5,6 @@ import numpy as np
 
 from course_lib import ik
 from course_lib.arms import PANDA_ROWS, panda
-from course_lib.checks.special_cases import BESIDE
-from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import remembered
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
@@ -16,8 +14,6 @@ TABLE = np.array(PANDA_ROWS)
 READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 PANDA = panda()  # made here, because no answer may call what makes it
 LOW, HIGH = PANDA.limits.T
-# Sizes of small angles and lengths whose loss shows in a pose.
-VISIBLE = tuple(size for size in BESIDE if size > EXACT)
 FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])  # a Jacobian to compute with by hand
 
 

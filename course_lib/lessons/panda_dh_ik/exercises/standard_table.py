@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.special_cases import SIZES, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, near
 from course_lib.lessons.panda_dh_ik.exercises.shared import TABLE
@@ -59,7 +59,10 @@ EXERCISE = Exercise(
         "np.column_stack([np.roll(table[:, 0], -1), np.roll(table[:, 1], -1), table[:, 2]])",
     ),
     library=converted,
-    sweeps=(Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),),
+    sweeps=(
+        Sweep("the number of joints", lambda rng, n: (_drawn(rng, n),), SIZES),
+        Sweep("small numbers", lambda rng, size: (size * _drawn(rng, 3),), SMALL),
+    ),
 )
 
 

@@ -5,9 +5,15 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_pose, near, part_is, pose
-from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, in_blocks
+from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
+    BLOCK,
+    COLUMN,
+    in_blocks,
+    nearly_identity,
+)
 from course_lib.rigid import adjoint, hat_se3, inverse, vee_se3
 from course_lib.rotations import hat, random_rotations, rot_x, rot_y, rot_z
 
@@ -51,6 +57,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda T: (6, 6)),
     library=adjoint,
+    sweeps=(Sweep("nearly the identity", lambda rng, size: (nearly_identity(rng, size),), SMALL),),
     properties=(
         part_is(
             "the upper left 3x3 block is R: an angular velocity is rotated from frame b to frame a",

@@ -5,8 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import BESIDE, Sweep
-from course_lib.checks.tolerances import EXACT
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
     LAST_ROW,
     X,
@@ -45,9 +44,6 @@ def _rotated_by(angle):
     return lambda rng, size: (unit(rng), away_from_zero(rng, 3), angle(size))
 
 
-_VISIBLE = tuple(size for size in BESIDE if size > EXACT)
-
-
 def _both(R, p):
     return np.array([pose(R, p), pose(R.T, -R.T @ p)])
 
@@ -84,8 +80,8 @@ EXERCISE = Exercise(
     returns=numbers(lambda *case: (2, 4, 4)),
     library=_right,
     sweeps=(
-        Sweep("a small rotation", _rotated_by(lambda size: size), _VISIBLE),
-        Sweep("nearly half a revolution", _rotated_by(lambda size: np.pi - size), _VISIBLE),
+        Sweep("a small rotation", _rotated_by(lambda size: size), SMALL),
+        Sweep("nearly half a revolution", _rotated_by(lambda size: np.pi - size), SMALL),
     ),
     angles=("theta",),
     properties=(

@@ -5,8 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
-from course_lib.checks.special_cases import BESIDE, Sweep
-from course_lib.checks.tolerances import EXACT
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
     X,
     Y,
@@ -40,6 +39,11 @@ ELBOW = axes([Z, Y, Y], [0 * X, Z, X + Z])
 WHOLE = np.array([[0, 0, 1, 0, -1, 0], [1, 0, 0, 0, 2, 0], [0, 1, 0, 1, 0, 0]])
 WHOLE_HOME = np.array([[0, -1, 0, 2], [1, 0, 0, 1], [0, 0, 1, 3], [0, 0, 0, 1]])
 WHOLE_ANGLES = np.array([1, 2, -1])
+
+
+def nearly_identity(rng, size):
+    """Return a pose (4, 4) with a rotation and a translation of this size."""
+    return transform(exp_so3(size * unit(rng)), size * away_from_zero(rng, 3))
 
 
 def at(*position):
@@ -85,8 +89,8 @@ def _nearly_zero(rng, size):
     return axes(*drawn_axes(rng, 3)), any_pose(rng), angles
 
 
-# Where somebody leaves out small angles. Below 1e-9 the error that this makes is allowed.
-SMALL_ANGLES = Sweep("an angle is nearly 0", _nearly_zero, tuple(x for x in BESIDE if x > EXACT))
+# Where somebody leaves out small angles.
+SMALL_ANGLES = Sweep("an angle is nearly 0", _nearly_zero, SMALL)
 
 
 @remembered

@@ -6,8 +6,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import X, Y, Z, any_pose, away_from_zero, part_is
-from course_lib.lessons.poe_kuka_iiwa.exercises.shared import WHOLE_HOME, at
+from course_lib.lessons.poe_kuka_iiwa.exercises.shared import WHOLE_HOME, at, nearly_identity
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
 
@@ -42,6 +43,12 @@ def _right(V_s, T):
     return np.array([V_s, adjoint(inverse(T)) @ V_s, hybrid], float)
 
 
+def _small(rng, size):
+    twist = away_from_zero(rng, 6, 0.2, 2.0)
+    twist[rng.integers(6)] = size
+    return twist, nearly_identity(rng, size)
+
+
 _BODY = Mistake(
     "the second row is not Ad(T^-1) V_s", "From which frame to which does T^-1 take a twist?"
 )
@@ -57,6 +64,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=numbers(lambda V_s, T: (3, 6)),
     library=_right,
+    sweeps=(Sweep("a small motion, nearly at the base", _small, SMALL),),
     properties=(
         part_is("the first row is the twist as the space frame sees it: V_s itself", _right, 0),
         part_is(
