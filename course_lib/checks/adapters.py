@@ -83,9 +83,12 @@ def _agree(value, other, depth=0):
         return same_length and all(map(_agree, value, other, [depth + 1] * len(value)))
     if not (_is_number(value) and _is_number(other)):
         return True
-    return np.shape(value) == np.shape(other) and np.allclose(
-        value, other, rtol=_ROUNDING, atol=_ROUNDING, equal_nan=True
-    )
+    try:
+        return np.shape(value) == np.shape(other) and np.allclose(
+            value, other, rtol=_ROUNDING, atol=_ROUNDING, equal_nan=True
+        )
+    except (OverflowError, TypeError):  # whole numbers of any size
+        return value == other
 
 
 def _is_number(value):

@@ -195,6 +195,8 @@ class Naming:
         if not any(array.any() for array in arrays) or sum(arrays[i].size for i in wrong) < _MIN_NUMBERS:
             return False
         rights = [self.right(i) for i in wrong]
+        if all(right is None or _is_whole(right) for right in rights):
+            return False  # then no digit stands after the point
         return all(
             right is not None
             and right.shape == arrays[i].shape

@@ -72,9 +72,9 @@ def _cases(rng):
 
 
 def _short(rng, size):
-    """Return the frames of two joints and a flange that are close to each other."""
+    """Return the frames of two joints and a flange that are close to each other and the world's."""
     steps = [transform(rot_x(size), size * away_from_zero(rng, 3)) for _ in range(2)]
-    first = any_pose(rng)
+    first = transform(rot_y(size), size * away_from_zero(rng, 3))
     return (np.array([first, first @ steps[0], first @ steps[0] @ steps[1]]),)
 
 
