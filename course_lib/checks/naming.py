@@ -192,7 +192,10 @@ class Naming:
     def _are_cut_off(self, arrays, wrong):
         """Return whether wrong answers, whole numbers all, are the right ones without the digits
         after the point."""
-        if not any(array.any() for array in arrays) or sum(arrays[i].size for i in wrong) < _MIN_NUMBERS:
+        if (
+            not any(array.any() for array in arrays)
+            or sum(arrays[i].size for i in wrong) < _MIN_NUMBERS
+        ):
             return False
         rights = [self.right(i) for i in wrong]
         if all(right is None or _is_whole(right) for right in rights):
