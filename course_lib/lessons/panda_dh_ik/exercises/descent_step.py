@@ -86,7 +86,7 @@ EXERCISE = Exercise(
             "the answer is q + step J^T e, with the error e that belongs to the geometric Jacobian",
             lambda answer, *case: near(answer, right(*case)),
             says=lambda answer, q, *rest: (
-                f"Your answer minus q differs from step J^T e by up to "
+                f"The change of q in your answer is off by "
                 f"{np.abs(answer - right(q, *rest)).max():.2g}."
             ),
             mistake=Mistake(
