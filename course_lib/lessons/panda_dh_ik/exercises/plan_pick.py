@@ -5,7 +5,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.tolerances import EXACT, FOUR_DIGITS, SIX_DIGITS
 from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY, T_W0
@@ -124,6 +123,14 @@ def _ends(x, q0, T):
     return length(end[:3, 3] - T[:3, 3]) < FOUR_DIGITS and angle < _ANGLE
 
 
+def _end_off(x, q0, T):
+    """Return in words how far the gripper is from T_grasp at the end."""
+    end = _gripper(x)
+    millimetres = 1000 * length(end[:3, 3] - T[:3, 3])
+    angle = length(log_so3(T[:3, :3] @ end[:3, :3].T))
+    return f"At the end the gripper is {millimetres:.2g} mm and {angle:.2g} rad from T_grasp."
+
+
 def _gaps(x, T):
     times, joints = between(x)
     return times, clearances(joints, T @ inverse(IN_MUG))
@@ -201,11 +208,7 @@ EXERCISE = Exercise(
         Property(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
-            lambda x, q0, T: (
-                f"The gripper is at {format_tuple(_gripper(x)[:3, 3])}, "
-                f"{1000 * length(_gripper(x)[:3, 3] - T[:3, 3]):.3g} mm from the position of "
-                f"T_grasp."
-            ),
+            _end_off,
             mistake=Mistake(
                 "the plan ends elsewhere than at T_grasp",
                 "Which pose of the flange brings the gripper to T_grasp, and is it the last of "
@@ -275,8 +278,8 @@ EXERCISE.mistake(form=_other_form)
 
 @EXERCISE.mistake(
     "the path to the grasp leads through something",
-    "From which side must the fingers come, so that they end on both sides of the mug? How far "
-    "apart are your rows?",
+    "Which row does the message name below, and does it belong to the first leg or to the second? "
+    "The arm moves between two rows, too: how far apart are they?",
     seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR),
 )
 def straight_to_the_grasp(q0, T_grasp):
@@ -295,7 +298,9 @@ def flange_at_the_grasp(q0, T_grasp):
 @EXERCISE.mistake(
     "the speeds are within their bounds, but the motion starts or ends at full speed",
     "Which acceleration do the motors need in the first row, from rest to this speed?",
-    seen=lambda x, *case: shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND,
+    seen=lambda x, *case: (
+        _ends(x, *case) and shares(x)[0].max() < _BOUND and shares(x)[1][[0, -1]].max() > _BOUND
+    ),
 )
 def from_full_speed(q0, T_grasp):
     first, second = legs(q0, T_grasp, _EVEN)
