@@ -37,7 +37,6 @@ def _cases(rng):
     # The last numbers have many digits, which simple fractions do not give.
     rows = [*drawn, large, sizes[0]]
     return whole + some + [tuple(float(number) for number in row) for row in rows]
-    return whole + some + [tuple(float(number) for number in row) for row in rows]
 
 
 def _factors(a, alpha, d, theta):
