@@ -240,7 +240,7 @@ def by_the_order(q, sample):
 
 
 @EXERCISE.mistake(
-    "the clusters are numbered by another quantity than their mean q2",
+    "the clusters are not numbered by their mean q2",
     "Which column of q does the task name, and which function of it?",
     number=(
         lambda own: own[:, 0].mean(),

@@ -297,7 +297,7 @@ def signs_pile_up(table, q, poses):
 
 @EXERCISE.mistake(
     "the first pattern within a tolerance is returned",
-    "May several patterns come close to the measured poses, and which one does the task ask for?",
+    "May several patterns come close to the measured poses? Which of them does the task ask for?",
     tolerance=(0.1, 0.02, 0.01, 1e-3, 1e-4),
 )
 def first_within_a_tolerance(table, q, poses, tolerance):

@@ -101,7 +101,7 @@ EXERCISE = Exercise(
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             says=_families,
             mistake=Mistake(
-                "a row is singular for another reason than its family alone",
+                "it is not the family of its row alone that makes a row singular",
                 "Move the joints of the row named below by 0.3 rad, one after the other. Which "
                 "of them "
                 "change the smallest singular value?",
