@@ -301,11 +301,11 @@ def test_a_check_says_how_to_call_it():
         (
             (np.eye(3),),
             (
-                "without brackets behind its name: check.nearest_so(nearest_so). What came is of"
-                " type ndarray."
+                "without brackets behind its name: check.nearest_so(nearest_so). You passed"
+                " an argument of type ndarray."
             ),
         ),
-        (("nearest_so",), "What came is of type str."),
+        (("nearest_so",), "You passed an argument of type str."),
         ((right, np.eye(3)), "without brackets behind its name"),
     ],
 )

@@ -41,6 +41,6 @@ def test_a_rule_hears_of_each_step_its_number_its_distances_and_what_it_used():
 def test_a_rule_that_returns_something_else_is_told_what_it_should_return(answer):
     with pytest.raises(
         ValueError,
-        match="rule must return two finite numbers, alpha and an eps above 0; it returned",
+        match="rule must return two finite numbers, alpha and a positive eps; it returned",
     ):
         mean_steps(lambda *tried: answer, damped_step)

@@ -325,8 +325,9 @@ class Exercise:
 
 
 class Unreadable(ValueError):
-    """The answer has the wrong kind or shape; holds what was expected and what came, and the
-    Mistake.
+    """The answer has the wrong kind or shape.
+
+    The error holds what was expected and what was returned, and the Mistake.
 
     array: the answer, if it is an array of another shape. not_a_number: whether it holds nan or
     inf. Mistakes of the exercise that know such answers take the place of this one.

@@ -64,8 +64,8 @@ class Mistake:
         return kind == wanted_kind and words in message
 
     def of_form(self, array, arguments):
-        """Return the Mistake that an array of another shape than asked for shows, this one or
-        another, or None."""
+        """Return the Mistake that an array shows whose shape is not the one asked for; or
+        None."""
         shown = self.form(array, *arguments) if callable(self.form) else array.shape == self.form
         if isinstance(shown, Mistake):
             return shown
@@ -73,7 +73,7 @@ class Mistake:
 
 
 OTHER_FORM = Mistake(
-    "the answer has another form than asked for", "Print your answer and its np.shape."
+    "the answer does not have the form asked for", "Print your answer and its np.shape."
 )
 
 

@@ -226,7 +226,7 @@ class Naming:
         return all(0 < gap <= _FIRST_DIGITS * size for gap, size in zip(off, sizes, strict=True))
 
     def of_other_form(self, position, value):
-        """Return the Mistake of an answer of another shape than asked for, or None."""
+        """Return the Mistake of an answer whose shape is not the one asked for, or None."""
         right = self.right(position)
         if right is None or not isinstance(value, (np.ndarray, list, tuple, int, float)):
             return None

@@ -197,7 +197,7 @@ class Check:
         return (
             "The check takes the function itself, without brackets behind its name: "
             f"check.{name}({name}). "
-            f"What came is of type {type(function).__name__}."
+            f"You passed an argument of type {type(function).__name__}."
         )
 
     def hint(self):

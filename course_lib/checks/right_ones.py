@@ -1,7 +1,7 @@
 """Put right functions in the place of a notebook's own, whatever they are called by.
 
 Where a function of the notebook is not right, a right one stands in its place, so that whatever
-calls it is judged by itself. The function's name alone is not enough for that: the notebook may
+calls it is judged on its own. The function's name alone is not enough for that: the notebook may
 hold the function under another name, in a cache, in a partial or in an object. So the function
 itself is made to ask, and whoever calls it, by whatever name, calls the right one.
 """

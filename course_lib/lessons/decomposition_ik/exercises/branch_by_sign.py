@@ -76,7 +76,7 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, right(q)),
             says=_first_off,
             mistake=Mistake(
-                "a sample has another label than its own q2 says",
+                "a sample does not have the label that its own q2 gives",
                 "Which comparison gives the label of the sample named below?",
             ),
         ),

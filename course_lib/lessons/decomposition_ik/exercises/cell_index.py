@@ -155,7 +155,7 @@ EXERCISE = Exercise(
             "each position in the box has the column and row of its cell, counted from 0 at low, "
             "with n cells each way",
             lambda xy, low, high: ~_outside(xy, low, high)[:, 0] & (xy < high).all(axis=1),
-            "a position has another cell than its own",
+            "a position is not put into its own cell",
             "Count from 0 at low. How wide is a cell along x, and how wide along y?",
         ),
         _asked(

@@ -92,7 +92,7 @@ def _least_squares(xy, q):
 
 
 def _linear_regression(xy, q):
-    """Return what LinearRegression finds, also for one or two samples, but faster."""
+    """Return what LinearRegression finds, even for one or two samples, but faster."""
     middle, mean = xy.mean(0), q.mean(0)
     A = np.linalg.lstsq(xy - middle, q - mean, rcond=1e-6)[0].T  # its tol
     return np.column_stack([A, mean - A @ middle])

@@ -16,7 +16,7 @@ def _affine(q, xy):
 
 
 def _centred(q, xy):
-    """Return what LinearRegression finds, also for one or two samples."""
+    """Return what LinearRegression finds, even for one or two samples."""
     middle, mean = q.mean(0), xy.mean(0)
     A = np.linalg.lstsq(q - middle, xy - mean, rcond=1e-6)[0].T  # its tol
     return np.column_stack([A, mean - A @ middle])

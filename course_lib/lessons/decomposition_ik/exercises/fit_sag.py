@@ -130,7 +130,7 @@ def other_cosine(q, xy, second):
 
 
 @EXERCISE.mistake(
-    "the tip of the rigid arm is taken to lie in another direction than q1 + q2 / 2",
+    "the tip of the rigid arm is not taken to lie in the direction q1 + q2 / 2",
     "Both links are equally long: where does the tip lie between their directions?",
     share=(0, 1, -0.5),
 )

@@ -133,7 +133,7 @@ EXERCISE.mistake(_FIRST_ROWS, raises=("ValueError", "values to unpack"))
 
 
 @EXERCISE.mistake(
-    "the second link has another direction than q1 + q2",
+    "the second link does not have the direction q1 + q2",
     "From which direction is q2 measured, and in which sense of rotation?",
     direction=(
         lambda q1, q2: q2,

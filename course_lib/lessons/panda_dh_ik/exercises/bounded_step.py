@@ -32,7 +32,7 @@ def right(J, v, bound, eps):
     """Return the right answer, by scipy's solver for linear least squares with bounds."""
     # LAPACK, called with something else, writes "** On entry to DLASCL ..." above the message.
     if not all(np.isfinite(part).all() for part in (J, v, bound, eps)) or bound <= 0 or eps < 0:
-        raise ValueError("J, v, bound and eps must be finite, with a bound above 0 and eps >= 0")
+        raise ValueError("J, v, bound and eps must be finite, with a positive bound and eps >= 0")
     return lsq_linear(*_stacked(J, v, eps), bounds=(-bound, bound), method="bvls", tol=1e-14).x
 
 

@@ -46,7 +46,7 @@ def _gaps(table, q, poses, convention=standard):
 
 
 def _best(table, costs):
-    """Return the pattern of the least cost, (2^n,); the first of those that are alike."""
+    """Return the pattern of the least cost, (2^n,); the first of those that are equal."""
     return _patterns(table)[np.argmin(np.round(costs, 9))]
 
 

@@ -98,7 +98,8 @@ _SINGULAR = Mistake(
     "belong?",
 )
 _OTHER_SIZE = Mistake(
-    "the identity matrix, or another array, has another size than the matrix to which it is added",
+    "the identity matrix, or another array, does not have the size of the matrix to which it is "
+    "added",
     "J may have any shape (m, n). Which shapes do J J^T and J^T J have?",
 )
 _NO_PRODUCT = Mistake(

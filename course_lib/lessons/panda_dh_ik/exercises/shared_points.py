@@ -189,7 +189,7 @@ IS_A_POSE = (
 
 
 def difference(T, right):
-    """Return in words which column of a pose is the first that is wrong, also if the digits shown
+    """Return in words which column of a pose is the first that is wrong, even if the digits shown
     agree."""
     i = next((i for i in (3, 0, 1, 2) if not close(T[:3, i], right[:3, i])), 3)
     what = "The position" if i == 3 else f"The {'xyz'[i]} axis, column {i},"

@@ -267,7 +267,7 @@ def rule_by_rule(t, q, limits, rules):
 
 @EXERCISE.mistake(
     "the time of row 0 is compared with 0",
-    "Must a trajectory begin at a time above 0?",
+    "Must a trajectory begin at a positive time?",
     late=(np.less_equal, np.less),
 )
 def first_time_compared_with_0(t, q, limits, late):

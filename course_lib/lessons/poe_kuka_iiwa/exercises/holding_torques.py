@@ -175,7 +175,7 @@ def another_weight(screws, M, q, mass, center, weight):
 
 
 @EXERCISE.mistake(
-    "gravity has another value than in the task",
+    "gravity does not have the value of the task",
     "How many m/s^2 does the task state?",
     g=(9.8, 10, 9.80665, 9.82),
 )

@@ -76,7 +76,7 @@ EXERCISE = Exercise(
             lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=SIX_DIGITS),
             says=_direction_off,
             mistake=Mistake(
-                "an axis has another direction than its arrow",
+                "an axis does not have the direction of its arrow",
                 "Compare the row of the joint named below with its arrow in both views.",
             ),
             points=1,

@@ -166,7 +166,7 @@ def straight_if_small(start, goal, n):
 
 
 @EXERCISE.mistake(
-    "the displacement is seen from another frame than that in which it is applied",
+    "the displacement is seen from a frame other than the one in which it is applied",
     "T_start^-1 T_goal leads from start to goal, seen from start: where does T_start stand in the "
     "product?",
     product=(

@@ -100,7 +100,7 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the exponential of the twist is the pose T, to 1e-9 also for small omega",
+            "the exponential of the twist is the pose T, to 1e-9 even for small omega",
             _v_holds,
             says=lambda twist, T: (
                 f"The angle of T is {_angle(T):.4g} rad. The position of its exponential is off by "

@@ -22,7 +22,8 @@ _ABOVE_ONE = Mistake(
     "Print the cosine for this tip. What does arccos, or the root of 1 - cosine^2, make of it?",
 )
 _ONE = Mistake(
-    "only one elbow is returned", "There are two solutions, one with theta2 above 0 and one below."
+    "only one elbow is returned",
+    "There are two solutions, one with a positive theta2 and one with a negative theta2.",
 )
 
 

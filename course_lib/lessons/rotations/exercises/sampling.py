@@ -6,7 +6,7 @@ from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import Seed
 
-LEVEL = 1e-6  # each test refuses a right sampler for one seed in a million
+LEVEL = 1e-6  # each test rejects a right sampler for one seed in a million
 MANY = 20_000
 CIRCLE = (-np.pi, np.pi)
 

@@ -29,7 +29,7 @@ def mean_steps(rule, step, alpha=0.2, eps=2.0):
     Raises
     ------
     ValueError
-        If the rule does not return two finite numbers, the second of them above 0.
+        If the rule does not return two finite numbers, the second of them positive.
 
     Examples
     --------
@@ -64,6 +64,6 @@ def _checked(answer):
         alpha = eps = np.nan
     if not (np.isfinite([alpha, eps]).all() and eps > 0):
         raise ValueError(
-            f"rule must return two finite numbers, alpha and an eps above 0; it returned {answer!r}"
+            f"rule must return two finite numbers, alpha and a positive eps; it returned {answer!r}"
         )
     return alpha, eps

@@ -26,7 +26,7 @@ _AT_AN_END = 1e-7
 _AT_THE_END = Mistake(
     "arccos is taken of R[1, 1], which is slightly beyond 1, or something is divided by "
     "sin(b2) = 0",
-    "Which function finds an angle from its sine and cosine, also if rounding has changed both? "
+    "Which function finds an angle from its sine and cosine, even if rounding has changed both? "
     "And which of b1 and b3 is determined if sin(b2) = 0?",
 )
 
@@ -126,7 +126,7 @@ EXERCISE = Exercise(
             mistake=lambda found, R: _FIRST if _misses(found[0], R) > EXACT else _SECOND,
         ),
         Property(
-            "each triple rebuilds R also where b2 is near 0 or near pi",
+            "each triple rebuilds R even where b2 is near 0 or near pi",
             _rebuilt(HALF_THE_DIGITS),
             _off,
             where=lambda R: _AT_AN_END <= _sine(R) <= 1e-2,
@@ -143,7 +143,7 @@ EXERCISE = Exercise(
             where=lambda R: not _end(R),
         ),
         Property(
-            "each triple rebuilds R also where sin(b2) is 0, to rounding",
+            "each triple rebuilds R even where sin(b2) is 0, to rounding",
             _rebuilt(SIX_DIGITS),
             lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
             where=_end,
@@ -155,7 +155,7 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the shape is (2, 3): two triples, no more and no fewer, also where sin(b2) = 0",
+            "the shape is (2, 3): two triples, no more and no fewer, even where sin(b2) = 0",
             lambda found, R: len(found) == 2,
             lambda found, R: f"Your array has {len(found)} of them.",
             mistake=Mistake(

@@ -130,7 +130,7 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "the answer is a number, also if no angle brings p to g",
+            "the answer is a number, even if no angle brings p to g",
             lambda theta, *case: np.isfinite(theta),
             where=_nearest,
             mistake=Mistake(
@@ -148,7 +148,7 @@ EXERCISE = Exercise(
             where=_nearest,
         ),
         Property(
-            "the answer is a number, also if a point lies on the axis",
+            "the answer is a number, even if a point lies on the axis",
             lambda theta, *case: np.isfinite(theta),
             where=_free,
             mistake=Mistake(

@@ -30,10 +30,10 @@ def right_one_by_one(q):
 
 
 def wrong_sign_itself(q):
-    """a sample has another label than its own q2 says"""
+    """a sample does not have the label that its own q2 gives"""
     return np.sign(q[:, 1])
 
 
 def wrong_cut_at_the_mean(q):
-    """a sample has another label than its own q2 says"""
+    """a sample does not have the label that its own q2 gives"""
     return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)
