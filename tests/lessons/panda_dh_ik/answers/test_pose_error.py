@@ -54,5 +54,5 @@ def wrong_example_alone(pose_error):
 
 
 def wrong_number(pose_error):
-    """another form"""
+    """does not have the form asked for"""
     return pose_error(*PAIRS[0])

@@ -29,7 +29,7 @@ def wrong_elbow_at_a_right_angle():
 
 
 def wrong_elbow_three_times():
-    """a row is singular for another reason"""
+    """it is not the family of its row alone"""
     return np.tile(right_by_the_text()[0], (3, 1))
 
 
