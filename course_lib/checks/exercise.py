@@ -274,9 +274,8 @@ class Exercise:
         mistake = naming.mistake(failing, sorted(wrong)) or wanted.mistake
         if callable(mistake):
             mistake = attempt(mistake, value, *case)
-        shown = (
-            answers[failing[0]]["value"] if isinstance(value, tuple) else value
-        )  # a pair as it was returned
+        # A pair is shown as it was returned.
+        shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value
         return Verdict(
             self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers)
         )

@@ -40,10 +40,8 @@ _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before y
 _NOTHING = object()
 _CALLS_SECONDS = 2  # of computing, to see which functions an answer calls
 _LONG = 40  # numbers: of a longer array one item is shown
-_WIDTH, _IN_VIEW = (
-    100,
-    8,
-)  # columns and lines that JupyterLab shows beside its file browser on a small laptop
+# Columns and lines that JupyterLab shows beside its file browser on a small laptop.
+_WIDTH, _IN_VIEW = 100, 8
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
@@ -387,9 +385,8 @@ class Progress:
         lines = [_bar("Core", core), *map(_line, core)]
         if last:
             lines.insert(names.index(last) + 2, f"Second sitting, from the section “{section}”:")
-        if any(
-            v.state != NOT_ATTEMPTED for v in more
-        ):  # whoever leaves More out reads nothing of it
+        # Whoever leaves More out reads nothing of it.
+        if any(v.state != NOT_ATTEMPTED for v in more):
             lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
         choices = [each.choice for each in self.predictions if not each.prediction.more]
         if choices:

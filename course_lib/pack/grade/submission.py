@@ -59,9 +59,8 @@ from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow,
 from course_lib.pack.grade.statements import no_python, stubs_only
 from course_lib.pack.grade.student_view import contents
 
-JUDGING_SECONDS = (
-    60  # of the grader's own processor time for one exercise; a right answer takes less than one
-)
+# Of the grader's own processor time for one exercise; a right answer takes less than one.
+JUDGING_SECONDS = 60
 CELL_CALL_SECONDS = 10  # of the grader's own processor time for one call of check.NAME.library
 # of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
 MOST_CALLS = 100_000
