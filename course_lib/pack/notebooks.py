@@ -32,7 +32,7 @@ from course_lib.pack.draw_charts import ChartNotDrawn, draw_charts
 from course_lib.pack.files import write_atomically
 from course_lib.pack.more import TAG
 
-CELL_TIMEOUT = 120  # seconds; the same as in `make test`
+CELL_TIMEOUT = 120  # seconds; `make test` allows 600, because it runs several notebooks at once
 
 # The metadata that is kept; programs leave the rest behind (timings, an editor's state).
 NOTEBOOK_KEYS = ("course", "nbgrader")
