@@ -33,7 +33,7 @@ from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.bounded import Bounded
 from course_lib.pack.grade.confine import die_with_parent
 from course_lib.pack.grade.jobs import course_hash, outcome
-from course_lib.pack.grade.results import NotAResult, printable, read_json, validated
+from course_lib.pack.grade.results import NotAResult, quoted, read_json, validated
 from course_lib.pack.grade.submission import Grader
 
 MAX_ENDED = 3  # workers that ended while they graded a submission, which then is given up
@@ -231,7 +231,7 @@ class Cluster:
         except (
             Exception
         ) as error:  # for example, the worker ended before it could pass on what it had found
-            why = printable(f"{type(error).__name__}: {error}")
+            why = quoted(f"{type(error).__name__}: {error}")
             answer = (
                 {} if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}
             )
@@ -244,7 +244,7 @@ class Cluster:
         if not answer:
             yield from self._ended(task, "ended")
         elif "unfit" in answer:
-            self._refuse(task.worker, printable(answer["unfit"]))
+            self._refuse(task.worker, quoted(answer["unfit"]))
             self._again += [task] if task.path else []
         elif task.path:
             yield from self._graded(task, answer)
@@ -302,7 +302,7 @@ def _answer(text: object) -> dict:
     (kind, value), *_ = answer.items()
     if not isinstance(value, KINDS[kind]):
         raise NotAResult(f"its {kind} is of type {type(value).__name__}")
-    return {kind: printable(value) if kind == "failed" else value}
+    return {kind: quoted(value) if kind == "failed" else value}
 
 
 # ---- on a worker ----

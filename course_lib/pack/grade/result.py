@@ -47,8 +47,8 @@ def result_of(
     """
     result = {
         "notebook": course.name if course else notebook,
-        "release": printable(release),
-        "problems": [printable(problem) for problem in problems],
+        "release": without_controls(release),
+        "problems": [without_controls(problem) for problem in problems],
         "exercises": [],
         "questions": [],
     }
@@ -103,7 +103,7 @@ def message_of(verdict: Verdict) -> str:
     """Return the check's message without its first line, because the state is a column of its
     own."""
     if verdict.state == RIGHT:
-        return printable(verdict.note)
+        return without_controls(verdict.note)
     shown = replace(verdict, blames="", answer=_with_first_words(verdict.answer))
     try:
         lines = describe(shown).split("\n")[1:]
@@ -112,7 +112,7 @@ def message_of(verdict: Verdict) -> str:
     if verdict.blames:
         lines.insert(0, f"Your {verdict.blames}, which it calls, is not right.")
     offer = f"check.{verdict.exercise.name}.hint()"
-    return printable("\n".join(line for line in lines if not line.startswith(offer)))
+    return without_controls("\n".join(line for line in lines if not line.startswith(offer)))
 
 
 def _with_first_words(answer: object, depth: int = 0) -> object:
@@ -130,7 +130,7 @@ def _with_first_words(answer: object, depth: int = 0) -> object:
     return answer
 
 
-def printable(text: str) -> str:
+def without_controls(text: str) -> str:
     """Return the text without control characters, because it may contain text from a student's
     code."""
     return "".join(

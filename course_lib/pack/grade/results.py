@@ -82,7 +82,7 @@ def validated(result: object, offered: Mapping | None = None) -> dict:
 def _validate_row(row: dict, kind: str) -> None:
     for key in TEXTS[kind]:
         _expect(isinstance(row.get(key), str), f"the {key} of one of its {kind}s is not a text")
-    name = printable(row[kind])
+    name = quoted(row[kind])
     for key in OPTIONAL_TEXTS:
         _expect(isinstance(row.get(key, ""), str), f"the {key} of {name} is not a text")
     _expect(_is_points(row.get("of")), f"the points there are for {name} are no number")
@@ -120,7 +120,7 @@ def _expect(condition: bool, otherwise: str) -> None:
         raise NotAResult(otherwise)
 
 
-def printable(text: object) -> str:
+def quoted(text: object) -> str:
     """Return a worker's own words in one line without control characters, and not all of many."""
     words = " ".join(str(text)[: 10 * MAX_QUOTED].split())
     shown = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in words)
