@@ -14,6 +14,7 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, points
 from course_lib.pack.grade import runner, submission
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
+from course_lib.pack.grade.result import row_of
 from course_lib.pack.grade.submission import grade
 
 # ---- a process of its own ----
@@ -185,7 +186,7 @@ def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
         begin = time.process_time()
         outcome = submission.ask(run, submission.Student(Claims(CLAIMS[claim]), run, exercise), {})
         assert outcome.verdict.points < exercise.points or claim == "lists in lists"
-        assert json.dumps(submission._row(exercise, outcome))
+        assert json.dumps(row_of(exercise, outcome))
         assert time.process_time() - begin < 10
 
 

@@ -53,7 +53,6 @@ from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.claims import read_claims
 from course_lib.pack.grade.notebook_file import Unreadable, course_of, courses
 from course_lib.pack.grade.result import message_of, result_of
-from course_lib.pack.grade.result import row_of as _row  # noqa: F401, tests look at one row
 from course_lib.pack.grade.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, TooSlow, Watch
 from course_lib.pack.grade.statements import no_python, stubs_only
