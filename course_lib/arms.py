@@ -25,7 +25,7 @@ from course_lib.urdf import ROTATING, chain
 _SMALL_BATCH = 50
 _IDENTITY = np.eye(4)
 # The axes that follow and precede x, y and z, for cross products: (a x b)_x = a_y b_z - a_z b_y.
-_NEXT, _LAST = [1, 2, 0], [2, 0, 1]
+_NEXT, _PREVIOUS = [1, 2, 0], [2, 0, 1]
 
 
 @dataclass(frozen=True)
@@ -168,7 +168,7 @@ class SerialArm:
         frames, axes = _dh_frames(table, convention)
         end = np.eye(4) if end is None else checked_pose(end, "end", (4, 4), batched=False)
         arm = cls.from_screws(axes[:, :3, 2], axes[:, :3, 3], frames[-1] @ end, limits)
-        return replace(arm, home=np.concatenate([frames, arm.home[-1:]]))
+        return replace(arm, home=arm._home_with(frames))
 
     @classmethod
     def from_urdf(cls, path, tip=None):
@@ -220,8 +220,11 @@ class SerialArm:
                 names.append(joint.name)
         frames = np.array(frames)
         arm = cls.from_screws(omega, frames[:, :3, 3], nearest_se(T), limits)
-        home = np.concatenate([frames, arm.home[-1:]])
-        return replace(arm, home=home, joint_names=tuple(names))
+        return replace(arm, home=arm._home_with(frames), joint_names=tuple(names))
+
+    def _home_with(self, frames):
+        """Return `home` with other frames for the joints to move, (n, 4, 4), and the same end."""
+        return np.concatenate([frames, self.home[-1:]])
 
     @property
     def n(self):
@@ -417,7 +420,7 @@ class SerialArm:
         omega = axes[..., :3, 0]
         lever = reference - axes[..., :3, 1]
         # np.cross does the same, but is slower for such small arrays.
-        v = omega[..., _NEXT] * lever[..., _LAST] - omega[..., _LAST] * lever[..., _NEXT]
+        v = omega[..., _NEXT] * lever[..., _PREVIOUS] - omega[..., _PREVIOUS] * lever[..., _NEXT]
         return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 
