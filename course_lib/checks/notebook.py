@@ -223,7 +223,7 @@ class Check:
             used.attempt = function  # what is wrong with it can be seen in a picture
         until = "" if mine else ", until yours passes its check"
         if self.verdict.instead:
-            until = f", until {_listed(self.verdict.instead)}, which yours calls, passes its check"
+            until = f", until {listed(self.verdict.instead)}, which yours calls, passes its check"
         _show(
             f"{self.exercise.name} from here on: {used.whose}{until}",
             _MARKS[NOT_ATTEMPTED][1],
@@ -307,7 +307,8 @@ def _keep_the_name(module):
     shell.events.register("post_run_cell", after)
 
 
-def _listed(names):
+def listed(names):
+    """Return names in a row, with "and" before the last one."""
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
@@ -447,7 +448,7 @@ def _said(verdict):
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""
         if verdict.instead:
-            others = _listed(verdict.instead)
+            others = listed(verdict.instead)
             each = "a right one" if len(verdict.instead) == 1 else "right ones"
             note += f"; it calls your {others}, not right yet, and was judged with {each} instead"
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from course_lib.checks.exercise import RIGHT, Exercise, Verdict
-from course_lib.checks.notebook import describe
+from course_lib.checks.notebook import describe, listed
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.claims import first_words
 from course_lib.pack.grade.notebook_file import UNREADABLE, Cell, Course
@@ -95,8 +95,7 @@ def _judged_with(instead: tuple[str, ...]) -> str:
         return ""
     if len(instead) == 1:
         return f"Judged with a right {instead[0]} in place of yours, which it calls."
-    names = f"{', '.join(instead[:-1])} and {instead[-1]}"
-    return f"Judged with right {names} in place of yours, which it calls."
+    return f"Judged with right {listed(instead)} in place of yours, which it calls."
 
 
 def message_of(verdict: Verdict) -> str:
