@@ -141,7 +141,7 @@ def test_many_queries_take_little_memory():
 
 
 @FORWARDS
-def test_bytes_a_cell(forward):
+def test_a_cell_takes_thirty_to_forty_bytes(forward):
     model = fitted(forward)
     arrays = [value for value in vars(model).values() if isinstance(value, np.ndarray)]
     assert model.nbytes == sum(array.nbytes for array in arrays)

@@ -111,7 +111,7 @@ def test_the_same_seed_gives_the_same_answer():
 
 
 @pytest.mark.parametrize("batch", [(), (0,), (1,), (2, 1, 3)])
-def test_batches(batch):
+def test_the_result_has_the_batch_of_the_targets(batch):
     arm = iiwa14()
     targets = reachable(arm, 6)[: int(np.prod(batch))].reshape(*batch, 4, 4)
     found = solve(arm, targets, np.random.default_rng(6))

@@ -63,7 +63,7 @@ def test_is_se_is_within_tol_in_block_and_last_row(n, tol):
 
 
 @EITHER
-def test_nearest_se(n):
+def test_nearest_se_keeps_the_position_and_leaves_a_symmetric_rest(n):
     rng = np.random.default_rng(2)
     T = pose_samples(n)(rng, (50,))
     close(nearest_se(T), T)
@@ -76,7 +76,7 @@ def test_nearest_se(n):
 
 
 @EITHER
-def test_inverse(n):
+def test_inverse_is_that_of_numpy_and_holds_no_minus_zero(n):
     T = pose_samples(n)(np.random.default_rng(7), (100,)) * np.where(np.arange(n + 1) < n, 1, 100)
     T[:, n, n] = 1
     close(inverse(T), np.linalg.inv(T), 1e-11)
@@ -100,7 +100,7 @@ def test_adjoint_conjugates_the_exponential(n):
 # ---------------------------------------------------------------------------------------------------------------
 
 
-def test_hat_se3_and_back():
+def test_hat_se3_of_any_size_and_vee_se3_are_exact():
     twists = np.random.default_rng(3).normal(size=(50, 6)) * 10.0 ** np.arange(-25, 25)[:, None]
     assert np.array_equal(hat_se3(twists), twist_matrix(twists))
     assert np.array_equal(vee_se3(hat_se3(twists)), twists)

@@ -82,12 +82,12 @@ def solved(problem, *given, tolerance):
 
 
 # Random cases, made from known angles
-# --------------------------------------------------------------------------------- A known angle is
-# found as exactly as the problem says what it is: times the change that a rotation makes, to
-# rounding.
+# A known angle is found as exactly as the problem says what it is: times the change that a rotation
+# makes, to rounding.
+# ----------------------------------------------------------------------------------------------------
 
 
-def test_subproblem1():
+def test_subproblem1_finds_the_angle_of_a_rotation():
     (k, p), theta = random_vectors(2, 0), random_angles(1)
     got = solved(subproblem1, k, p, rotate(k, theta, p), tolerance=1e-12)
     flags(got, True, 1, False)
@@ -95,7 +95,7 @@ def test_subproblem1():
     assert (apart(got.theta, theta) * radius).max() < 1e-14
 
 
-def test_subproblem2():
+def test_subproblem2_finds_both_pairs_of_angles():
     (k1, k2, p1), theta1, theta2 = random_vectors(3, 4), random_angles(5), random_angles(6)
     meeting = rotate(k1, theta1, p1)
     p2 = rotate(k2, -theta2, meeting)
@@ -113,7 +113,7 @@ def test_subproblem2():
     assert (missed * crossing).max() < 1e-13
 
 
-def test_subproblem3():
+def test_subproblem3_finds_the_angle_of_a_distance():
     (k, p, q), theta = random_vectors(3, 7), random_angles(8)
     moved = rotate(k, theta, p)
     d = norm(moved - q)
@@ -126,7 +126,7 @@ def test_subproblem3():
     assert ((got.theta[:, 0] != got.theta[:, 1]) == (got.count == 2)).all()
 
 
-def test_subproblem4():
+def test_subproblem4_finds_the_angle_of_a_projection():
     (k, p, h), theta = random_vectors(3, 9), random_angles(10)
     moved = rotate(k, theta, p)
     d = dot(h, moved)
@@ -182,7 +182,7 @@ def test_points_on_the_axis_leave_the_angle_free():
     assert_allclose(subproblem2(EZ, EY, EZ, EX).theta[0], [0, -PI / 2], rtol=0, atol=1e-15)
 
 
-def test_zero_vectors():
+def test_zero_vectors_leave_the_angle_free():
     zero = np.zeros(3)
     for p, q in [(zero, zero), (zero, EX), (EX, zero)]:
         exact = p is q
