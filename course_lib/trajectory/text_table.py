@@ -15,9 +15,8 @@ from functools import cached_property
 import numpy as np
 
 _SEPARATORS = (";", "\t", "|", ",", " ")
-_SAMPLE = (
-    400  # lines from which the separator is chosen: half from the beginning, half from the end
-)
+# Lines from which the separator is chosen: half from the beginning, half from the end.
+_SAMPLE = 400
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf|infinity)", re.I)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+(e[-+]?\d+)?", re.I)
 _LIST = re.compile(r"\s*[\[(](.*)[\])]\s*", re.S)

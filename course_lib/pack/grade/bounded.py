@@ -20,9 +20,8 @@ from multiprocessing.connection import Connection
 from course_lib.checks.clock import cpu_clock
 from course_lib.pack.grade.confine import die_with_parent
 
-CPU_SECONDS = (
-    300  # of the grader's own process, for all of a submission; a right one takes about three
-)
+# Of the grader's own process, for all of a submission; a right one takes about three.
+CPU_SECONDS = 300
 CLOCK_SECONDS = 4 * 3600  # far longer than the bounds of everything inside: it ends only what hangs
 MEMORY = 3 * 10**9  # of address space, in addition to that at the start of the process
 MAX_RESULT = 50_000_000  # bytes

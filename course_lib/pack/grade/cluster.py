@@ -228,9 +228,8 @@ class Cluster:
             answer = _answer(future.result(timeout=ARRIVES))
         except NotAResult as problem:
             answer = {"unusable": str(problem)}
-        except (
-            Exception
-        ) as error:  # for example, the worker ended before it could pass on what it had found
+        # For example, the worker ended before it could pass on what it had found.
+        except Exception as error:
             why = quoted(f"{type(error).__name__}: {error}")
             answer = (
                 {} if task.path else {"unfit": f"it or the scheduler lacks this course ({why})."}

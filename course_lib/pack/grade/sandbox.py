@@ -25,9 +25,8 @@ from course_lib.pack.grade import isolation
 
 LEAST_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
 WAIT = 0.25  # seconds between two looks
-WATCHERS = (
-    2  # processes of ours around the student's: what begins the sandbox, and its first process
-)
+# Processes of ours around the student's: what begins the sandbox, and its first process.
+WATCHERS = 2
 
 
 @dataclass(frozen=True)
@@ -42,9 +41,8 @@ class Limits:
     cpu_seconds: int = 20  # for all answers of one exercise
     cell_cpu_seconds: int = 120
     notebook_cpu_seconds: int = 400  # for all cells of one run
-    submission_cpu_seconds: int = (
-        1200  # for everything together; exercises that remain then are not graded
-    )
+    # For everything together; exercises that remain then are not graded.
+    submission_cpu_seconds: int = 1200
     idle_seconds: int = 60  # in a row, but for a hundredth of them
     answer_seconds: int = 900  # for all answers of one exercise
     notebook_seconds: int = 3600  # for all cells of one run
