@@ -72,7 +72,7 @@ MAX_LINE = 10**7  # the number of a line that the runner claims to run
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
 Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
-STATES = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)  # the better ones last
+WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 NOT_HANDED_IN = (
     "It imports {}, which is not installed here and was not handed in with it. What needs it was "
@@ -133,7 +133,7 @@ class Outcome:
 
     def _rank(self) -> tuple:
         verdict = self.verdict
-        return verdict.points, self.answered, STATES.index(verdict.state), bool(verdict.reason)
+        return verdict.points, self.answered, WORST_FIRST.index(verdict.state), bool(verdict.reason)
 
 
 @dataclass
