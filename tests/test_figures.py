@@ -127,6 +127,8 @@ PICTURES = [
     (nb5.share_reached, ([5, 10], [0.1, 0.42], "steps", "Words."),
      "over the steps: 10 % at 5, 42 % at 10, and the most, 42 %, at 10."),
     (nb5.fastest_joint, (T, {"undamped": T, "damped": T / 2}), "value: undamped 2 rad/s, damped 1 rad/s."),
+    (nb5.following, (0.5, 1, {"open": T + 1, "closed": 1 - T / 2, "low": 1 - T / 2, "high": T + 1}, 1 - T / 2),
+     "All start at 1.0 cm. At the end: open 3.0 cm; closed 0.0 cm;"),
     (nb5.matches, (POINTS, POINTS + 0.1 * Z * (np.arange(len(POINTS)) == 1)[:, None], np.eye(4), [1]),
      "how far the wrong matches are off: point 1 by 100 mm."),
     (nb5.iterations, ({"a": np.array([3, 5]), "b": np.array([9])}, 10),

@@ -160,6 +160,25 @@ PREDICTIONS = (
         more=True,
     ),
     Prediction(
+        "lag",
+        "b",
+        {
+            "a": (
+                "If the error were zero, the command would be zero too. What would the gripper do, "
+                "while the target moves on?"
+            ),
+            "b": (
+                "Yes. The gripper is as fast as the target if K e = v. With v = 10 cm/s and "
+                "K = 2/s, this error is 5 cm."
+            ),
+            "c": (
+                "The gripper moves the faster, the larger the error is. At which error is it as "
+                "fast as the target?"
+            ),
+        },
+        more=True,
+    ),
+    Prediction(
         "two_outliers",
         "b",
         {

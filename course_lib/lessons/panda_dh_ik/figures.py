@@ -36,6 +36,7 @@ SMALLEST_ERROR = 1e-8
 # Decimals of centimetres, shares of a bound and rad/s in charts. The last digits of joint angles
 # differ between machines, and the numbers of a chart must not.
 DECIMALS = 3
+MAX_DRAWN_LAG = 6  # cm: a little more than v / K in the runs of the notebook
 
 
 def through_the_table(q):
@@ -645,6 +646,51 @@ def fastest_joint(times, speeds):
         f"The speed of the fastest joint over time. Its largest value: {largest}.",
         "When the arm is nearly stretched, the undamped method asks for higher and higher joint "
         "speeds. The other two methods limit the speed, so the flange falls behind.",
+    )
+
+
+def following(dt, coarse_dt, distances, decay):
+    """Return the errors of a gripper that follows a moving target, over time and over steps.
+
+    Parameters
+    ----------
+    dt, coarse_dt : float
+        The duration of a step of the runs on the left and on the right, in seconds.
+    distances : dict
+        Run to its errors after each step, in cm: two runs for the left panel, shape (n,), then two
+        for the right one, shape (m,).
+    decay : array_like, shape (n,)
+        The error of the left panel that the differential equation predicts, in cm.
+
+    Returns
+    -------
+    Picture
+    """
+    names = list(distances)
+    fig = charts.panels(
+        [f"steps of {dt:g} s", f"steps of {coarse_dt:g} s"],
+        xlabel="time (s)",
+        ylabel="error (cm)",
+        columns=2,
+    )
+    for i, name in enumerate(names):
+        panel, step = (0, dt) if i < 2 else (1, coarse_dt)
+        errors = np.round(distances[name], DECIMALS)
+        times = np.round(step * np.arange(len(errors)), DECIMALS)
+        charts.add_line(fig, times, errors, name, panel=panel, markers=panel == 1)
+    few = slice(None, None, max(1, len(decay) // 16))  # dots on the curve that they confirm
+    times = np.round(dt * np.arange(len(decay)), DECIMALS)[few]
+    expected = np.round(decay, DECIMALS)[few]
+    charts.add_points(fig, times, expected, "e<sub>0</sub> exp(−K t)", colour=INK, size=5)
+    # The errors that die out fill the panels; the one that grows may leave its panel.
+    fig.update_yaxes(range=[0, MAX_DRAWN_LAG])
+    ends = "; ".join(f"{name} {distances[name][-1]:.1f} cm" for name in names)
+    return Picture(
+        fig,
+        f"Errors of a gripper that follows a moving target. All start at "
+        f"{distances[names[0]][0]:.1f} cm. At the end: {ends}.",
+        "Left, the gripper lags behind without feed-forward. With feed-forward its error decays "
+        "exponentially. Right, the gain is just below and just above 2/dt.",
     )
 
 
