@@ -111,6 +111,8 @@ PICTURES = [
      "for each of the frames space, body."),
     (nb4.singular_values, (IIWA, GENERIC, GENERIC * [1, 1, 1, 1, 1, 0, 1]), "q6 varies (wrist): least 0.11 at -0.08"),
     (nb4.near_its_bounds, (T, 0.1 + 0 * T, T[:, None] * GENERIC, IIWA.limits), "manipulability is between 0.100 and"),
+    (nb4.workspace, ([0.1, 0.3], [0, 0.2], np.array([[0.02, np.nan], [0.01, 0.05]]), 0.05, ([0.1, 0.4], [0, 0.3])),
+     "is largest, 0.050 m³, near r = 0.30 m and z = 0.20 m."),
     (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
     (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the worktop."),
     (nb5.four_parameters, (0.8, 0.7, 0.6, 0.9),

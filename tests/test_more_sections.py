@@ -1,4 +1,4 @@
-"""Sections of More in notebooks 1 to 3: their numbers by a second computation."""
+"""Sections of More in notebooks 1 to 5: their numbers by a second computation."""
 
 from functools import cache
 from itertools import pairwise
@@ -7,6 +7,7 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.optimize import linprog
 from scipy.spatial.transform import Rotation
 
@@ -227,3 +228,141 @@ def order_by_powers(u, even, tolerance):
         if np.linalg.norm(Q @ (Q.T @ even) - even, axis=1).max() < tolerance:
             return order
     return None
+
+
+# ---- notebook 4: the workspace of the UR5e, and its manipulability ----
+
+UR5E = arms.ur5e()
+
+
+def gripper_down(r, z):
+    names = {"fk": lambda screws, M, q: UR5E.fk(q), "own_screws": None, "own_M": None}
+    return functions_of("04_poe_kuka_iiwa", "workspace-ik", **names)["gripper_down"](r, z)
+
+
+def solved_by_iteration(r, z):
+    """The configurations with the flange down at (r, 0, z), from 60 random starts."""
+    T = np.array([[1.0, 0, 0, r], [0, -1, 0, 0], [0, 0, -1, z], [0, 0, 0, 1]])
+    generator = np.random.default_rng(4)
+    starts = generator.uniform(-np.pi, np.pi, (60, 6))
+    answer = ik.solve(UR5E, np.tile(T, (60, 1, 1)), generator, q0=starts)
+    return answer.q[answer.success]
+
+
+def differences(arm, q, h=1e-6):
+    """The geometric Jacobian (6, n), (v, omega), by central differences of the pose."""
+    columns = []
+    for step in h * np.eye(len(q)):
+        before, after = arm.fk(q - step), arm.fk(q + step)
+        omega = Rotation.from_matrix(after[:3, :3] @ before[:3, :3].T).as_rotvec()
+        columns.append(np.append((after - before)[:3, 3], omega) / (2 * h))
+    return np.transpose(columns)
+
+
+@pytest.mark.parametrize(("r", "z"), [(0.6, 0.2), (0.3, 0.4), (0.77, 0.0)])
+def test_iterations_find_the_manipulabilities_of_the_exact_configurations(r, z):
+    found = [np.linalg.svd(differences(UR5E, q))[1].prod() for q in solved_by_iteration(r, z)]
+    s3 = np.sin(gripper_down(r, z)[:, 2])
+    formula = 0.425 * 0.3922 * np.abs(s3) * np.sqrt(r**2 - 0.1333**2)
+    assert set(np.round(found, 4)) == set(np.round(formula, 4))
+
+
+@pytest.mark.parametrize(("r", "reached"), [(0.128, 0), (0.139, 4), (0.919, 2), (0.930, 0)])
+def test_iterations_end_at_the_hole_as_at_the_outer_edge(r, reached):
+    assert len(gripper_down(r, 0)) == reached
+    assert bool(len(solved_by_iteration(r, 0))) == bool(reached)
+
+
+def test_the_best_places_are_those_of_a_search_over_joint_angles():
+    """A second way: random elbows instead of a grid of places, by differences of the pose."""
+    printed = source_of("04_poe_kuka_iiwa", "workspace-map")[1]
+    on_table = []
+    for q3 in np.linspace(0.8, 2.2, 141):
+        # q5 = 90 degrees, the flange at height 0: the shoulder follows from the height
+        length = np.sqrt(0.425**2 + 0.3922**2 + 2 * 0.425 * 0.3922 * np.cos(q3))
+        drop = np.arcsin((0.1625 - 0.0996) / length)
+        q2 = drop - np.arctan2(0.3922 * np.sin(q3), 0.425 + 0.3922 * np.cos(q3)) + np.pi
+        q = np.array([0, q2, q3, np.pi / 2 - q2 - q3, np.pi / 2, 0])
+        T = UR5E.fk(q)
+        assert np.isclose(T[2, 3], 0)
+        volume = abs(np.linalg.det(differences(UR5E, q)))
+        on_table.append((volume, np.hypot(T[0, 3], T[1, 3])))
+    assert f"largest at r = {max(on_table)[1]:.2f} m" in printed
+
+
+# ---- notebook 5: a target that moves ----
+
+PANDA = arms.panda()
+READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
+BELT = np.array([0, 0.1, 0, 0, 0, 0])  # m/s
+
+
+def error_of(q, T_d):
+    T = PANDA.fk(q)
+    rotation = Rotation.from_matrix(T_d[:3, :3] @ T[:3, :3].T).as_rotvec()
+    return np.append((T_d - T)[:3, 3], rotation)
+
+
+def on_the_belt(t):
+    T_d = PANDA.fk(READY).copy()
+    T_d[:3, 3] += np.array([0, 0.02, 0]) + BELT[:3] * t
+    return T_d
+
+
+@cache
+def errors_of_the_notebook(K, feed_forward, dt, n):
+    def geometric(frames):
+        z, o = frames[:-1, :3, 2], frames[:-1, :3, 3]
+        return np.vstack([np.cross(z, frames[-1, :3, 3] - o).T, z.T])
+
+    def error(T, T_d):
+        return np.append(
+            (T_d - T)[:3, 3], Rotation.from_matrix(T_d[:3, :3] @ T[:3, :3].T).as_rotvec()
+        )
+
+    names = {"fk": PANDA.frames, "J_of": geometric, "error": error, "ready": READY}
+    follow_target = functions_of("05_panda_dh_ik", "moving-code", **names)["follow_target"]
+    return np.linalg.norm(follow_target(K, feed_forward * BELT, dt, n)[0][:, :3], axis=1)
+
+
+@pytest.mark.parametrize("feed_forward", [0, 1])
+def test_the_errors_are_those_of_the_differential_equation(feed_forward):
+    """A second way: continuous control, with differences of the pose for the Jacobian."""
+
+    def q_dot(t, q):
+        wanted = feed_forward * BELT + 2 * error_of(q, on_the_belt(t))
+        return np.linalg.lstsq(differences(PANDA, q), wanted)[0]
+
+    times = np.linspace(0, 4, 9)
+    solved = solve_ivp(q_dot, (0, 4), READY, t_eval=times, rtol=1e-5, atol=1e-7)
+    distances = [
+        np.linalg.norm(error_of(q, on_the_belt(t))[:3])
+        for t, q in zip(solved.t, solved.y.T, strict=True)
+    ]
+    lag = 0 if feed_forward else 0.1 / 2  # v / K, in metres
+    np.testing.assert_allclose(distances, lag + (0.02 - lag) * np.exp(-2 * times), atol=1e-5)
+    stepwise = errors_of_the_notebook(2.0, feed_forward, 0.02, 200)[::25]
+    np.testing.assert_allclose(stepwise, distances, atol=5e-4)
+
+
+@pytest.mark.parametrize(("K", "shrinks"), [(1, True), (19.8, True), (20.2, False)])
+def test_a_step_shrinks_the_errors_for_gains_below_two_over_dt(K, shrinks):
+    """A second way: the eigenvalues of one step, linearized at the target by differences."""
+    dt, h, T_d = 0.1, 1e-6, PANDA.fk(READY)
+    columns = []
+    for change in h * np.eye(7):
+        q = READY + change
+        step = np.linalg.pinv(differences(PANDA, q)) @ (K * error_of(q, T_d))
+        columns.append((change + dt * step) / h)
+    sizes = np.sort(np.abs(np.linalg.eigvals(np.transpose(columns))))
+    six = np.delete(sizes, np.abs(sizes - 1).argmin())  # without the null space, which keeps q
+    np.testing.assert_allclose(six, abs(1 - K * dt), atol=1e-4)
+    assert (six < 1).all() == shrinks
+
+
+def test_a_gain_below_two_over_dt_converges_where_one_above_it_diverges():
+    below, above = (errors_of_the_notebook(K, 1, 0.1, 20) for K in (19.0, 21.0))
+    np.testing.assert_allclose(below, 0.02 * 0.9 ** np.arange(21), rtol=0.35)
+    np.testing.assert_allclose(above[:6], 0.02 * 1.1 ** np.arange(6), rtol=0.05)
+    assert above[-1] > 10 * above[0]
+    assert f"from 2.0 to {100 * below[-1]:.1f} cm" in source_of("05_panda_dh_ik", "moving-run")[1]

@@ -94,6 +94,25 @@ PREDICTIONS = (
         more=True,
     ),
     Prediction(
+        "workpiece",
+        "c",
+        {
+            "a": (
+                "Near axis 1 the axes 1 and 6, which are both vertical, are almost one line. Which "
+                "of the two does the work of the other?"
+            ),
+            "b": (
+                "The elbow is bent well there. But joint 1 moves the flange sideways, and how fast "
+                "this motion is depends on the distance from axis 1."
+            ),
+            "c": (
+                "The elbow has about a right angle there, and the flange is far from axis 1. Only "
+                "when the arm is nearly stretched does the manipulability fall to zero."
+            ),
+        },
+        more=True,
+    ),
+    Prediction(
         "late_velocities",
         "c",
         {

@@ -614,3 +614,51 @@ def near_its_bounds(t, manipulability, q, limits):
         "configuration. The angles are measured from the middle between their limits. If you zoom "
         "in one panel, the other follows.",
     )
+
+
+# Decimals of metres and of the manipulability in the chart of the workspace. Further digits differ
+# between machines, and the numbers of a chart must not.
+_MAP_DECIMALS = 4
+
+
+def workspace(radii, heights, manipulability, hole, outer_edge):
+    """Return a map of the places that a gripper reaches from above, coloured by manipulability.
+
+    Parameters
+    ----------
+    radii : array_like, shape (n,)
+        Distances of the flange from axis 1, in metres.
+    heights : array_like, shape (m,)
+        Heights of the flange above the base, in metres.
+    manipulability : ndarray, shape (m, n)
+        The largest one of all configurations, in cubic metres; NaN where there is none.
+    hole : float
+        The least distance from axis 1 that can be reached, in metres.
+    outer_edge : tuple of array_like, shape (k,)
+        Distances and heights at which the arm is stretched, in metres.
+
+    Returns
+    -------
+    Picture
+    """
+    radii, heights = np.round(radii, _MAP_DECIMALS), np.round(heights, _MAP_DECIMALS)
+    fig = charts.panels(
+        xlabel="distance r from axis 1 (m)", ylabel="height z (m)", equal=True, height=560
+    )
+    values = np.round(manipulability, _MAP_DECIMALS)
+    charts.add_map(fig, radii, heights, values, charts.ColourScale("manipulability w (m³)", low=0))
+    edge_r, edge_z = np.round(outer_edge, _MAP_DECIMALS)
+    charts.add_line(fig, edge_r, edge_z, "arm stretched", colour=BLACK)
+    charts.add_line(
+        fig, [hole, hole], [edge_z.min(), edge_z.max()], "edge of the hole", colour=CRIMSON
+    )
+    row, column = np.unravel_index(np.nanargmax(manipulability), manipulability.shape)
+    best = radii[column], heights[row], manipulability[row, column]
+    return Picture(
+        fig,
+        f"A map of the places that the flange reaches while it points down. Its manipulability is "
+        f"largest, {best[2]:.3f} m³, near r = {best[0]:.2f} m and z = {best[1]:.2f} m. It falls to "
+        f"zero at the hole around axis 1, of radius {hole:.2f} m, and at the outer edge.",
+        "The colour of a place shows the largest manipulability of all configurations that reach "
+        "it from above. The white places cannot be reached.",
+    )
