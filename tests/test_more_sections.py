@@ -1,5 +1,6 @@
 """Sections of More in notebooks 1 to 5: their numbers by a second computation."""
 
+import re
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -240,12 +241,12 @@ def gripper_down(r, z):
     return functions_of("04_poe_kuka_iiwa", "workspace-ik", **names)["gripper_down"](r, z)
 
 
-def solved_by_iteration(r, z):
-    """The configurations with the flange down at (r, 0, z), from 60 random starts."""
+def solved_by_iteration(r, z, count=60):
+    """The configurations with the flange down at (r, 0, z), from random starts."""
     T = np.array([[1.0, 0, 0, r], [0, -1, 0, 0], [0, 0, -1, z], [0, 0, 0, 1]])
     generator = np.random.default_rng(4)
-    starts = generator.uniform(-np.pi, np.pi, (60, 6))
-    answer = ik.solve(UR5E, np.tile(T, (60, 1, 1)), generator, q0=starts)
+    starts = generator.uniform(-np.pi, np.pi, (count, 6))
+    answer = ik.solve(UR5E, np.tile(T, (count, 1, 1)), generator, q0=starts)
     return answer.q[answer.success]
 
 
@@ -270,24 +271,41 @@ def test_iterations_find_the_manipulabilities_of_the_exact_configurations(r, z):
 @pytest.mark.parametrize(("r", "reached"), [(0.128, 0), (0.139, 4), (0.919, 2), (0.930, 0)])
 def test_iterations_end_at_the_hole_as_at_the_outer_edge(r, reached):
     assert len(gripper_down(r, 0)) == reached
-    assert bool(len(solved_by_iteration(r, 0))) == bool(reached)
+    assert bool(len(solved_by_iteration(r, 0, 5))) == bool(reached)
 
 
-def test_the_best_places_are_those_of_a_search_over_joint_angles():
-    """A second way: random elbows instead of a grid of places, by differences of the pose."""
-    printed = source_of("04_poe_kuka_iiwa", "workspace-map")[1]
-    on_table = []
-    for q3 in np.linspace(0.8, 2.2, 141):
-        # q5 = 90 degrees, the flange at height 0: the shoulder follows from the height
+@cache
+def on_the_table():
+    """Distances and Jacobians with the flange down at height 0, over angles of the elbow."""
+    found = []
+    for q3 in np.linspace(-2.9, 2.9, 401):
+        # The shoulder follows from the height of the wrist, which is 6 cm below the shoulder.
         length = np.sqrt(0.425**2 + 0.3922**2 + 2 * 0.425 * 0.3922 * np.cos(q3))
         drop = np.arcsin((0.1625 - 0.0996) / length)
-        q2 = drop - np.arctan2(0.3922 * np.sin(q3), 0.425 + 0.3922 * np.cos(q3)) + np.pi
-        q = np.array([0, q2, q3, np.pi / 2 - q2 - q3, np.pi / 2, 0])
-        T = UR5E.fk(q)
-        assert np.isclose(T[2, 3], 0)
-        volume = abs(np.linalg.det(differences(UR5E, q)))
-        on_table.append((volume, np.hypot(T[0, 3], T[1, 3])))
-    assert f"largest at r = {max(on_table)[1]:.2f} m" in printed
+        q2 = np.pi - drop - np.arctan2(0.3922 * np.sin(q3), 0.425 + 0.3922 * np.cos(q3))
+        for q5 in (-np.pi / 2, np.pi / 2):
+            q = np.array([0, q2, q3, q5 - q2 - q3, q5, 0])
+            T = UR5E.fk(q)
+            np.testing.assert_allclose(T[2], [0, 0, -1, 0], atol=1e-12)
+            found.append((np.hypot(*T[:2, 3]), differences(UR5E, q)))
+    return found
+
+
+def test_the_best_place_on_the_table_is_that_of_a_search_over_elbows():
+    """A second way: a grid of elbow angles instead of places, by differences of the pose."""
+    volumes = [(abs(np.linalg.det(J)), r) for r, J in on_the_table()]
+    printed = source_of("04_poe_kuka_iiwa", "workspace-map")[1]
+    assert f"largest at r = {max(volumes)[1]:.2f} m" in printed
+
+
+@pytest.mark.parametrize(("name", "unit"), [("1 m", 1), ("1 mm", 0.001), ("40 cm", 0.4)])
+def test_the_least_condition_numbers_are_those_of_a_search_over_elbows(name, unit):
+    lengths = np.array([1 / unit, 1 / unit, 1 / unit, 1, 1, 1])[:, None]
+    least, place = min((np.linalg.cond(lengths * J), r) for r, J in on_the_table())
+    printed = source_of("04_poe_kuka_iiwa", "workspace-units")[1]
+    (row,) = re.findall(rf"unit {name} *: least +([\d.]+) at r = ([\d.]+) m", printed)
+    assert float(row[0]) == pytest.approx(least, rel=0.01)
+    assert float(row[1]) == pytest.approx(place, abs=0.015)
 
 
 # ---- notebook 5: a target that moves ----
