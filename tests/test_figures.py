@@ -1,6 +1,7 @@
 """show() and every picture of the notebooks: words made from the data, numbers that do not depend
 on the machine."""
 
+import io
 import json
 from unittest import mock
 
@@ -8,13 +9,15 @@ import numpy as np
 import pytest
 from helpers import ALT, shown
 from matplotlib.figure import Figure
+from matplotlib.text import Text
+from PIL import Image
 
 from course_lib import arms, rigid, rotations, trajectory
 from course_lib.figures import show
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import velocities_of_the_tip
 from course_lib.figures.stored_chart import PLOTLY, is_chart, stored
-from course_lib.figures.style import plane_figure
+from course_lib.figures.style import MAX_PANEL_WIDTH, plane_figure
 from course_lib.figures.three_views import three_views
 from course_lib.figures.toys.toy import Toy
 from course_lib.lessons.decomposition_ik import figures as nb6
@@ -62,6 +65,7 @@ PICTURES = [
     (nb1.on_sphere, ({"none": np.eye(3)[None], "any": R},), "none: 0% in the cap above 0.9, 0% below -0.9"),
     (nb1.distances, (T, 2 * T, 1 - np.cos(T / 2)), "the Euler angles is 2.0 to 2.0 times the angle"),
     (nb2.parking, (DRIVE, [1, 2, 1.57], [0.6, 1, 0.4], 0.6), "as near as 1.08 m to the middle"),
+    (nb2.wheels, (0.2, 0.4, 0.2), "on circles about one point, the pole, 0.3 m to the left of the robot."),
     (nb2.body_movie, ("x", DRIVE, T), "2 s. A body outlined in red moves along a dashed blue path from (0, 0) "
      "to (2, 0), rotating counter-clockwise by 0.50 rad."),
     (nb2.body_movie, ("x", DRIVE, T, DRIVE + 3 * Y), "outlined in grey, is up to 3.00 m away from the first."),
@@ -84,6 +88,7 @@ PICTURES = [
     (nb3.circle_and_sphere, (Z, X, X, 1.0, [np.pi / 3, -np.pi / 3]), "radius 1 about g at two points, marked 1 and 2."),
     (nb3.circle_and_plane, (Z, X, X, 1.0, [0.0]), "perpendicular to the direction h at one point."),
     (nb3.orientation_paths, ({"still": R[[0, 0]]}, 1.0), "still on a path of length 0.00, at 0.00 rad/s."),
+    (nb3.arm_by_hand, (), "from (4, 3) to (5, 0). Seen from above, the wrist center goes from (5, 0) to (3, 4)."),
     (nb3.choices, (np.array([0.5, 1.25]), [2, 2, 8]), "most often 2, for 2 of 3 poses."),
     (nb3.joint_motion, ({"undamped": lambda bend: 1.2 / bend},), "undamped from 1.2 to 400 rad."),
     (nb3.largest_rates, (lambda b: np.eye(3) / np.sin(b[1]),), "largest single rate from 1 to 50 rad/s."),
@@ -114,6 +119,7 @@ PICTURES = [
     (nb4.workspace, ([0.1, 0.3], [0, 0.2], np.array([[0.02, np.nan], [0.01, 0.05]]), 0.05, ([0.1, 0.4], [0, 0.3])),
      "is largest, 0.050 m³, near r = 0.30 m and z = 0.20 m."),
     (three_views, ("iiwa", IIWA), "From the base the arm goes 360 along +z, then 420 along +z"),
+    (three_views, ("ur5e", arms.ur5e(), ("0", "f")), "The flange's frame f has x along +x, y along +z, z along -y"),
     (nb5.through_the_table, ([2.0, 1.7, 0.3, -0.6, 0, 1.6, 0],), "cm below the worktop."),
     (nb5.four_parameters, (0.8, 0.7, 0.6, 0.9),
      "its length is a = 0.8 m. About x1, the axis z2 is rotated relative to z1 by alpha = 40"),
@@ -191,6 +197,65 @@ def test_plots_name_every_axis(made):
             below = ax.get_shared_x_axes().get_siblings(ax)
             assert any(each.get_xlabel() for each in below) or ax.get_label() == "<colorbar>"
             assert any(each.get_ylabel() for each in beside) or len(fig.axes) > 1
+
+
+# ---- letters on a phone ----
+
+PHONE = 358  # pixels: a picture on a phone 390 wide
+MIN_LETTERS = 10.5  # pixels
+MIN_EXPONENTS = 9
+EXPONENT = 0.7  # of the letters beside it, as matplotlib draws it
+
+
+def phone_scale(fig):
+    """How much smaller a phone shows a plot whose panels it stacks than it was drawn."""
+    metadata = shown(Picture(fig, ALT)).metadata["image/png"]
+    ends = [0, *metadata.get("cuts", []), metadata["width"]]
+    enlargement = metadata["width"] / (96 * fig.get_size_inches()[0])
+    return enlargement * min(1, PHONE / np.diff(ends).max())
+
+
+def letters(fig):
+    """The words of a figure, and their height in pixels as drawn."""
+    texts = [text for text in fig.findobj(Text) if text.get_visible() and text.get_text().strip()]
+    return {text.get_text(): text.get_fontsize() * 96 / 72 for text in texts}
+
+
+def matplotlib_plots(made):
+    return [p.fig for p in made if isinstance(p, Picture) and isinstance(p.fig, Figure)]
+
+
+def test_a_phone_shows_the_letters_of_every_plot_readably(made):
+    plots = matplotlib_plots(made)
+    assert len(plots) > 15
+    for fig in plots:
+        scale = phone_scale(fig)
+        for words, height in letters(fig).items():
+            least = MIN_EXPONENTS / EXPONENT if "10^" in words else MIN_LETTERS
+            assert scale * height >= least, words
+
+
+def test_no_plot_of_the_lessons_hides_a_formula_in_a_small_fraction(made):
+    assert not any(r"\frac" in words for fig in matplotlib_plots(made) for words in letters(fig))
+
+
+def test_a_panel_too_wide_for_a_phone_is_refused():
+    plane_figure(2 * MAX_PANEL_WIDTH, 3, columns=2)
+    with pytest.raises(ValueError, match=r"width must be at most .* for each of the 2 columns"):
+        plane_figure(2 * MAX_PANEL_WIDTH + 0.1, 3, columns=2)
+
+
+@pytest.mark.parametrize(("width", "height"), [(4.4, 3.2), (4.4, 6), (4.4, 9), (9.2, 3)])
+def test_a_plot_is_shown_larger_where_there_is_room_and_never_blurred(width, height):
+    fig, _ = plane_figure(width, height, columns=2 if width > MAX_PANEL_WIDTH else 1)
+    output = shown(Picture(fig, ALT))
+    metadata = output.metadata["image/png"]
+    dots = Image.open(io.BytesIO(output.data["image/png"])).width
+    assert dots >= 1.4 * metadata["width"]
+    assert metadata["width"] >= round(96 * width)
+    assert metadata["width"] / metadata["height"] == pytest.approx(width / height, rel=0.01)
+    if height == 3.2:
+        assert 550 < metadata["width"] <= 760
 
 
 def test_charts_name_every_axis_and_its_unit(made):

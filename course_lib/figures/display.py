@@ -6,6 +6,12 @@ from typing import NamedTuple
 
 from course_lib.figures import stills, stored_chart
 
+# A plot of one panel is drawn small, so that its letters are large on a phone, and is shown larger
+# where there is room, until its letters are those of the text around it or it fills the column.
+_MAX_ENLARGEMENT = 1.35  # letters of 10 points become 18 pixels high
+_MAX_SHOWN = (760, 600)  # pixels: the column's width, and a height that a laptop shows whole
+_DOTS_PER_INCH = 192  # twice the dots of a plot's own size
+
 
 class Picture(NamedTuple):
     """A figure with the words that `show` puts beside it.
@@ -94,12 +100,15 @@ def _show_plot(fig, alt):
     """Display a matplotlib figure as a PNG."""
     from IPython.display import display
 
-    width, height = (round(96 * inches) for inches in fig.get_size_inches())
-    data = {
-        "image/png": _png(fig),
-        "text/plain": alt,
-    }  # before the cuts: drawing it puts its panels into place
-    metadata = {"alt": alt, "width": width, "height": height} | _cuts(fig, width)
+    # Before the cuts: drawing it puts its panels into place.
+    data = {"image/png": _png(fig), "text/plain": alt}
+    width, height = (96 * inches for inches in fig.get_size_inches())
+    cuts = _cuts(fig, width)
+    if not cuts:
+        room = min(_MAX_SHOWN[0] / width, _MAX_SHOWN[1] / height)
+        enlargement = max(1, min(_MAX_ENLARGEMENT, room))
+        width, height = enlargement * width, enlargement * height
+    metadata = {"alt": alt, "width": round(width), "height": round(height)} | cuts
     display(data, raw=True, metadata={"image/png": metadata})
 
 
@@ -131,14 +140,13 @@ def _cuts(fig, width):
 
 
 def _png(fig):
-    """The figure as PNG at 1.5 times the shown resolution, without the version of matplotlib, which
-    would change it."""
+    """The figure as PNG, without the version of matplotlib, which would change it."""
     buffer = io.BytesIO()
     uncompressed = {"compress_level": 0}  # smaller_png compresses it
     fig.savefig(
         buffer,
         format="png",
-        dpi=144,
+        dpi=_DOTS_PER_INCH,
         facecolor="white",
         metadata={"Software": None},
         pil_kwargs=uncompressed,

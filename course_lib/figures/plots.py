@@ -17,6 +17,7 @@ from course_lib.figures.style import (
     GREY,
     PURPLE,
     RED,
+    enlarge_powers,
     plane_figure,
 )
 
@@ -52,7 +53,7 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     'height (m)'
     """
     many = len(series) > 3
-    fig, (ax,) = plane_figure(5.4, 4.2 if many else 3.2)
+    fig, (ax,) = plane_figure(4.4, 4.0 if many else 3.2)
     draw_lines(ax, x, series)
     ax.set(xlabel=xlabel, ylabel=ylabel)
     for axis in log:
@@ -65,6 +66,8 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
                 major_formatter="{x:g}",
                 minor_formatter="",
             )
+        else:
+            enlarge_powers(scale)
     if parts_of_pi:
         pi_ticks(ax.xaxis, parts_of_pi)
     if many:

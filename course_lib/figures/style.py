@@ -27,6 +27,11 @@ PALE_BLUE = "#cfe0ec"
 PALE_CRIMSON = "#f0b7bd"
 TABLE_BEIGE = "#e4e0d8"
 
+# A phone shows a picture 358 pixels wide. Letters of 10 points, 13.3 pixels, are 10.8 pixels high
+# there if a panel is at most so many inches wide.
+MAX_PANEL_WIDTH = 4.6
+_POINTS_OF_POWERS = 12  # the exponent of 10 in a tick is smaller than its 10 by 0.7
+
 
 def plane_figure(width, height, columns=1, rows=1, **options):
     """Return a matplotlib figure in the course's style, and its axes, row by row.
@@ -34,7 +39,7 @@ def plane_figure(width, height, columns=1, rows=1, **options):
     Parameters
     ----------
     width, height : float
-        Of the figure, in inches.
+        Of the figure, in inches. The width of a panel is at most `MAX_PANEL_WIDTH`.
     columns, rows : int, optional
         How many panels stand beside each other and below each other.
     **options
@@ -45,12 +50,22 @@ def plane_figure(width, height, columns=1, rows=1, **options):
     fig : matplotlib.figure.Figure
     axes : ndarray of matplotlib.axes.Axes, shape (rows * columns,)
 
+    Raises
+    ------
+    ValueError
+        If a panel would be so wide that a phone shows its letters too small.
+
     Examples
     --------
     >>> fig, axes = plane_figure(8, 4, columns=2)
     >>> axes.shape
     (2,)
     """
+    if width > MAX_PANEL_WIDTH * columns:
+        raise ValueError(
+            f"width must be at most {MAX_PANEL_WIDTH} inches for each of the {columns} columns, so "
+            f"that letters are readable on a phone; it is {width:g}"
+        )
     fig = Figure(figsize=(width, height), layout="constrained", facecolor="white")
     axes = fig.subplots(rows, columns, squeeze=False, **options).ravel()
     for ax in axes:
@@ -59,3 +74,13 @@ def plane_figure(width, height, columns=1, rows=1, **options):
         ax.set_axisbelow(True)
         ax.spines[["top", "right"]].set_visible(False)
     return fig, axes
+
+
+def enlarge_powers(axis):
+    """Enlarge the ticks of a logarithmic axis, so that a phone shows their exponents readably.
+
+    Parameters
+    ----------
+    axis : matplotlib.axis.Axis
+    """
+    axis.set_tick_params(labelsize=_POINTS_OF_POWERS)

@@ -23,9 +23,9 @@ _ARMS = {
         "title": "KUKA LBR iiwa 14",
         "corners": [(0, 0, z) for z in (0, 0.36, 0.78, 1.18, 1.301)],
         "beside": [0.22] * 4,
-        "margins": [(0.22, 0.34), (0.22, 0.22), (0.22, 0.22)],
+        "margins": [(0.22, 0.34), (0.22, 0.22), (0.14, 0.24)],
         "layout": [[_SIDE, _END, _TOP]],
-        "scale": 3.6,
+        "scale": 2.75,
         "aside": {
             _SIDE: {"$x_s$": (0, -1)},
             _END: {},
@@ -44,12 +44,12 @@ _ARMS = {
             (-0.8172, -0.2329, 0.0628),
         ],
         "beside": [-0.12, 0.14, 0.14, -0.1, -0.12, -0.1],
-        "margins": [(0.22, 0.14), (0.25, 0.14), (0.12, 0.19)],
-        "layout": [[_SIDE, _END], [_TOP, "."]],
-        "scale": 4.8,
+        "margins": [(0.22, 0.14), (0.25, 0.14), (0.12, 0.23)],
+        "layout": [[_SIDE], [_TOP], [_END]],
+        "scale": 3.55,
         "aside": {
             _SIDE: {"1": (1, 0), "2": (1, 1), "3": (1, -1), "4": (-1, 1), "6": (1, -1)},
-            _END: {"2, 3": (-1, 1), "6": (-1, -1), "b": (0, -1)},
+            _END: {"2, 3": (1, 1), "6": (-1, -1), "b": (0, -1)},
             _TOP: {"1": (1, 1), "4, 6": (1, 0), "5": (1, 1)},
         },
     },
@@ -137,7 +137,7 @@ class _View:
         named = text.translate({ord(self.base): "s", ord(self.tool): "b"})
         x, y = np.sign(self.aside.get(named, along)).astype(int)
         look = {
-            "size": 9,
+            "size": 10,
             "color": BLACK,
             "ha": ("center", "left", "right")[x],
             "va": ("center", "bottom", "top")[y],
@@ -202,7 +202,7 @@ def _draw_joint_axes(view, arm, corners):
         numbers.setdefault((*tip.round(3), *along, colour), []).append(str(number))
     for (x, y, dx, dy, colour), group in numbers.items():
         beyond = (dx, dy) if dx or dy else (-1, 0)
-        view.word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=10)
+        view.word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=11)
 
 
 def _draw_frames(view, arm, corners):

@@ -28,7 +28,7 @@ def two_elbows(solutions, xy):
     -------
     Picture
     """
-    fig, (ax,) = plane_figure(5.2, 4.2)
+    fig, (ax,) = plane_figure(4.4, 4.2)
     looks = ((BLUE, "-", r"$q_2 \geq 0$"), (RED, "--", r"$q_2 \leq 0$"))
     elbows = []
     distances = []
@@ -39,7 +39,9 @@ def two_elbows(solutions, xy):
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
         elbows.append(f"({joints[1, 0]:.2f}, {joints[1, 1]:.2f})")
         distances.append(100 * np.linalg.norm(joints[2] - xy))
-    ax.plot(*xy, "D", color=BLACK, markersize=8, label="desired position")
+    # Hollow, so that a tip near it remains visible.
+    hollow = {"markerfacecolor": "none", "markeredgewidth": 1.8, "markersize": 13}
+    ax.plot(*xy, "D", color=BLACK, linestyle="", label="desired position", **hollow)
     ax.plot(0, 0, "s", color=BLACK, markersize=10)
     in_metres(ax)
     ax.margins(0.12)

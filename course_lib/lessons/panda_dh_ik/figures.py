@@ -300,7 +300,7 @@ def pinhole(K, T_cm, key_points):
     # A pixel is a few micrometres in a real camera. Both lengths in pixels are drawn larger, by
     # the same factor, so that the triangles remain similar.
     focal = 0.3 * z
-    fig, (side,) = plane_figure(6.4, 3.9)
+    fig, (side,) = plane_figure(4.6, 3.6)
     side.plot([0, 1.12 * z], [0, 0], color=GREY, linestyle="--", linewidth=1.5)
     side.plot([0, focal, focal, focal], [0, 0, -0.6 * x, 0.6 * x], color=BLUE, linewidth=3)
     side.plot([0, z], [0, x], color=CRIMSON, linewidth=2)
@@ -316,7 +316,7 @@ def pinhole(K, T_cm, key_points):
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
     )
     for text, position, colour in labels:
-        side.text(*position, text, color=colour, fontsize=12, va="center")
+        side.text(*position, text, color=colour, va="center")
     side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,

@@ -20,6 +20,7 @@ from course_lib.figures.style import (
     FRAME_COLOURS,
     GREY,
     LINK_BLUE,
+    enlarge_powers,
     plane_figure,
 )
 from course_lib.figures.toys.film import beside, film
@@ -118,15 +119,15 @@ def arc_of_a_twist(a):
     Picture
         The arc, and how far it leads forward and sideways.
     """
-    fig, (ax,) = plane_figure(5.2, 3.6)
+    fig, (ax,) = plane_figure(4.6, 3.4)
     t, (x, y) = np.linspace(0, a, 60), (np.sin(a), 1 - np.cos(a))
     ax.plot(np.sin(t), 1 - np.cos(t), color=GREY, linewidth=3)
     ax.plot([0, 0, x], [0, 1, y], "--", color=GREY, linewidth=1)
     ax.plot(0, 1, "+", color=GREY, markersize=12)
     ax.text(0.04, 1.04, "the axis, radius $|v|/a = 1$", color=GREY)
     for start, end, words, colour in (
-        ((0, 0), (x, 0), f"forward: $\\frac{{|v|}}{{a}} \\sin a = {x:.3g}$", BLUE),
-        ((x, 0), (x, y), f"sideways: $\\frac{{|v|}}{{a}} (1 - \\cos a) = {y:.3g}$", CRIMSON),
+        ((0, 0), (x, 0), f"forward: $(|v|/a) \\sin a = {x:.3g}$", BLUE),
+        ((x, 0), (x, y), f"sideways:\n$(|v|/a)(1 - \\cos a) = {y:.3g}$", CRIMSON),
     ):
         ax.annotate(
             "", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5}
@@ -165,9 +166,11 @@ def digits_lost(formula):
     exact = 2 * np.sin(angles / 2) ** 2 / angles  # subtracts nothing, so that all digits are right
     errors = np.abs(formula(angles) / exact - 1)
     drawn = np.maximum(errors, 1e-16)  # a logarithmic axis has no zero
-    fig, (ax,) = plane_figure(5.4, 3.4)
+    fig, (ax,) = plane_figure(4.4, 3.3)
     ax.loglog(angles, drawn, ".", color=BLUE, markersize=5)
     ax.set(xlabel="angle a (rad)", ylabel="relative error")
+    enlarge_powers(ax.xaxis)
+    enlarge_powers(ax.yaxis)
     # Bounds, because the errors themselves differ between machines.
     large = "below" if errors[angles > 9e-4].max() < 1e-9 else "above"
     tiny = "1" if np.allclose(errors[angles < 5e-9], 1) else "another number"

@@ -100,7 +100,7 @@ def parking(poses, dock, table, keep_away):
     Picture
     """
     middle = np.asarray(table[:2], float)
-    fig, (ax,) = plane_figure(4.6, 4.8)
+    fig, (ax,) = plane_figure(4.4, 4.6)
     ax.add_patch(Circle(middle, keep_away, facecolor="none", edgecolor=GREY, linestyle="--"))
     ax.add_patch(Circle(middle, table[2], facecolor=TABLE_BEIGE, edgecolor=GREY))
     ax.annotate("table", middle, ha="center", va="center")
@@ -146,7 +146,7 @@ def wheels(left, right, track):
     -------
     Picture
     """
-    fig, (ax,) = plane_figure(5.4, 4.4)
+    fig, (ax,) = plane_figure(4.4, 4.2)
     v = (left + right) / 2
     omega = (right - left) / track
     pole = v / omega
