@@ -2,6 +2,7 @@
 
 import base64
 import json
+import re
 import subprocess
 import sys
 from io import BytesIO
@@ -136,6 +137,24 @@ def test_a_colour_bar_names_its_unit_and_says_that_it_is_clipped():
     assert bar.title.text == "error (cm)"
     assert (bar.ticktext[0], bar.ticktext[-1]) == ("≤ 0", "≥ 10")
     assert fig.data[0].customdata[4] == [50.0], "under the pointer stands the value itself"
+
+
+@pytest.mark.parametrize("is_log", [False, True])
+@pytest.mark.parametrize(
+    ("low", "high"), [(0.003, 21.3), (0.9, 11), (1, 1.1), (10, 10.5), (0.2, 99), (1e-9, 1e3)]
+)
+def test_no_two_ticks_of_a_colour_bar_touch_on_a_phone(low, high, is_log):
+    fig = charts.panels(xlabel="x (m)", ylabel="y (m)")
+    scale = charts.ColourScale("error (cm)", low=low, high=high, log=is_log)
+    beyond = [low / 2, 2 * high]
+    charts.add_points(fig, beyond, beyond, "dots", values=beyond, scale=scale)
+    bar = fig.layout.coloraxis.colorbar
+    places = 260 * np.subtract(bar.tickvals, bar.tickvals[0]) / np.ptp(bar.tickvals)
+    shown = [re.sub("<.*?>", "", text) for text in bar.ticktext]
+    widths = np.array([7 * len(text) for text in shown])  # digits of 12 pixels are 7 wide
+    room = np.diff(places) - (widths[1:] + widths[:-1]) / 2
+    assert (room > 2).all(), bar.ticktext
+    assert (shown[0][0], shown[-1][0]) == ("≤", "≥")
 
 
 def test_a_colour_bar_that_holds_all_values_does_not_say_so():

@@ -30,6 +30,9 @@ WIDTH = 700  # pixels, of the picture that stands in for a chart; live, a chart 
 _COLUMN_GAP = 90 / WIDTH  # between panels side by side: room for the ticks and the name of an axis
 _ROW_GAP = 62  # pixels between panels below each other: room for ticks and a title
 _ROW_GAP_WITH_NAMES = 85  # and for the name of an axis too
+# The part of a colour bar beside each end that has no tick: on a phone a bar is about 260 pixels
+# wide, and half of "≥ 21.3" and of a number beside it take 36.
+_FREE_OF_TICKS = 0.15
 _LARGEST_ANGLE = 8  # multiples of pi up to which an axis of angles has ticks
 
 FONT = {"family": "system-ui, 'DejaVu Sans', sans-serif", "size": 14, "color": BLACK}
@@ -611,15 +614,16 @@ def _colours(scale: ColourScale, low: float, high: float, as_drawn):
 
 
 def _ticks_of_colours(low: float, high: float, log: bool) -> list[float]:
-    """Return ticks of a colour bar: both ends, and round numbers between them."""
+    """Return ticks of a colour bar: both ends, and round numbers between them and not near them."""
     if log:
-        first, last = int(np.ceil(np.log10(low) + 0.2)), int(np.floor(np.log10(high) - 0.2))
-        every = max(1, (last - first + 1) // 5)
+        margin = _FREE_OF_TICKS * np.log10(high / low)
+        first, last = int(np.ceil(np.log10(low) + margin)), int(np.floor(np.log10(high) - margin))
+        every = max(1, -(-(last - first + 1) // 5))
         inner = [10.0**power for power in range(first, last + 1, every)]
     else:
         step = 10.0 ** np.floor(np.log10((high - low) / 2))
         step *= next(factor for factor in (1, 2, 5, 10) if (high - low) / (factor * step) <= 6)
-        margin = 0.4 * step
+        margin = _FREE_OF_TICKS * (high - low)
         first, last = np.ceil((low + margin) / step), np.floor((high - margin) / step)
         inner = [step * k for k in np.arange(first, last + 1)]
     return [low, *inner, high]
