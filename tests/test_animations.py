@@ -2,6 +2,7 @@
 second."""
 
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -79,3 +80,45 @@ def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
         (tmp_path / "01.ipynb").write_text(content)
     assert animations.main([str(tmp_path / "01.ipynb")]) == 1
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("old", [None, b"whole film"])
+def test_a_film_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
+    old, tmp_path, monkeypatch
+):
+    def interrupted(picture, file, *_, **__):
+        if hasattr(file, "write"):
+            file.write(b"half")
+        else:
+            Path(file).write_bytes(b"half")
+        raise KeyboardInterrupt
+
+    gif = tmp_path / "moving.gif"
+    if old:
+        gif.write_bytes(old)
+    pictures = [Image.new("RGB", (8, 8))]
+    monkeypatch.setattr(animations, "film_pictures", lambda movie, times: pictures)
+    monkeypatch.setattr(Image.Image, "save", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        animations.write({"times": [0, 1]}, tmp_path / "moving")
+    assert [path.name for path in tmp_path.iterdir()] == (["moving.gif"] if old else [])
+    assert not old or gif.read_bytes() == old
+
+
+def test_an_mp4_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
+    tmp_path, monkeypatch
+):
+    def interrupted(command, **_):
+        Path(command[-1]).write_bytes(b"half")
+        raise KeyboardInterrupt
+
+    mp4 = tmp_path / "moving.mp4"
+    mp4.write_bytes(b"whole film")
+    pictures = [Image.new("RGB", (8, 8)), Image.new("RGB", (8, 8), "red")]
+    monkeypatch.setattr(animations, "film_pictures", lambda movie, times: pictures)
+    monkeypatch.setattr(animations.shutil, "which", lambda name: name)
+    monkeypatch.setattr(animations.subprocess, "run", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        animations.write({"times": [0, 1]}, tmp_path / "moving")
+    assert mp4.read_bytes() == b"whole film"
+    assert {path.name for path in tmp_path.iterdir()} == {"moving.gif", "moving.mp4"}

@@ -4,9 +4,11 @@ They are photographed in a headless browser, as the pages draw them.
 """
 
 import argparse
+import io
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -16,6 +18,7 @@ from PIL import Image
 from tqdm import tqdm
 
 from course_lib.figures.stills import TOY
+from course_lib.pack.files import write_atomically
 from course_lib.pack.notebooks import figure_outputs
 from course_lib.pack.photograph import film_pictures
 
@@ -72,6 +75,9 @@ def stored_movies(notebook: nbformat.NotebookNode) -> list[dict]:
 def write(movie: dict, path: Path) -> list[Path]:
     """Write one animation as GIF and, with ffmpeg, as MP4; return the files' paths.
 
+    Each file is written beside its place and moved there when it is whole. Whoever ends this in
+    the middle keeps the file of the time before.
+
     `movie` is the data of a stored toy, and `path` the files' path without a suffix.
     """
     times = np.arange(0, movie["times"][-1] + 1e-9, 1 / RATE)
@@ -89,13 +95,19 @@ def write(movie: dict, path: Path) -> list[Path]:
     # This method keeps the rarer colours.
     palette = pictures[0].quantize(method=Image.Quantize.MAXCOVERAGE)
     small = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
-    small[0].save(gif, save_all=True, append_images=small[1:], duration=1000 // RATE, loop=0)
+    content = io.BytesIO()
+    look = {"duration": 1000 // RATE, "loop": 0}
+    small[0].save(content, "GIF", save_all=True, append_images=small[1:], **look)
+    write_atomically(gif, content.getvalue(), mode=0o644)
     if shutil.which("ffmpeg") is None:
         return [gif]
     raw = "-f rawvideo -pixel_format rgb24 -video_size {}x{}".format(*pictures[0].size)
     command = f"ffmpeg -y -loglevel error {raw} -framerate {RATE} -i - -pix_fmt yuv420p".split()
     raw_pictures = b"".join(picture.tobytes() for picture in pictures)
-    subprocess.run([*command, mp4], input=raw_pictures, check=True)
+    with tempfile.TemporaryDirectory() as aside:
+        whole = Path(aside, mp4.name)
+        subprocess.run([*command, whole], input=raw_pictures, check=True)
+        write_atomically(mp4, whole.read_bytes(), mode=0o644)
     return [gif, mp4]
 
 
