@@ -757,7 +757,24 @@ def test_the_library_follows_each_of_several_solutions_while_the_target_moves(vi
     assert "from the target" not in box.locator(".numbers").inner_text(), "all eight reach it"
 
 
-# After the test above: a solution that was out of reach is not always met again.
+def test_all_solutions_are_found_again_when_the_target_was_out_of_reach(visit):
+    box = figure_of(visit, "eight")
+    says = box.locator("p[role=status]")
+    expect(says).to_contain_text("8 solutions")
+    box.locator(".handle").first.focus()
+    count = 0
+    while "Out of reach" not in says.inner_text():
+        count += 1
+        assert count < 60
+        visit.page.keyboard.press("Shift+ArrowRight")
+        visit.page.evaluate(SETTLED, 0)
+    for _ in range(count):
+        visit.page.keyboard.press("Shift+ArrowLeft")
+        visit.page.evaluate(SETTLED, 0)
+    expect(says).to_contain_text("8 solutions")
+    assert box.locator(".numbers > div").count() == 8
+
+
 HEIGHT = "(box) => box.querySelector('.course-toy').offsetHeight"
 CHANGING = [  # ranges after which a toy says more, or shows fewer lines
     ("gimbals", {"Pitch (middle ring)": 90}),

@@ -37,13 +37,24 @@
         state.q = M.reach(arm, state.q, T, limits);
         return;
       }
-      const [first] = state.all;
-      state.all = starts.map((start, i) => {
-        const q = M.reach(arm, state.all[i], T, noLimits, STEPS_A_MOVE);
-        return isAt(q, T) ? q : M.reach(arm, start, T, noLimits, STEPS_A_MOVE);
-      });
-      const isOutOfReach = state.all.every((q) => miss(q, T) > REACHED);
-      if (isOutOfReach) state.all[0] = M.reach(arm, first, T, noLimits);
+      const followed = [];
+      // Two that ran together would remain together.
+      const isAnother = (q) => isAt(q, T) && followed.every((p) => !p || areApart(q, p));
+      for (const earlier of state.all) {
+        const q = M.reach(arm, earlier, T, noLimits, STEPS_A_MOVE);
+        followed.push(isAnother(q) ? q : null);
+      }
+      for (const start of starts) {
+        const lost = followed.indexOf(null);
+        if (lost < 0) break;
+        const q = M.reach(arm, start, T, noLimits, STEPS_A_MOVE);
+        if (isAnother(q)) followed[lost] = q;
+      }
+      // A solution that is lost remains where it was, so that it is found when the target is back.
+      state.all = followed.map((q, i) => q ?? state.all[i]);
+      const isOutOfReach = followed.every((q) => q === null);
+      const nearest = state.nearest ?? state.all[0];
+      state.nearest = isOutOfReach ? M.reach(arm, nearest, T, noLimits) : null;
     }
     /** The solutions for T, or what comes nearest to it. */
     function solutions(T) {
@@ -52,7 +63,7 @@
         const earlier = state.all.slice(0, i);
         return isAt(q, T) && earlier.every((p) => areApart(q, p));
       });
-      return different.length ? different : [state.all[0]];
+      return different.length ? different : [state.nearest ?? state.all[0]];
     }
     return { error, miss, follow, solutions };
   }
@@ -63,6 +74,7 @@
     const state = card.state({
       q: meta.q,
       all: starts,
+      nearest: null, // the angles out of reach
       chosen: 1,
       at: M.positionOf(goal),
       rotated: [0, 0, 0],
