@@ -10,9 +10,9 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MultipleLocator
 
 from course_lib.figures.display import Picture
 from course_lib.figures.style import (
+    BLACK,
     BLUE,
     CRIMSON,
-    FRAME_COLOURS,
     GREEN,
     GREY,
     PURPLE,
@@ -182,8 +182,9 @@ def velocities_of_the_tip(contents, frame=""):
                 ha={-1: "right", 1: "left"}.get(round(offset[0] / 9), "center"),
             )
             in_words.append(f"{title}, {label} m/s")
-        for axis_tip, colour in zip(0.4 * np.eye(2), FRAME_COLOURS, strict=False):
-            ax.plot(*np.transpose([(0, 0), axis_tip]), color=colour, linewidth=3)
+        # Black, because the colours of a frame's axes are those of joints here.
+        for axis_tip in 0.4 * np.eye(2):
+            ax.plot(*np.transpose([(0, 0), axis_tip]), color=BLACK, linewidth=3)
         ax.annotate(frame, (0, 0), (4, -14), textcoords="offset points")
         ax.set_aspect("equal", adjustable="datalim")
         ax.margins(0.3, 0.15)
