@@ -108,7 +108,7 @@ def frames(
             f"{longest:.2f}."
         )
     size = max(1, scale * longest)
-    return beside(groups, 2.2 * size, alt, caption, view=(1.35, 1.1, 0.8), high=1.5 * size)
+    return beside(groups, 2.5 * size, alt, caption, view=(1.35, 1.1, 0.8), high=1.5 * size)
 
 
 def _drone():
@@ -307,7 +307,8 @@ def _draw_projection(ax, i, u, s, tip, size, colour):
     aside = 0.15 * np.array([-u[1], u[0]])
     box_look = {"color": "white", "pad": 0.3, "alpha": 0.8}
     text_look = {"ha": "center", "va": "center", "bbox": box_look}
-    ax.annotate(f"$R v_{i + 1}$", 1.12 * tip + aside, color=colour, **text_look)
+    beyond = 1.32 * tip + aside  # so far that the arrow's head remains free
+    ax.annotate(f"$R v_{i + 1}$", beyond, color=colour, **text_look)
     ax.annotate(f"$s_{i + 1} u_{i + 1}$", s * u - 1.6 * aside, **text_look)
 
 
