@@ -2,11 +2,11 @@
 
 The background is opaque and white, in JupyterLab's dark theme too. A stored picture is one file for
 both themes, and these inks cannot be read on both grounds: on a dark one black letters have a
-contrast of 1.2 and crimson one of 2.8, and inks that are lighter are too pale on white. The exported
-pages know their theme: there plots exchange light and dark, and pictures of robots are dimmed.
+contrast of 1.2 and crimson one of 2.8, and inks that are lighter are too pale on white. The pages
+know their theme: there plots exchange light and dark, and pictures of robots are dimmed.
 
-All colours of matplotlib's and plotly's pictures stand here, and those of
-solid bodies in `course_lib.figures.solids.model`.
+All colours of matplotlib's and plotly's pictures stand here, and those of solid bodies in
+`course_lib.figures.solids.model`.
 """
 
 from matplotlib.figure import Figure
