@@ -75,13 +75,15 @@ def _drawn_once(cases):
     drawn = {}
 
     def draw(rng):
-        state = repr(rng.bit_generator.state)
-        if state not in drawn:
-            drawn[state] = cases(rng)
-            for argument in (argument for case in drawn[state] for argument in case):
+        before = repr(rng.bit_generator.state)
+        if before not in drawn:
+            drawn[before] = cases(rng), rng.bit_generator.state
+            for argument in (argument for case in drawn[before][0] for argument in case):
                 if isinstance(argument, np.ndarray):
                     argument.flags.writeable = False
-        return list(drawn[state])
+        remembered, after = drawn[before]
+        rng.bit_generator.state = after  # so that what is drawn next is the same each time
+        return list(remembered)
 
     return draw
 
