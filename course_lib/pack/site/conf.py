@@ -144,6 +144,8 @@ def fold_more(app, document, docname):
     ):
         title, *rest = section.children
         promise = [rest.pop(0)] if rest and isinstance(rest[0], nodes.paragraph) else []
+        for link in [link for part in promise for link in part.findall(nodes.reference)]:
+            link.parent.replace(link, link.children)  # a click on the line opens the section
         if promise:  # a summary may hold a heading and words, and no paragraph
             promise = [nodes.inline("", "", *promise[0].children, classes=["promise"])]
         texts = ('<details><summary class="more">', "</summary>", "</details>")
