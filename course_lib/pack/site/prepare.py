@@ -213,7 +213,8 @@ def _data(figure: dict) -> str:
     """Return a figure as an element that holds data for a script."""
     # "</" would end the script element; in JSON "<\/" is the same string.
     data = json.dumps(figure, separators=(",", ":")).replace("</", "<\\/")
-    return f'<script type="application/json">{data}</script>'
+    # The class keeps the search from marking words in the data.
+    return f'<script type="application/json" class="nohighlight">{data}</script>'
 
 
 def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
