@@ -67,6 +67,11 @@ def dask(tmp_path):
         yield start
 
 
+def have_joined(*workers):
+    """Wait until the scheduler has all workers, so that none grades a class before the others."""
+    wait_for(lambda: all("Registered to" in worker.log.read_text() for worker in workers))
+
+
 class Run(threading.Thread):
     """`make grade` with a cluster."""
 
@@ -338,8 +343,10 @@ def test_beside_a_worker_with_too_many_points_a_class_is_graded_by_the_other(
     bad = tmp_path / "bad.py"
     bad.write_text(BAD_WORKER.format(answer=BAD_ANSWERS["a million points"]))
     address = dask().address
-    dask(address, "--no-nanny", "--preload", str(bad))
-    dask(address, "--no-nanny", "--preload", str(STAND_IN))
+    have_joined(
+        dask(address, "--no-nanny", "--preload", str(bad)),
+        dask(address, "--no-nanny", "--preload", str(STAND_IN)),
+    )
     run = Run(tmp_path, address)
     run.join()
     assert run.code == 0
@@ -362,7 +369,7 @@ def test_a_worker_that_is_silent_is_given_up_and_its_submission_graded_by_anothe
     )
     address = dask().address
     asleep = dask(address, "--no-nanny", "--preload", str(silent))
-    dask(address, "--no-nanny", "--preload", str(STAND_IN))
+    have_joined(asleep, dask(address, "--no-nanny", "--preload", str(STAND_IN)))
     run = Run(tmp_path, address)
     run.join(120)
     asleep.kill()
