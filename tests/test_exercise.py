@@ -308,3 +308,11 @@ def test_the_notebook_asks_the_cases_of_more_seeds_before_it_says_right():
 
 def test_nothing_there_is_not_attempted():
     assert judge(NEAREST_SO, Here(None)).state == NOT_ATTEMPTED
+
+
+@pytest.mark.parametrize(
+    ("words", "missing"), [((abs,), "name"), ((), "name"), (("x is squared",), "hint")]
+)
+def test_a_mistake_without_its_name_or_hint_is_refused(words, missing):
+    with pytest.raises(ValueError, match=f"the {missing} must be a text"):
+        replace(DOUBLE, mistakes=type(DOUBLE.mistakes)()).mistake(*(words or ("",)))

@@ -117,12 +117,23 @@ class Mistakes(list):
         -------
         callable or Mistake
             The decorator, which returns the function as it was; or the Mistake that was passed.
+
+        Raises
+        ------
+        ValueError
+            If the name or the hint is not a text: a decorator without brackets passes a function.
         """
         known = {"seen": seen, "part": part, "alike": alike}
         known |= {"raises": raises, "form": form, "nan": nan}
         if isinstance(name, Mistake):
             self.append(Mistake(name.name, name.hint, *name.answers, **known))
             return name
+        for what, text in (("name", name), ("hint", hint)):
+            if not (isinstance(text, str) and text):
+                raise ValueError(
+                    f"mistake: the {what} must be a text, as in @EXERCISE.mistake(name, hint); "
+                    f"it is {text!r}"
+                )
 
         def add_mistake_of(function):
             if recognises:

@@ -78,6 +78,6 @@ def click(K, T_mc, T_wc, T_wm):
     return Figure(
         model,
         alt,
-        "Click each white spot in both pictures. What happens if you click beside the mug?",
+        "Click each white spot in both pictures. What happens if you click next to the mug?",
         ask,
     )

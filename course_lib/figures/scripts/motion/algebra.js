@@ -62,7 +62,7 @@ globalThis.course.motion = (() => {
 
   /**
    * Eigenvalues (descending) and unit eigenvectors of a symmetric matrix, by Jacobi's rotations:
-   * each makes one entry beside the diagonal zero, and after few sweeps all of them are.
+   * each makes one entry off the diagonal zero, and after few sweeps all of them are.
    * @returns {{values: number[], vectors: number[][]}}
    */
   function eigen(symmetric) {

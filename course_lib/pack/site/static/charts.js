@@ -1,9 +1,11 @@
-// Draws the charts whose data stand in the page, by plotly, and writes "The numbers" below each when a reader opens
-// them. A chart is drawn when it comes near the window and let go when it is far: a browser holds few WebGL contexts
-// (16 on a desktop, 8 on a phone), and what is far costs memory. Zoom and choice are there again when it comes back.
+// Draws the charts whose data stand in the page, by plotly, and writes "The numbers" below each
+// when a reader opens them. A chart is drawn when it comes near the window and let go when it is
+// far: a browser holds few WebGL contexts (16 on a desktop, 8 on a phone), and what is far costs
+// memory. Zoom and choice are there again when it comes back.
 //
-// plotly.js is much larger than a page. It comes from the site's own files when the first chart comes near. Without
-// scripts, and in print, the chart's picture is shown. Colours follow the page's theme by a filter, in site.css.
+// plotly.js is much larger than a page. It comes from the site's own files when the first chart
+// comes near. Without scripts, and in print, the chart's picture is shown. Colours follow the
+// page's theme by a filter, in site.css.
 (() => {
   "use strict";
   const NEAR = "800px 0px";
@@ -40,7 +42,8 @@
   const axisKey = (axis) => `${axis[0]}axis${axis.slice(1)}`;
   const isTouched = () => window.matchMedia("(pointer: coarse)").matches;
 
-  // Panels stand below each other, as prepare.py reserved the room; the legend is below, the colour bar above them.
+  // Panels stand below each other, as prepare.py reserved the room. The legend is below them, and
+  // the colour bar above.
   function narrowed(layout) {
     const narrow = structuredClone(layout);
     const { panels = [], columns = 1 } = layout.meta ?? {};
