@@ -298,7 +298,8 @@ def drive(plan, *, exact=False):
     )
     question = "Do the robots still separate?" if exact else "Where do the robots separate?"
     caption = (
-        "Click the picture and use the arrow keys (two keys at once drive a bend), or hold a "
-        f"button with the mouse, which drives no bends. {question}"
+        "Click the picture and use the arrow keys. Hold two keys at the same time to drive round a "
+        "bend. You can also hold a button with the mouse, but then the robot only drives straight "
+        f"or rotates on the spot. {question}"
     )
     return Figure(model, alt, caption, ask)

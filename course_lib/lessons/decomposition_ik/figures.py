@@ -479,7 +479,8 @@ def errors_as_reported(xy, error):
         "and look alike."
     )
     caption = (
-        "The report's third chart, with the colour bar that the report leaves out. A diameter of "
-        "the error plus 5 pixels hides all differences below a centimetre."
+        "This is the report's third chart, with the colour bar that the report leaves out. Because "
+        "the diameter is the error in cm plus 5 pixels, all differences below a centimetre are "
+        "hidden."
     )
     return Picture(fig, alt, caption)

@@ -250,8 +250,9 @@ def pose_errors(T, T_target):
         f"A base, a current pose in blue, and a target in green, which is rotated by "
         f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose. Each of the three "
         f"panels shows the linear part of one error as a red arrow: {', '.join(lengths)}.",
-        "Three arrows describe the same motion, and their components are dotted. The first arrow "
-        "is the velocity of the point of the body that is at the base's origin at this moment. "
+        "The three arrows describe the same motion. Dotted lines show the components of each "
+        "arrow. The first arrow is the velocity of the point of the body that is at the base's "
+        "origin at this moment. "
         "Only the last arrow ends at the target.",
     )
 
@@ -381,7 +382,7 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
         f"speed {shares['speed'].max():.3g}, acceleration {shares['acceleration'].max():.3g}.",
         "In the red band the arm touches something. The two lower panels show the speed and the "
         "acceleration of the joint that is nearest to its bound at that time. No share may be "
-        "above 1. Point at a curve for the values at a time.",
+        "above 1. Point at a curve to see the values at that time.",
     )
 
 
@@ -689,8 +690,8 @@ def following(dt, coarse_dt, distances, decay):
         fig,
         f"Errors of a gripper that follows a moving target. All start at "
         f"{distances[names[0]][0]:.1f} cm. At the end: {ends}.",
-        "Left, the gripper lags behind without feed-forward. With feed-forward its error decays "
-        "exponentially. Right, the gain is just below and just above 2/dt.",
+        "On the left the gripper lags behind without feed-forward, and with feed-forward its error "
+        "decays exponentially. On the right the gain is just below and just above 2/dt.",
     )
 
 

@@ -173,10 +173,10 @@ def digits_lost(formula):
     enlarge_powers(ax.yaxis)
     # Bounds, because the errors themselves differ between machines.
     large = "below" if errors[angles > 9e-4].max() < 1e-9 else "above"
-    tiny = "1" if np.allclose(errors[angles < 5e-9], 1) else "another number"
+    tiny = "1" if np.allclose(errors[angles < 1e-8], 1) else "another number"
     alt = (
         "The relative error of (1 - cos a)/a over the angle a, on logarithmic axes. It is "
-        f"{large} 1e-9 from 0.001 rad on, larger for smaller angles, and {tiny} below 5e-9 rad."
+        f"{large} 1e-9 from 0.001 rad on, larger for smaller angles, and {tiny} below 1e-8 rad."
     )
     caption = (
         "Each time the angle becomes ten times smaller, the formula loses two more digits. Below "

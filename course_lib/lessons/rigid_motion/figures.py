@@ -124,8 +124,8 @@ def parking(poses, dock, table, keep_away):
         f"a round table; {keep_away:g} m are allowed."
     )
     caption = (
-        "The centre of the robot has to stay outside the dashed circle, and to end before the "
-        "dock, facing it."
+        "The centre of the robot has to stay outside the dashed circle. The robot has to stop in "
+        "the dock, facing its black wall."
     )
     return Picture(fig, alt, caption)
 
@@ -618,5 +618,8 @@ def joint_tracks(paths):
         for label, theta in paths.items()
     ]
     alt = f"Paths in the plane of the two joint angles. {' '.join(in_words)}"
-    caption = "The same two motions in joint space: now the other one of them is straight."
+    caption = (
+        "These are the same two motions in joint space. Here the motion with the straight path of "
+        "the tip is curved, and the other motion is straight."
+    )
     return Picture(fig, alt, caption)

@@ -286,8 +286,10 @@ def projections(M, rotations):
         f"under a rotation, with their projections on these axes. {'; '.join(in_words)}."
     )
     caption = (
-        "The broad strokes are $z_{11}$ and $z_{22}$. No projection of an arrow of length one is "
-        "longer than one."
+        "The ellipse is what $M$ makes of the unit circle, and the thin lines are its axes. The "
+        "arrows are the images of $v_1$ and $v_2$ under the rotation. The broad strokes, $z_{11}$ "
+        "and $z_{22}$, are their projections on the axes. No projection of an arrow of length one "
+        "is longer than one."
     )
     if np.linalg.det(M) < 0:
         caption = (
@@ -388,8 +390,9 @@ def on_sphere(samples):
         f"short tick towards where it takes the y axis. {'; '.join(in_words)}."
     )
     caption = (
-        "Turn the spheres. Left, the dots crowd at the lower pole and none is in the upper half; "
-        "right, equal areas hold equally many, and the ticks point in all directions."
+        "Turn the spheres. On the left the dots crowd at the lower pole, and none is in the upper "
+        "half. On the right equal areas hold about equally many dots, and the ticks point in all "
+        "directions."
     )
     return Picture(fig, alt, caption)
 

@@ -241,7 +241,7 @@ def orientation_paths(tracks, duration):
         f"{'; '.join(lengths)}."
     )
     caption = (
-        "With constant $\\omega$ every point moves on a circle about $\\omega$; with constant "
+        "With constant $\\omega$ every point moves on a circle about $\\omega$, and with constant "
         f"rates it does not. The body rotates at {'; '.join(speeds)}."
     )
     return still(parts, alt, caption, paths=paths, words=words, view=in_front_of_the_paths)
@@ -363,8 +363,8 @@ def choices(times, counts):
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
-        "Left, the candidates of the example, the fastest first. Right, how many of the eight "
-        "configurations of a pose are within the limits."
+        "On the left are the times to the candidates of the example, the fastest first. The right "
+        "panel shows how many of the eight configurations of a pose are within the limits."
     )
     return Picture(fig, alt, caption)
 
@@ -575,8 +575,8 @@ def race(racers, points_of, target):
             steps = f"{np.argmax(is_near)} steps to {100 * CONVERGED:g} cm"
         runs[f"{label}: {steps}, at most {largest_step:.3g} rad"] = arms
     caption = (
-        "Gauss-Newton jumps from dot to dot; the others take smooth paths, and their arms end "
-        "alike, as drawn."
+        "Gauss-Newton jumps from dot to dot. The other two methods take smooth paths and end in "
+        "nearly the same configuration, which is drawn."
     )
     return descents(runs, target, caption)
 
@@ -620,8 +620,8 @@ def gains(epsilons, values):
         "and falls again."
     )
     caption = (
-        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ damping cuts the step, for "
-        "large $s$ hardly."
+        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ the damping shortens the "
+        "step strongly, and for large $s$ it hardly changes the step."
     )
     return Picture(fig, alt, caption)
 

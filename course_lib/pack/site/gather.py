@@ -299,11 +299,12 @@ def hours_in_words(hours: float) -> str:
 
 
 def duration(book: NotebookNode) -> str:
-    """Return the sentence with which a notebook's first cell says how long the notebook takes."""
+    """Return the words with which a notebook's first cell says how long its core takes."""
     words = [hours_in_words(hours) for hours in sittings(book)]
     if len(words) == 1:
-        return f"It takes about {words[0]} hours"
-    return f"It takes two sittings of about {' and '.join(words)} hours"
+        return f"takes about {words[0]} hours"
+    first, second = words
+    return f"takes two sittings, one of about {first} hours and one of about {second} hours"
 
 
 def _cover(book, name: str, pages: Path) -> str:
