@@ -66,6 +66,10 @@ def real_array(value, name, *shapes, batched=True, copy=True, infinite=False, ga
         array = array.astype(np.float64)
     elif copy:
         array = array.copy()
+    # If the squares add up to a usable number, all entries are usable. This looks at each entry
+    # once, in a third of the time of the comparisons below, which find the entry that is not.
+    if np.vdot(array, array) <= _MAX_SIZE**2:
+        return array
     usable = ~np.isnan(array) if infinite else np.abs(array) <= _MAX_SIZE
     if gaps:
         usable |= np.isnan(array)

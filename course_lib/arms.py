@@ -16,7 +16,7 @@ import numpy as np
 
 from course_lib.arguments import positive, read_only, real_array, refuse_first
 from course_lib.batched_arm import CHUNK, BatchedArm
-from course_lib.batching import in_chunks
+from course_lib.batching import by_entries
 from course_lib.rigid import checked_pose, hat_se3, nearest_se, transform
 from course_lib.rotations import length, rot_x, rot_z
 from course_lib.urdf import ROTATING, chain
@@ -365,10 +365,16 @@ class SerialArm:
 
         Few configurations are computed by the textbook's matrix products, many by BatchedArm.
         """
-        q = real_array(q, "q", (self.n,))
+        q = real_array(q, "q", (self.n,), copy=False)
         if q.size <= _SMALL_BATCH * self.n:
             return small_batch(q)
-        return in_chunks(fill, shape, q, batch=q.shape[:-1], most=CHUNK)
+
+        def large_batch(q):
+            result = np.empty((*shape, q.shape[1]))
+            fill(q, result)
+            return result
+
+        return by_entries(large_batch, shape, q, batch=q.shape[:-1], most=CHUNK)
 
     def pose_and_geometric_jacobian(self, q):
         """Return the end-effector's pose (..., 4, 4) and geometric Jacobian (..., 6, n).

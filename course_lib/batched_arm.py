@@ -10,12 +10,15 @@ The caller has looked at the arrays. Source: Lynch and Park, Modern Robotics (20
 below.
 """
 
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
 
-# Configurations at a time: few enough that their numbers stay in the processor's cache.
-CHUNK = 2048
+# Configurations at a time: few enough that their numbers, up to 1 kB for each, stay in a
+# second-level cache of 2 MB. No power of two: the entries that are copied together would then share
+# few lines of the first-level cache, and copying Jacobians would take twice the time.
+CHUNK = 2000
 # Entries of a rotation that differ by less from 0, 1 or -1 have it by rounding (a few times 2e-16).
 _ROUNDING = 1e-15
 
@@ -87,43 +90,35 @@ class BatchedArm:
     def joint_frames(self, q):
         """Yield for each joint the columns and the origin (3, N) of the frame on its axis.
 
-        The joint angles are q (n, N). What is the same for all configurations may come as (3, 1).
+        The joint angles are q (n, N). What is yielded is overwritten for the next joint: fresh
+        arrays for each joint would drive one another out of the processor's cache.
         """
-        # sin a = 2 t / (1 + t^2) and cos a = 2 / (1 + t^2) - 1 with t = tan(a/2): one function for
-        # both, which numpy has in vector code.
-        tangent = np.tan(self.signs * q / 2)
-        cosine_and_1 = 2 / (1 + tangent**2)
-        sines, cosines = tangent * cosine_and_1, cosine_and_1 - 1
-        columns, origin = np.eye(3)[:, :, None], self.start
-        for rotation, translation, s, c in zip(
-            self.rotations[:-1], self.translations, sines, cosines, strict=True
-        ):
-            x, y, z = (_combination(columns, factors) for factors in rotation)
-            # The new columns are c x + s y and c y - s x, added in place to save arrays.
-            columns = c * x, c * y, z
-            np.add(columns[0], s * y, out=columns[0])
-            np.subtract(columns[1], s * x, out=columns[1])
+        sines, cosines = _sines_and_cosines(self.signs * q)
+        columns = np.repeat(np.eye(3)[:, :, None], q.shape[1], axis=-1)
+        origin = np.repeat(self.start, q.shape[1], axis=-1)
+        s_x, s_y = np.empty((2, *origin.shape))
+        before_joints = zip(self.rotations[:-1], [[], *self.translations[:-1]], strict=True)
+        for (rotation, translation), s, c in zip(before_joints, sines, cosines, strict=True):
+            if translation:
+                origin += _combination(columns, translation)
+            columns = [_combination(columns, factors) for factors in rotation]
+            x, y, _ = columns
+            # The new columns are c x + s y and c y - s x.
+            np.multiply(s, x, out=s_x)
+            np.multiply(s, y, out=s_y)
+            x *= c
+            x += s_y
+            y *= c
+            y -= s_x
             yield columns, origin
-            origin = origin + _combination(columns, translation) if translation else origin
 
     def end_effector(self, q):
         """Return the end-effector's orientation, three columns (3, N), and position (3, N).
 
         The joint angles are q (n, N).
         """
-        *_, (columns, origin) = self.joint_frames(q)
-        return self._end_effector(columns, origin)
-
-    def end_effector_and_axes(self, q):
-        """Return the end-effector's orientation and position, and its joints' axes.
-
-        The first two are as `end_effector` returns them. Each axis is given by its direction and a
-        point on it, both (n, 3, N).
-        """
-        directions, points = np.empty((2, *q.shape[:1], 3, *q.shape[1:]))
-        for i, (columns, origin) in enumerate(self.joint_frames(q)):
-            directions[i], points[i] = self.signs[i] * columns[2], origin
-        return *self._end_effector(columns, origin), directions, points
+        (last_frame,) = deque(self.joint_frames(q), maxlen=1)
+        return self._end_effector(*last_frame)
 
     def fill_end_effector(self, q, T):
         """Write the end-effector's poses to T (4, 4, N)."""
@@ -147,16 +142,28 @@ class BatchedArm:
 
         A column is omega of an axis, and v = p x omega for a point p on the axis.
         """
-        *_, directions, points = self.end_effector_and_axes(q)
-        J[:3] = np.swapaxes(directions, 0, 1)
+        directions = J[:3]
+        _, _, points = self._fill_directions(q, directions)
         _fill_cross(J[3:], points, directions)
 
     def fill_geometric_jacobian(self, q, J):
         """Write the geometric Jacobians to J (6, n, N), and return what `end_effector` does."""
-        columns, position, directions, points = self.end_effector_and_axes(q)
-        J[:3] = np.swapaxes(directions, 0, 1)
-        _fill_cross(J[3:], directions, position - points)
+        directions = J[:3]
+        columns, position, points = self._fill_directions(q, directions)
+        _fill_cross(J[3:], directions, position[:, None] - points)
         return columns, position
+
+    def _fill_directions(self, q, directions):
+        """Write the directions of the joints' axes to (3, n, N).
+
+        Returns the end-effector's orientation and position, as `end_effector` does, and a point on
+        each axis, (3, n, N).
+        """
+        points = np.empty(directions.shape)
+        for i, (columns, origin) in enumerate(self.joint_frames(q)):
+            np.multiply(columns[2], self.signs[i], out=directions[:, i])
+            points[:, i] = origin
+        return *self._end_effector(columns, origin), points
 
     def _end_effector(self, columns, origin):
         position = origin + _combination(columns, self.translations[-1])
@@ -171,9 +178,24 @@ def _fill_pose(T, columns, position):
 
 
 def _fill_cross(result, a, b):
-    """Write the cross products (3, n, N) of the vectors a and b (n, 3, N)."""
+    """Write the cross products of the vectors a and b, all (3, n, N)."""
     for i in range(3):
-        result[i] = a[:, i - 2] * b[:, i - 1] - a[:, i - 1] * b[:, i - 2]
+        np.multiply(a[i - 2], b[i - 1], out=result[i])
+        result[i] -= a[i - 1] * b[i - 2]
+
+
+def _sines_and_cosines(angles):
+    """Return the sines and cosines of angles (n, N), which are overwritten.
+
+    sin a = 2 t / (1 + t^2) and cos a = 2 / (1 + t^2) - 1 with t = tan(a/2): one function for both,
+    which numpy has in vector code.
+    """
+    angles /= 2
+    tangents = np.tan(angles, out=angles)
+    cosines_and_1 = 2 / (1 + tangents * tangents)
+    sines = np.multiply(tangents, cosines_and_1, out=tangents)
+    cosines_and_1 -= 1
+    return sines, cosines_and_1
 
 
 def _rotation_factors(R):

@@ -10,12 +10,14 @@ used.
 import numpy as np
 
 from course_lib.arguments import count, generator, real_array, refuse_first, tolerance
-from course_lib.batching import by_entries
+from course_lib.batching import by_entries, in_chunks
 
 # The tolerance (see is_so and is_quaternion) within which the functions below accept a rotation.
 # Wide enough for matrices printed to seven digits, narrow enough to catch a matrix that was never
 # meant to be a rotation.
 TOLERANCE = 1e-6
+# The smallest float with all digits is 2e-308: far above it no square has lost any.
+_MIN_SQUARE = 1e-280
 
 
 def hat(w):
@@ -138,8 +140,7 @@ def exp_so3(w):
     [0. 1. 0.]
     """
     w = real_array(w, "w", (3,), copy=False)
-    angle = length(w)
-    return by_entries(_matrix_of_vector, (3, 3), w, angle, batch=angle.shape)
+    return in_chunks(_fill_from_vectors, (3, 3), w, batch=w.shape[:-1])
 
 
 def log_so3(R):
@@ -290,10 +291,14 @@ def quaternion_to_matrix(q):
     [ 0. -1.  0.]
     """
     q = real_array(q, "q", (4,), copy=False)
-    size = length(q)
-    reason = "is not a unit quaternion: its length is {:.7g} (nearest_quaternion gives the nearest)"
-    refuse_first(np.abs(size - 1) > TOLERANCE, "q", reason, size)
-    return by_entries(_matrix_of_quaternion, (3, 3), q, batch=size.shape)
+
+    def fill(q_of_chunk, R):
+        squared_length = _fill_from_quaternions(q_of_chunk[0], q_of_chunk[1:], R)
+        # |s - 1| is at most |s^2 - 1| for every length s, so most chunks need no closer look.
+        if np.abs(squared_length - 1).max() > TOLERANCE:
+            _refuse_other_lengths(q)
+
+    return in_chunks(fill, (3, 3), q, batch=q.shape[:-1])
 
 
 def matrix_to_quaternion(R):
@@ -390,8 +395,7 @@ def length(v):
     ones = np.ones(v.shape[-1])
     squared = (v * v) @ ones
     size = np.sqrt(squared)
-    # The smallest float with all digits is 2e-308: far above it no square has lost any.
-    rough = squared < 1e-280
+    rough = squared < _MIN_SQUARE
     if np.count_nonzero(rough):
         exponent = np.frexp(np.abs(v).max(-1))[1]
         scaled = np.ldexp(v, -exponent[..., None])  # by a power of two, which changes no digit
@@ -437,23 +441,24 @@ def _rotation_about_axis(angle, matrix):
     )
 
 
-def _matrix_of_vector(w, angle):
-    """Return the matrices of rotation vectors w (3, n) of lengths angle (n,).
+def _fill_from_vectors(w, R):
+    """Write the matrices R (m, 3, 3) of rotation vectors w (3, m).
 
     With t = tan(a/2) Rodrigues' formula (MR eq. 3.51) has sin a = 2 t / (1 + t^2) and 1 - cos a = 2
     t^2 / (1 + t^2). So R is the matrix of the quaternion (1, t n), which need not have length one.
     The difference 1 - cos a, which loses digits near 0, does not occur, and tan(a/2) is exact to
     rounding for small angles, so no series is needed.
     """
-    # Where the angle is 0, w is 0 as well, so any divisor but 0 gives the right product, 0.
-    divisor = np.where(angle > 0, angle, 1.0)
-    q = np.empty((4, *angle.shape))
-    q[0] = 1
-    np.multiply(w, np.tan(angle / 2) / divisor, out=q[1:])
-    return _matrix_of_quaternion(q)
+    xx, yy, zz = w * w
+    squared = xx + yy + zz
+    angle = length(w.T) if squared.min() < _MIN_SQUARE else np.sqrt(squared)
+    # Where the angle is 0, w is 0 as well, so any divisor but 0 gives the right product, 0. Only
+    # zero is smaller than the smallest float, 5e-324, and maximum is faster than where.
+    t_over_angle = np.tan(angle / 2) / np.maximum(angle, 5e-324)
+    _fill_from_quaternions(1.0, w * t_over_angle, R)
 
 
-# The nine entries of R, row by row, as sums of 1 and the products in _matrix_of_quaternion.
+# The nine entries of R, row by row, as sums of 1 and the products in _fill_from_quaternions.
 _SUMS = np.array(
     # 1  xx  yy  zz  wx  wy  wz  xy  yz  zx
     [
@@ -471,23 +476,36 @@ _SUMS = np.array(
 )
 
 
-def _matrix_of_quaternion(q):
-    """Return R = I + 2 (w [v] + [v]^2) / |q|^2 for quaternions q = (w, v) of any length but 0.
+def _fill_from_quaternions(w, v, R):
+    """Write the matrices R (m, 3, 3) of quaternions q = (w, v), and return |q|^2 (m,).
+
+    They may have any length but 0: R = I + 2 (w [v] + [v]^2) / |q|^2. w: (m,) or a number. v: (3,
+    m).
 
     Each entry of R is a sum of a few of ten numbers: 1 and the products 2 x x / |q|^2, 2 w x /
     |q|^2, 2 x y / |q|^2 and so on. The matrix _SUMS says which, and one matrix product makes all
     sums.
     """
-    w, v = q[0], q[1:]
-    twice = v * (2 / (q * q).sum(0))
-    products = np.empty((10, *w.shape))
+    products = np.empty((10, v.shape[1]))
+    squares = np.multiply(v, v, out=products[1:4])  # in this place until it is needed
+    squared_length = w * w + squares[0] + squares[1] + squares[2]
+    twice = v * (2 / squared_length)
     products[0] = 1
     np.multiply(twice, v, out=products[1:4])
     np.multiply(twice, w, out=products[4:7])
-    np.multiply(twice, v[[1, 2, 0]], out=products[7:])
+    np.multiply(twice[:2], v[1:], out=products[7:9])
+    np.multiply(twice[2], v[0], out=products[9])
     # This is faster than nine sums, since it also lays out the nine entries of each matrix in one
-    # piece.
-    return (products.T @ _SUMS.T).T
+    # piece, where they belong.
+    np.matmul(products.T, _SUMS.T, out=R.reshape(-1, 9))
+    return squared_length
+
+
+def _refuse_other_lengths(q):
+    """Raise ValueError if one of the quaternions q (..., 4) does not have length one."""
+    size = length(q)
+    reason = "is not a unit quaternion: its length is {:.7g} (nearest_quaternion gives the nearest)"
+    refuse_first(np.abs(size - 1) > TOLERANCE, "q", reason, size)
 
 
 def _rotation_vector(q):
