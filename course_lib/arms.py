@@ -426,7 +426,8 @@ class SerialArm:
         omega = axes[..., :3, 0]
         lever = reference - axes[..., :3, 1]
         # np.cross does the same, but is slower for such small arrays.
-        v = omega[..., _NEXT] * lever[..., _PREVIOUS] - omega[..., _PREVIOUS] * lever[..., _NEXT]
+        v = omega.take(_NEXT, -1) * lever.take(_PREVIOUS, -1)
+        v -= omega.take(_PREVIOUS, -1) * lever.take(_NEXT, -1)
         return np.swapaxes(np.concatenate([omega, v], -1), -1, -2)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from course_lib.arguments import broadcast, count, generator, positive, real_array, refuse_first
 from course_lib.arms import checked_arm
 from course_lib.batched_arm import CHUNK
+from course_lib.batching import by_entries
 from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3, nearest_so
 
@@ -147,6 +148,7 @@ class _Search:
         self.rng = rng
         self.starts = starts
         self.steps = steps
+        self.start_limits = _start_limits(arm)
         # (4, 3, m): three columns, then the position
         self.goals = np.ascontiguousarray(poses[:, :3].T)
         # For each target: the best joint angles and their squared error, the steps and the starts
@@ -171,20 +173,24 @@ class _Search:
         while len(target):
             J = np.empty((6, *q.shape))
             columns, position = self.arm.batched.fill_geometric_jacobian(q, J)
-            error = _error_by_entries(
-                np.stack(np.broadcast_arrays(*columns, position)), self.goals[..., target]
-            )
+            end = np.array([*columns, position])
+            error = _error_by_entries(end, self.goals.take(target, -1))
             cost = self._record(q, target, error)
             moved = _step_within_limits(q, J, error, cost, *self.arm.limits.T[..., None])
             may_restart = (self.started < self.starts)[target]
             ended = self.solved[target] | _ends(
                 q, moved, age + 1, before, cost, self.steps, may_restart
             )
-            going_on = [array[..., ~ended] for array in (moved, target, age + 1, cost)]
-            new = self._new_descents(target[~ended])
+            going_on = np.flatnonzero(~ended)
             q, target, age, before = (
-                np.concatenate(pair, -1) for pair in zip(going_on, new, strict=True)
+                array.take(going_on, -1) for array in (moved, target, age + 1, cost)
             )
+            new = self._new_descents(target)
+            if len(new[1]):
+                q, target, age, before = (
+                    np.concatenate(pair, -1)
+                    for pair in zip((q, target, age, before), new, strict=True)
+                )
         return self.best, self.iterations
 
     def _descend_one_by_one(self, q0):
@@ -194,7 +200,7 @@ class _Search:
         starts = min(_ONE_BY_ONE, self.starts)
         while not self.solved[0] and self.started[0] < starts:
             if q0 is None:
-                q = _random_starts(self.arm, self.poses, self.rng, _CANDIDATES_ALONE)[0]
+                q = self._random_starts(self.poses, _CANDIDATES_ALONE)[0]
             else:
                 q = q0[0]
                 q0 = None
@@ -244,8 +250,29 @@ class _Search:
         number = np.minimum(idle + extra * hard, starts_left)
         target = np.repeat(np.arange(len(allowed)), number)
         self.started += np.bincount(target, minlength=len(allowed))
-        q = _random_starts(self.arm, self.poses[target], self.rng) if q0 is None else q0
+        q = self._random_starts(self.poses[target], _CANDIDATES) if q0 is None else q0
         return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
+
+    def _random_starts(self, poses, candidates):
+        """Return for each of the poses (m, 4, 4) the nearest of a few configurations, (m, n).
+
+        These are uniformly distributed between the limits of starts. Radians weigh as much as
+        metres.
+        """
+        low, high = self.start_limits
+        # Generator.uniform draws the same numbers, but takes twice as long with arrays of limits.
+        q = low + (high - low) * self.rng.random((candidates, len(poses), self.arm.n))
+
+        def squared_distance(q, goal):
+            columns, position = self.arm.batched.end_effector(q)
+            squares = (np.array([*columns, position]).swapaxes(0, 1) - goal) ** 2
+            # The squared Frobenius distance of two rotations is 8 sin^2(a/2), so half of it is a^2
+            # for small angles a.
+            return squares[:, :3].sum((0, 1)) / 2 + squares[:, 3].sum(0)
+
+        goals = np.broadcast_to(poses[:, :3], (candidates, len(poses), 3, 4))
+        distance = by_entries(squared_distance, (), q, goals, batch=q.shape[:2], most=CHUNK)
+        return q[distance.argmin(0), np.arange(len(poses))]
 
 
 def _cost(error):
@@ -276,13 +303,18 @@ def _step_within_limits(q, J, error, cost, low, high):
 
     A joint that is at its limit and would leave it is held; the others compensate.
 
-    Arrays as in _damped_step; cost: the squared errors; low, high: (n, 1) or (n,).
+    Arrays as in _damped_step; cost: the squared errors; low, high: (n, 1) or (n,). The columns of J
+    that belong to held joints are set to zero.
     """
     downhill = _transpose_times(J, error)
     held = ((q <= low) & (downhill < 0)) | ((q >= high) & (downhill > 0))
-    step, sound = _damped_step(J * ~held, error, _DAMPING * cost + _MIN_DAMPING)
-    step = np.where(sound & np.isfinite(step).all(0), step, 0.0)
-    return np.minimum(np.maximum(q + step, low), high)
+    J *= ~held
+    step, sound = _damped_step(J, error, _DAMPING * cost + _MIN_DAMPING)
+    usable = sound & np.isfinite(step.sum(0))
+    if not usable.all():
+        step = np.where(usable, step, 0.0)
+    step += q
+    return np.minimum(np.maximum(step, low, out=step), high, out=step)
 
 
 def _damped_step(J, error, damping):
@@ -304,20 +336,21 @@ def _damped_step(J, error, damping):
             return np.linalg.solve(A, error) @ J, True
         except np.linalg.LinAlgError:
             return np.zeros(J.shape[1]), False
-    sound = np.ones(error.shape[1], bool)
+    A = np.empty((k, k + 1, *error.shape[1:]))
+    np.einsum("inN,jnN->ijN", J, J, out=A[:, :k])
+    A[:, k] = error  # the right side as a last column
+    # A view, so this changes A.
+    pivots = np.einsum("iiN->iN", A[:, :k])
+    pivots += damping
     with np.errstate(all="ignore"):
-        A = np.einsum("in...,jn...->ij...", J, J)
-        A[range(k), range(k)] += damping
-        A = np.concatenate([A, error[:, None]], 1)  # the right side as a last column
-        # A pivot that is not positive can only come from rounding: the damping was lost in it.
         for i in range(k):
-            sound &= A[i, i] > 0
-            A[i, i:] /= A[i, i].copy()
+            A[i, i + 1 :] /= A[i, i]
             A[i + 1 :, i + 1 :] -= A[i + 1 :, i, None] * A[i, i + 1 :]
         x = A[:, k]
-        for i in reversed(range(k)):
+        for i in reversed(range(1, k)):
             x[:i] -= A[:i, i] * x[i]
-        return _transpose_times(J, x), sound
+        # A pivot that is not positive can only come from rounding: the damping was lost in it.
+        return _transpose_times(J, x), (pivots > 0).all(0)
 
 
 def _transpose_times(J, x):
@@ -343,7 +376,7 @@ def _error_by_entries(end, goal):
     cosine = (xx + yy + zz - 1) / 2
     # arctan2 keeps all digits near 0, which arccos(cosine) does not. Where the sine is 0, x, y and
     # z are 0 as well, so any divisor but 0 gives the right product.
-    stretch = np.arctan2(sine, cosine) / np.where(sine > 0, sine, 1.0)
+    stretch = np.arctan2(sine, cosine) / np.maximum(sine, 5e-324)
     error = np.array([x, y, z, *(goal[3] - end[3])])
     error[:3] *= stretch
     # Near pi the axis times the sine has too few correct digits of the axis.
@@ -354,24 +387,16 @@ def _error_by_entries(end, goal):
     return error
 
 
-def _random_starts(arm, poses, rng, candidates=_CANDIDATES):
-    """Return for each of the poses (m, 4, 4) the nearest of a few configurations, (m, n).
+def _start_limits(arm):
+    """Return the lowest and highest angles (n,) of random starts.
 
-    These are uniformly distributed between the limits, or over one revolution if the limits allow
-    more. Radians weigh as much as metres.
+    They are the limits, or one revolution if the limits allow more.
     """
     low, high = arm.limits.T
     wide = high - low > 2 * np.pi
     # The revolution about 0, moved so that it stays within the limits.
     middle = np.clip(0.0, low + np.pi, high - np.pi)
-    low = np.where(wide, middle - np.pi, low)
-    high = np.where(wide, middle + np.pi, high)
-    q = rng.uniform(low, high, (candidates, len(poses), arm.n))
-    squares = (arm.fk(q) - poses) ** 2
-    # The squared Frobenius distance of two rotations is 8 sin^2(a/2), so half of it is a^2 for
-    # small angles a.
-    distance = squares[..., :3, :3].sum((-2, -1)) / 2 + squares[..., :3, 3].sum(-1)
-    return np.take_along_axis(q, distance.argmin(0)[None, :, None], 0)[0]
+    return np.where(wide, middle - np.pi, low), np.where(wide, middle + np.pi, high)
 
 
 def pose_error(T, target):
