@@ -93,7 +93,7 @@ class BatchedArm:
         The joint angles are q (n, N). What is yielded is overwritten for the next joint: fresh
         arrays for each joint would drive one another out of the processor's cache.
         """
-        sines, cosines = _sines_and_cosines(self.signs * q)
+        sines, cosines = _sines_and_cosines(self.signs / 2 * q)
         columns = np.repeat(np.eye(3)[:, :, None], q.shape[1], axis=-1)
         origin = np.repeat(self.start, q.shape[1], axis=-1)
         s_x, s_y = np.empty((2, *origin.shape))
@@ -184,18 +184,19 @@ def _fill_cross(result, a, b):
         result[i] -= a[i - 1] * b[i - 2]
 
 
-def _sines_and_cosines(angles):
-    """Return the sines and cosines of angles (n, N), which are overwritten.
+def _sines_and_cosines(half_angles):
+    """Return the sines and cosines of angles, given their halves (n, N), which are overwritten.
 
     sin a = 2 t / (1 + t^2) and cos a = 2 / (1 + t^2) - 1 with t = tan(a/2): one function for both,
     which numpy has in vector code.
     """
-    angles /= 2
-    tangents = np.tan(angles, out=angles)
-    cosines_and_1 = 2 / (1 + tangents * tangents)
-    sines = np.multiply(tangents, cosines_and_1, out=tangents)
-    cosines_and_1 -= 1
-    return sines, cosines_and_1
+    tangents = np.tan(half_angles, out=half_angles)
+    cosines = tangents * tangents
+    cosines += 1
+    np.divide(2, cosines, out=cosines)
+    sines = np.multiply(tangents, cosines, out=tangents)
+    cosines -= 1
+    return sines, cosines
 
 
 def _rotation_factors(R):

@@ -31,6 +31,11 @@ PEERS = {
     "pinocchio": "pin",
     "roboticstoolbox": "roboticstoolbox-python",
 }
+# Vector instructions by their flags in /proc/cpuinfo, the widest first.
+VECTORS = {"avx512f": "AVX-512", "avx2": "AVX2", "asimd": "NEON"}
+# Where Linux describes the caches of the first processor: index0 is that of the first level for
+# data, index2 that of the second.
+CACHES = Path("/sys/devices/system/cpu/cpu0/cache")
 MAX_DIFFERENCE = 1e-9  # of two libraries' answers
 REACHED = 1e-6  # metres and radians, by inverse kinematics
 MIN_SECONDS = 0.02  # that one measurement lasts; short calls are repeated
@@ -121,12 +126,24 @@ def installed() -> tuple[dict[str, ModuleType], dict[str, str]]:
 
 
 def processor() -> str:
-    """Return the name of the processor, as far as the system says."""
+    """Return the processor's name, vector instructions and caches, as far as the system says.
+
+    The ratios differ from one kind of processor to the next, because numpy uses wide vectors where
+    there are any, and chunks are made for a second-level cache of 2 MB.
+    """
+    name = platform.processor() or platform.machine()
+    features = []
     with contextlib.suppress(OSError):
-        model = re.search(r"model name\s*: (.+)", Path("/proc/cpuinfo").read_text())
-        if model:
-            return model[1].strip()
-    return platform.processor() or platform.machine()
+        described = Path("/proc/cpuinfo").read_text()
+        model = re.search(r"model name\s*: (.+)", described)
+        name = model[1].strip() if model else name
+        widest = [title for flag, title in VECTORS.items() if re.search(rf"\b{flag}\b", described)]
+        features += widest[:1]
+    with contextlib.suppress(OSError):
+        for level, cache in (("first", "index0"), ("second", "index2")):
+            size = (CACHES / cache / "size").read_text().strip().removesuffix("K")
+            features.append(f"{size} kB of {level}-level cache")
+    return f"{name} ({', '.join(features)})" if features else name
 
 
 def shares(task: Task) -> tuple[float, dict[str, float]]:
