@@ -10,6 +10,7 @@ from hypothesis.extra import numpy as hnp
 from scipy.spatial.transform import Rotation
 
 from course_lib import rotations
+from course_lib.batching import ITEMS
 from course_lib.rotations import (
     exp_so3,
     hat,
@@ -194,3 +195,51 @@ def test_nearest_so_is_nearest(M, scale):
     assert np.linalg.eigvalsh(S)[:2].sum() >= -3e-14
     others = rotation_samples(n)(np.random.default_rng(5), (200,))
     assert np.linalg.norm(M - R) <= np.linalg.norm(M - others, axis=(-2, -1)).min() + 1e-14
+
+
+# Large batches, which are computed in chunks
+# ----------------------------------------------------------------------------
+
+
+def _large_batch(function):
+    """Return ITEMS + 2 arguments of a function, more than one chunk holds."""
+    rng = np.random.default_rng(5)
+    if function is exp_so3:
+        return rng.normal(size=(ITEMS + 2, 3))
+    return random_quaternions(ITEMS + 2, rng)
+
+
+@pytest.mark.parametrize("function", [exp_so3, quaternion_to_matrix])
+def test_the_chunks_of_a_large_batch_are_in_their_places(function):
+    batch = _large_batch(function)
+    at_the_border = slice(ITEMS - 2, ITEMS + 2)
+    close(function(batch)[at_the_border], function(batch[at_the_border]), 1e-15)
+
+
+@pytest.mark.parametrize("function", [exp_so3, quaternion_to_matrix])
+def test_a_large_batch_may_lie_in_any_order_in_memory(function):
+    batch = _large_batch(function)
+    assert np.array_equal(function(np.asfortranarray(batch)), function(batch))
+    assert np.array_equal(function(batch[::-1]), function(batch)[::-1])
+
+
+def test_rotation_vectors_whose_squares_underflow_keep_their_digits_in_a_large_batch():
+    w = _large_batch(exp_so3)
+    w[-1] = [3e-170, -2e-170, 1e-170]
+    w[-2] = 0
+    R = exp_so3(w)
+    close(vee(R[-1] - np.eye(3)) / 1e-170, [3, -2, 1], 1e-14)
+    assert np.array_equal(R[-2], np.eye(3))
+
+
+def test_a_quaternion_of_another_length_is_named_in_a_later_chunk():
+    q = _large_batch(quaternion_to_matrix)
+    q[ITEMS + 1] *= 1 + 2e-6
+    with pytest.raises(ValueError, match=rf"q\[{ITEMS + 1}\] is not a unit quaternion"):
+        quaternion_to_matrix(q)
+
+
+@pytest.mark.parametrize("factor", [1 - 0.9e-6, 1 + 0.9e-6])
+def test_quaternions_within_the_tolerance_are_accepted(factor):
+    q = _large_batch(quaternion_to_matrix)
+    close(quaternion_to_matrix(factor * q), quaternion_to_matrix(q), 2e-15)
