@@ -3,8 +3,11 @@
 import numpy as np
 
 from course_lib import figures, rigid, rotations
-from course_lib.arms import iiwa14, ur5e
+from course_lib.arms import iiwa14, planar_arm, ur5e
+from course_lib.ik import damped_path
 from course_lib.lessons.panda_dh_ik.toys import click
+from course_lib.lessons.rigid_motion.figures import wheels
+from course_lib.lessons.subproblems_damped_ik import figures as nb3
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import ARM, all_solutions
 
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
@@ -28,6 +31,18 @@ T_WC = rigid.transform(
 )
 T_MC = rigid.transform(rotations.rot_z(0.4) @ rotations.rot_x(-2.0), [0.2, -0.41, 0.256])
 VIEWS = np.array([[1300, 0, 320], [0, 1300, 240], [0, 0, 1]]), T_MC, T_WC, T_WM
+
+
+def step_map():
+    """The map of step size and damping, coarser than that of the notebook."""
+    q, target = np.array([0, 0, 0, np.pi / 2]), np.array([-1.8663, 1.1207])
+    alphas, epsilons = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5)
+    paths = damped_path(planar_arm([1] * 4), target, q, alphas[:, None], epsilons, 30)
+    tips = planar_arm([1] * 4).fk(paths[:, :, -1])[..., :2, 3]
+    errors = np.linalg.norm(tips - target, axis=-1)
+    return nb3.step_map(alphas, epsilons, errors, 3.2, [(0.2, 2)], q, target, 30)
+
+
 TOYS = {name: getattr(figures, name) for name in PLAIN}
 TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in MODES}
 TOYS |= {
@@ -41,5 +56,8 @@ TOYS |= {
         figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]
     ),
     "drive": lambda: figures.alive(figures.drive(ROUND)),
+    "wheels": lambda: wheels(0.2, 0.4, 0.2),
+    "gains": lambda: nb3.gains([0.5, 2, 8], {"s1": 3.2, "s2": 1.1}),
+    "step_map": step_map,
     "click": lambda: figures.alive(click(*VIEWS)),
 }

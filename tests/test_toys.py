@@ -14,7 +14,11 @@ from some_toys import Q7, ROUND, TOYS, VIEWS
 
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
+from course_lib.figures.solids import Part
+from course_lib.figures.solids.meshes import ball
+from course_lib.figures.solids.model import AMBER
 from course_lib.figures.stills import TOY, stored_stills
+from course_lib.figures.toys.film import film, flat_film, still
 from course_lib.figures.toys.toy import ELSEWHERE, PARTS, SCRIPTS, is_live, script_names
 from course_lib.lessons.panda_dh_ik.toys import click
 from course_lib.pack.notebooks import run, tidy
@@ -79,6 +83,34 @@ def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_p
     assert ELSEWHERE in data["text/html"]
 
 
+@pytest.mark.parametrize("live", [False, True])
+def test_a_stored_caption_says_where_the_figure_moves_and_pages_get_the_caption_alone(
+    live, monkeypatch
+):
+    outputs = []
+    monkeypatch.setattr(
+        "IPython.display.display", lambda *data, **more: outputs.append((data, more))
+    )
+    monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
+    if live:
+        monkeypatch.setenv("JPY_SESSION_NAME", "/home/student/01_rotations.ipynb")
+    toy = TOYS["wheels"]()
+    toy._ipython_display_()
+    ((words,), options) = outputs[-1]
+    remark = "" if live else f" *{ELSEWHERE}*"
+    assert words["text/markdown"] == toy.caption + remark
+    assert options["metadata"] == {"caption": toy.caption}
+
+
+def test_the_caption_of_a_picture_that_only_turns_says_nothing_of_motion(monkeypatch):
+    outputs = []
+    monkeypatch.setattr("IPython.display.display", lambda data, **more: outputs.append(data))
+    monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
+    globe = still([Part(0, AMBER, ball(np.zeros(3), 0.1))], "A globe that stands.", "A globe.")
+    globe._ipython_display_()
+    assert outputs[-1]["text/markdown"] == "A globe."
+
+
 def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path, monkeypatch):
     monkeypatch.setenv("JPY_SESSION_NAME", "as if make ran in a notebook of JupyterLab")
     sources = [
@@ -122,6 +154,44 @@ def test_a_wrong_argument_is_named(name, arguments, named):
 def test_a_wrong_pose_of_the_mug_is_named():
     with pytest.raises(ValueError, match=r"^T_wm\b"):
         click(np.eye(3), np.eye(4), np.eye(4), 2 * np.eye(4))
+
+
+# ---- ghosts of films ----
+
+
+def two_balls(ghosts):
+    """A film of two balls, of which the second moves."""
+    poses = np.broadcast_to(np.eye(4), (3, 2, 4, 4)).copy()
+    poses[:, 1, 0, 3] = [0.5, 0.8, 1.5]
+    parts = [Part(body, AMBER, ball(np.zeros(3), 0.1)) for body in (0, 1)]
+    return film(parts, poses, [0.0, 1.0, 2.0], "Two balls: one moves.", ghosts=ghosts)
+
+
+def test_ghosts_of_a_film_are_of_the_bodies_that_move_and_the_last_is_its_end():
+    course = two_balls(2).meta
+    assert course["ghosts"] == [1.0, 2.0]
+    assert course["moving"] == [1]
+    assert "ghosts" not in two_balls(0).meta
+
+
+def test_too_many_ghosts_of_a_film_are_refused_by_name():
+    with pytest.raises(ValueError, match=r"^ghosts must be from 0 to 4; it is 9"):
+        two_balls(9)
+
+
+def test_things_of_a_flat_film_with_names_keep_what_stands_still_beside_them():
+    corners = np.zeros((2, 3, 2))
+    toy = flat_film(
+        [corners, corners],
+        [0.0, 1.0],
+        "A film. It has two things.",
+        name="two",
+        still=[(np.zeros((1, 2)), "#222222", (), 1)],
+        half=1,
+        names=("first", "second"),
+    )
+    assert toy.meta["names"] == ["first", "second"]
+    assert toy.meta["still"] == [[[[0.0, 0.0]], "#222222", [], 1]]
 
 
 # ---- scripts ----

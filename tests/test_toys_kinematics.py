@@ -133,6 +133,20 @@ def test_the_pole_is_a_fixed_point_and_a_translation_has_none(js, rng):
     assert js("pole", [[0, 0, 1]], [[0, 1, 2]]) == [None]
 
 
+def test_two_wheels_roll_at_their_speeds_on_the_path_of_their_twist(js, rng):
+    left, right, track = *rng.uniform(-0.5, 0.5, (2, N)), rng.uniform(0.1, 0.6, N)
+    left[:5] = right[:5]
+    h = 1e-6
+    for v_l, v_r, b, twist in zip(
+        left, right, track, js("twistOfWheels", left, right, track), strict=True
+    ):
+        omega, *v = twist
+        T = pose_matrix(propagate_body_exact(np.zeros(3), [((*v, omega), h)], h)[-1])
+        for speed, y in ((v_l, b / 2), (v_r, -b / 2)):
+            moved = (T @ [0, y, 1])[:2] - [0, y]
+            assert_allclose(moved / h, [speed, 0], atol=1e-5)
+
+
 def test_dead_reckoning_by_euler_and_exactly(js, rng):
     plans = [[[rng.normal(size=3).tolist(), t] for t in rng.uniform(0.1, 2, 3)] for _ in range(N)]
     starts, steps = rng.normal(size=(N, 3)), rng.uniform(0.05, 0.6, N).tolist()
@@ -214,6 +228,14 @@ def test_a_damped_step_is_that_of_least_squares(js, rng):
     for j, error, eps, step in zip(J, e, damping, js("dampedStep", J, e, damping), strict=True):
         stacked = np.vstack([j, np.sqrt(eps) * np.eye(4)])
         assert_allclose(step, np.linalg.lstsq(stacked, np.r_[error, np.zeros(4)])[0], **CLOSE)
+
+
+def test_a_run_of_damped_steps_is_the_librarys(js, rng):
+    q, targets = rng.uniform(-2, 2, (N, 4)), rng.uniform(-3, 3, (N, 2))
+    alphas, epsilons = rng.uniform(0.05, 0.9, N), rng.uniform(0.5, 5, N)
+    runs = js("dampedRun", N * [[1] * 4], q, targets, alphas, epsilons, N * [20])
+    expected = ik.damped_path(planar_arm([1] * 4), targets, q, alphas, epsilons, 20)
+    assert_allclose(runs, expected, **CLOSE)
 
 
 def test_eigenvalues_and_vectors_of_symmetric_matrices(js, rng):

@@ -177,14 +177,15 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
 
 
 HANDLES = ["axis", "two_poses_toy", "planar_arm_toy", "cells_toy", "circles_toy", "reach", "fly"]
-HANDLES += ["table", "click"]
+HANDLES += ["table", "click", "gains", "step_map"]
 FREE = (
     "axis",
     "circles_toy",
     "fly",
     "reach",
     "table",
-)  # on a sphere, the view widens, or where the function was asked
+    "gains",
+)  # on a sphere, on the axes of an ellipse, the view widens, or where the function was asked
 
 
 def drag(page, x, y, dx, dy):
@@ -457,6 +458,14 @@ SAYS = [  # what is put into a toy's ranges, and what it then says
         r"(?<!\d)([6-9]|\d\d) steps, distance left \d·10⁻[⁷⁸]",
     ),
     ("planar_arm_toy", {"Damping (m²)": -2, "Step size": 4}, r"200 steps, distance left (?!\d·10)"),
+    ("wheels", {"Left wheel": -0.4, "Right wheel": 0.4}, "pole is the robot's middle"),
+    ("wheels", {"Left wheel": 0.4, "Right wheel": 0.4}, "drives straight ahead. There is no pole"),
+    ("wheels", {"Left wheel": 0.35, "Right wheel": 0.4}, "1.50 m to the left .* outside the pict"),
+    ("wheels", {"Left wheel": 0.4, "Right wheel": 0.2}, "clockwise .* 0.30 m to the right of"),
+    ("gains", {"Damping ε": -3}, r"damped step, red, is 0.6\d rad .* undamped .* 0.6\d rad"),
+    ("gains", {"Damping ε": 1.3}, r"along u₂: 1/s₂ = 0.91 rad/m, damped 0.05 .* removes 6 %"),
+    ("step_map", {"Steps": 0}, r"from the target after 0 steps"),
+    ("step_map", {"Steps": 1}, r"from the target after 1 step\."),
     ("drive", {"Step dt": 0}, r"is \d{2,} cm and"),
     ("drive", {"Step dt": -2}, r"is \d\.\d cm and"),
     (
@@ -554,6 +563,24 @@ def test_the_elbow_moves_and_the_flange_stays_within_a_micrometre(visit):
 def test_each_toy_names_its_pose_as_its_notebook_does(visit):
     for name, pose in (("panda_toy", "T0f"), ("jog", "Tsb")):
         expect(figure_of(visit, name).locator(".numbers")).to_contain_text(f"{pose} =")
+
+
+def test_a_click_on_the_map_chooses_the_run(visit):
+    box = figure_of(visit, "step_map")
+    put(box, "Steps", 30)
+    said = box.locator("p[role=status]")
+    place = box.locator("canvas").first.bounding_box()
+    answers = []
+    for across in (0.75, 0.95):
+        x = place["x"] + across * place["width"]
+        visit.page.mouse.click(x, place["y"] + 0.75 * place["height"])
+        visit.page.evaluate(SETTLED, 100)
+        answers.append(said.inner_text())
+    sizes = [float(re.search(r"α = (\S+)", words)[1]) for words in answers]
+    assert sizes[0] < 2 < sizes[1]
+    left = [float(re.search(r"tip is (\d+\.\d+|\d)", words)[1]) for words in answers]
+    assert left[1] > 0.1, "steps that are too large leave the tip away from its target"
+    assert "10" in answers[0], "a small distance is written as a power of ten"
 
 
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
@@ -786,6 +813,8 @@ CHANGING = [  # ranges after which a toy says more, or shows fewer lines
         {"Between the axes k₁, k₂": 70, "From k₁ to p₁": 0, "From k₂ to p₂": 70},
     ),
     ("eight", {"Rotate about z": 90}),
+    ("wheels", {"Left wheel": 0.4, "Right wheel": 0.4}),
+    ("wheels", {"Left wheel": -0.35, "Right wheel": -0.4}),
     ("eight", {"Rotate about y": 120, "Rotate about x": 60}),
 ]
 

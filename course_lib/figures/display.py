@@ -112,17 +112,22 @@ def _show_plot(fig, alt):
     display(data, raw=True, metadata={"image/png": metadata})
 
 
-def show_caption(caption):
-    """Display a caption, Markdown or "", as an output of its own, which pages join to the figure
-    before it."""
+def show_caption(caption, remark=""):
+    """Display a caption, Markdown or "", as an output of its own.
+
+    Pages join it to the figure before it. They leave out the remark, which is for places where a
+    stored notebook is looked at and the figure before it is a picture.
+    """
     from IPython.display import display
 
-    if caption:
-        display(
-            {"text/markdown": caption, "text/plain": caption},
-            raw=True,
-            metadata={"caption": caption},
-        )
+    if not caption:
+        return
+    words = f"{caption} *{remark}*" if remark else caption
+    display(
+        {"text/markdown": words, "text/plain": words},
+        raw=True,
+        metadata={"caption": caption},
+    )
 
 
 def _cuts(fig, width):

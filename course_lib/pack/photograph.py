@@ -21,9 +21,10 @@ MAX_HEIGHT = 1600  # pixels, of the window in which a toy is drawn
 MAX_SECONDS = 600  # for a picture, on a busy machine
 FILM_WIDTH = 560  # pixels
 FILMS_ACROSS = 4  # pictures of a film beside each other and below each other in one photograph
+NAME_HEIGHT = 24  # pixels, of a map's name, with a margin
 _TOY = """<style>body{{background:#fff}}.course-toy{{padding:0!important}}
 .controls{{display:none!important}}</style><div id="toy"></div>{scripts}<script>
-const meta = {meta};
+const meta = {{ ...{meta}, photographed: true }};
 window.course.kinds[meta.kind](document.getElementById("toy"), meta, null);</script>"""
 _SHEET = """<style>
 body{{background:#fff;display:grid;grid-template-columns:repeat({across},{width}px)}}
@@ -60,7 +61,7 @@ def film_pictures(meta: dict, times: Sequence[float]) -> Iterator[Image.Image]:
     `meta` is the data of a toy. Sixteen pictures are photographed at once.
     """
     width, across = FILM_WIDTH, FILMS_ACROSS
-    height = round(width * meta.get("proportion", 0.75))
+    height = _height_of_film(meta, width)
     for first in range(0, len(times), across**2):
         times_of_sheet = [round(float(t), 4) for t in times[first : first + across**2]]
         body = _SHEET.format(
@@ -74,6 +75,15 @@ def film_pictures(meta: dict, times: Sequence[float]) -> Iterator[Image.Image]:
         for k in range(len(times_of_sheet)):
             x, y = width * (k % across), height * (k // across)
             yield sheet.crop((x, y, x + width, y + height))
+
+
+def _height_of_film(meta: dict, width: int) -> int:
+    """Return the height of a film in pixels: of maps below their names, or of one picture."""
+    proportion = meta.get("proportion", 0.75)
+    names = meta.get("names")
+    if not names:
+        return round(width * proportion)
+    return round(width / len(names) * proportion) + NAME_HEIGHT
 
 
 def inline(scripts: Iterable[str]) -> str:

@@ -1,6 +1,7 @@
 // Films and stills. meta.times are those of the stored positions; between them bodies move along
 // screws in space, and corners along lines in the plane. A film begins to play, unless the reader
-// prefers reduced motion, plays while it is in view, and begins again at its end.
+// prefers reduced motion, plays while it is in view, and begins again at its end. A photograph of it
+// (meta.photographed) also holds the moving bodies, translucent, at the times meta.ghosts.
 (() => {
   "use strict";
   const M = globalThis.course.motion;
@@ -11,6 +12,8 @@
   const MAX_PAUSE = 250;
   const EVERY = 5; // so many vertices apart a few of them stand for all when the view is fitted
   const PALE = { opacity: 0.35 };
+  const GHOST = { opacity: 0.3, shadow: false };
+  const FLAT_GHOST = 0.1; // how opaque the area of a ghost in the plane is
   const FITTED_TIMES = 12; // of a film, when the view is fitted
 
   P.toy(
@@ -87,6 +90,17 @@
   /** A point of a path is [null, ...] where the path is interrupted. */
   const isPoint = (p) => p[0] !== null;
 
+  /** The times of the ghosts that are drawn. */
+  const ghostsOf = ({ photographed, ghosts = [] }) => (photographed ? ghosts : []);
+
+  /** The part of a mesh that belongs to some of its bodies. */
+  function partOf(solid, bodies) {
+    const isKept = solid.faces.map(([i]) => bodies.includes(solid.bodies[i]));
+    const faces = solid.faces.filter((_, k) => isKept[k]);
+    const colours = solid.colours.filter((_, k) => isKept[k]);
+    return { ...solid, faces, colours };
+  }
+
   function filmInSpace(card, meta) {
     const { times, centre, radius, azimuth, elevation, proportion, title, floor } = meta;
     const solid = S.unpack(meta.solid);
@@ -100,6 +114,8 @@
     const view = card.space({ radius, centre, azimuth, elevation, label: title, proportion });
     const state = addPlayer(card, meta, view);
     const seen = pointsToFit();
+    const ghosts = ghostsOf(meta);
+    const ghost = ghosts.length ? partOf(solid, meta.moving) : null;
 
     /** What is in the picture: the bodies at some of the times, the paths and the words. */
     function pointsToFit() {
@@ -132,6 +148,7 @@
       if (floor) drawFloor();
       const now = posesAt(state.at);
       view.mesh(solid, now, solid.palette, { shadow: Boolean(floor) });
+      for (const t of ghosts) view.mesh(ghost, posesAt(t), solid.palette, GHOST);
       if (pale) view.mesh(pale, now, palePalette(), PALE);
       for (const [points, colour, dash] of meta.paths) {
         const path = points.map((p) => (isPoint(p) ? p : null));
@@ -146,37 +163,71 @@
 
   /**
    * meta.shapes holds the corners of each thing that moves at each time, meta.colours a colour for
-   * each, or nothing; meta.still holds lines and dots.
+   * each, or nothing; meta.still holds lines and dots. With meta.names each thing has a map of its
+   * own, beside the others, with its name above.
    */
   function filmInThePlane(card, meta) {
-    const { times, half, centre, proportion, closed, title } = meta;
-    const step = half > 6 ? 2 : 1;
-    const plane = card.map({ half, centre, proportion, label: title, step });
-    const state = addPlayer(card, meta, plane);
+    const { times, names, title, half, centre, proportion } = meta;
+    const wideStep = names ? 5 : 2;
+    const step = half > 6 ? wideStep : 1;
+    const options = { half, centre, proportion, step };
+    const maps = names
+      ? names.map((name) => mapWithName(card, name, { ...options, label: `${title}: ${name}` }))
+      : [card.map({ ...options, label: title })];
+    const state = addPlayer(card, meta, maps[0]);
+    const ghosts = ghostsOf(meta);
 
-    function drawStill([points, colour, dash]) {
-      if (points.length > 1) plane.line(points, colour, 2, { dash });
-      else plane.dot(points[0], colour, 6);
-    }
-    function drawMoving(corners, number) {
-      const colour = meta.colours?.[number] ?? COLOURS.crimson;
-      const [i, share] = placeOf(times, state.at);
-      const now = corners[i].map((p, k) => {
+    /** The corners of a thing that moves, at a time. */
+    function cornersAt(number, t) {
+      const [i, share] = placeOf(times, t);
+      const corners = meta.shapes[number];
+      return corners[i].map((p, k) => {
         if (!share) return p;
         return M.add(p, M.subtract(corners[i + 1][k], p), share);
       });
-      if (closed) {
-        plane.line(now, colour, 2.5, { closed, fill: 0.25 });
-        return;
-      }
-      plane.line(now, colour, 7);
-      for (const joint of now) plane.dot(joint, colour, 5.5, { hollow: true });
     }
     return () => {
-      plane.begin();
-      meta.still.forEach(drawStill);
-      meta.shapes.forEach(drawMoving);
-      plane.end();
+      maps.forEach((plane, map) => {
+        const things = names ? [map] : [...meta.shapes.keys()];
+        plane.begin();
+        for (const still of meta.still) {
+          const isOfOther = names && (still[3] ?? map) !== map;
+          if (!isOfOther) drawStill(plane, still);
+        }
+        const looks = things.map((number) => [number, meta.colours?.[number] ?? COLOURS.crimson]);
+        for (const t of ghosts) {
+          for (const [number, colour] of looks) {
+            drawGhost(plane, cornersAt(number, t), colour, meta);
+          }
+        }
+        for (const [number, colour] of looks) {
+          drawMoving(plane, cornersAt(number, state.at), colour, meta);
+        }
+        plane.end();
+      });
     };
+  }
+
+  /** A map below its name, side by side with others, also on a phone. */
+  function mapWithName(card, name, options) {
+    const parent = P.element("div", { class: "half" }, card.views);
+    P.element("div", { style: "text-align:center;font-weight:600" }, parent, name);
+    return card.map({ parent, ...options });
+  }
+  function drawStill(plane, [points, colour, dash]) {
+    if (points.length > 1) plane.line(points, colour, 2, { dash });
+    else plane.dot(points[0], colour, 6);
+  }
+  function drawMoving(plane, corners, colour, { closed }) {
+    if (closed) {
+      plane.line(corners, colour, 2.5, { closed, fill: 0.25 });
+      return;
+    }
+    plane.line(corners, colour, 7);
+    for (const joint of corners) plane.dot(joint, colour, 5.5, { hollow: true });
+  }
+  function drawGhost(plane, corners, colour, { closed }) {
+    if (closed) plane.line(corners, colour, 1, { closed, fill: FLAT_GHOST });
+    else plane.line(corners, colour, 1.5);
   }
 })();

@@ -13,6 +13,7 @@ from course_lib.rotations import log_so3
 _RATE = 20
 _MAX_POSES = 600
 _MAX_POINTS = 300  # about so many points of a path are stored
+_MAX_GHOSTS = 4  # in the photograph of a film; more cover each other
 _MILLIMETRES = 1000  # the unit of positions, in which numbers are short
 _POSITION_OFF_TIES = 3.1e-4  # OFF_TIES in millimetres
 VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
@@ -32,6 +33,7 @@ def film(
     view=VIEW,
     ground=None,
     near=None,
+    ghosts=0,
 ):
     """Return a toy in which bodies move in real time, or stand still if there is one time.
 
@@ -58,6 +60,9 @@ def film(
         The height of the floor; that of the lowest point if None, no floor if False.
     near : array_like, shape (n, 3), optional
         What the picture shows, in metres; all if None.
+    ghosts : int, optional
+        Where no script runs, a photograph of the first pose stands for the film. In it the bodies
+        that move are drawn, translucent, at so many later poses, the last one among them.
 
     Returns
     -------
@@ -108,7 +113,23 @@ def film(
         meta["near"] = np.round(near, 4).tolist()
     if name:
         meta["movie"] = name
+    if ghosts:
+        meta["ghosts"] = _times_of_ghosts(meta["times"], ghosts)
+        meta["moving"] = _moving(poses)
     return Toy("film", meta, alt, caption=caption)
+
+
+def _times_of_ghosts(times, count):
+    """Return so many times after the first, evenly spaced, with the last one."""
+    if not 0 <= count <= _MAX_GHOSTS:
+        raise ValueError(f"ghosts must be from 0 to {_MAX_GHOSTS}; it is {count!r}")
+    return np.linspace(times[0], times[-1], count + 1)[1:].round(4).tolist()
+
+
+def _moving(poses):
+    """Return the numbers of the bodies that move by more than a millimetre or a milliradian."""
+    change = np.abs(poses - poses[0]).max(axis=(0, 2, 3))
+    return np.flatnonzero(change > 1e-3).tolist()
 
 
 def _rounded_path(points):
@@ -130,6 +151,8 @@ def flat_film(
     proportion=1.0,
     closed=False,
     colours=(),
+    names=(),
+    ghosts=0,
 ):
     """Return a film in the plane, around a centre, with `half` metres to both sides.
 
@@ -143,9 +166,10 @@ def flat_film(
         What the film shows, and what to notice in it.
     name : str
         That of its file if it is written as an animation.
-    still : sequence of (points, colour, dashes)
+    still : sequence of (points, colour, dashes) or (points, colour, dashes, number)
         What stands still: points, shape (n, 2), in metres, joined by a line; a single point is a
-        dot. Dashes are in pixels.
+        dot. Dashes are in pixels. Where things have maps of their own, it is drawn in each of them,
+        or only in that of the thing with this number.
     half : float
         Metres from the centre to both sides.
     centre : array_like, shape (2,), optional
@@ -156,6 +180,10 @@ def flat_film(
         Whether the last corner is joined to the first.
     colours : sequence of str, optional
         One for each thing that moves; all are crimson by default.
+    names : sequence of str, optional
+        One for each thing that moves, which then has a map of its own, beside the others.
+    ghosts : int, optional
+        As those of `film`.
 
     Returns
     -------
@@ -166,8 +194,8 @@ def flat_film(
         "times": np.subtract(times, times[0]).round(4).tolist(),
         "shapes": [(np.round(corners, 3) + 0.0).tolist() for corners in shapes],
         "still": [
-            [(np.round(points, 3) + 0.0).tolist(), colour, list(dash)]
-            for points, colour, dash in still
+            [(np.round(points, 3) + 0.0).tolist(), colour, list(dash), *number]
+            for points, colour, dash, *number in still
         ],
         "half": half,
         "centre": list(centre),
@@ -177,6 +205,10 @@ def flat_film(
     }
     if colours:
         meta["colours"] = list(colours)
+    if names:
+        meta["names"] = list(names)
+    if ghosts:
+        meta["ghosts"] = _times_of_ghosts(meta["times"], ghosts)
     return Toy("film", meta, alt, caption=caption)
 
 

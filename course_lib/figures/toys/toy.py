@@ -138,7 +138,11 @@ class Toy:
             data |= bundle[0] if isinstance(bundle, tuple) else bundle
             data |= {"text/plain": f"{self.alt} {ELSEWHERE}", "text/html": self._still_page(still)}
         display(data, raw=True, metadata={"image/png": {"alt": self.alt}})
-        show_caption(self.caption)
+        show_caption(self.caption, remark="" if is_live() or not self._moves() else ELSEWHERE)
+
+    def _moves(self):
+        """Return whether something in the toy moves or can be moved, and not the view alone."""
+        return len(self.meta.get("times", ())) != 1
 
     def _still_page(self, still):
         """Return the HTML that is shown where widgets are not, which says where the toy moves."""

@@ -23,11 +23,14 @@ from course_lib.figures.style import (
     plane_figure,
 )
 from course_lib.figures.toys.film import flat_film
+from course_lib.figures.toys.toy import Toy
 from course_lib.figures.words import interval
 from course_lib.planar import pose_matrix
 
 HALF = 10  # metres from the middle of the scene to its edge
 GHOST = "#6b7177"  # the grey of lines in toys, which has another shade on a dark page
+_GHOSTS = 4  # later poses in the photograph of a film
+_FASTEST_WHEEL = 0.5  # m/s, to which the sliders of `wheels` go
 RADIUS = 0.17  # of the vacuum robot and of the car, metres
 # A body with a nose, which shows its direction: corners in its own frame, metres.
 _BODY = np.array([[-1, -0.7], [0.7, -0.7], [1.4, 0], [0.7, 0.7], [-1, 0.7], [-1, -0.7]])
@@ -131,46 +134,54 @@ def parking(poses, dock, table, keep_away):
 
 
 def wheels(left, right, track):
-    """Return the circles on which the two wheels of a robot roll.
+    """Return a toy: a robot on two wheels, whose speeds sliders set.
 
-    The robot faces x at (0, 0).
+    It shows the pole, the paths of both wheels and of the robot's middle, and the robot on its
+    path at a time that a further slider sets. The robot faces x at (0, 0) at first.
 
     Parameters
     ----------
     left, right : float
-        Speeds of the wheels, in m/s; the right one is the faster.
+        Speeds of the wheels at the start, in m/s, from -0.5 to 0.5.
     track : float
         Distance between the wheels, in metres.
 
     Returns
     -------
-    Picture
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If a speed lies outside its interval, or `track` is not greater than 0.
     """
-    fig, (ax,) = plane_figure(4.4, 4.2)
-    v = (left + right) / 2
-    omega = (right - left) / track
-    pole = v / omega
-    t = np.linspace(-0.3, 1.2, 61)
-    speeds = (("left", left, BLUE), ("robot", v, GREY), ("right", right, CRIMSON))
-    for name, speed, colour in speeds:
-        radius = speed / omega
-        y = pole - radius
-        ax.plot(radius * np.sin(t), pole - radius * np.cos(t), ":", color=colour)
-        arrow_look = {"arrowstyle": "-|>", "color": colour, "lw": 3, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", (speed / 2, y), (0, y), arrowprops=arrow_look)
-        ax.annotate(f"{name}: {speed:g} m/s", (0.01, y - 0.03), color=colour)
-    ax.plot([0, 0], [pole, pole - right / omega], "o-", markevery=2, color=BLACK, linewidth=1)
-    ax.annotate(f"pole, {pole:g} m to the left", (0.02, pole))
-    in_metres(ax, xlim=(-0.15, 0.45), ylim=(-0.15, pole + 0.05))
+    for name, speed in (("left", left), ("right", right)):
+        if not -_FASTEST_WHEEL <= speed <= _FASTEST_WHEEL:
+            raise ValueError(
+                f"{name} must lie between {-_FASTEST_WHEEL} and {_FASTEST_WHEEL} m/s; "
+                f"it is {speed!r}"
+            )
+    if not track > 0:
+        raise ValueError(f"track must be greater than 0; it is {track!r}")
+    where = "there is no pole, because both wheels are equally fast"
+    if left != right:
+        pole = track * (left + right) / (2 * (right - left))
+        side = "left" if pole >= 0 else "right"
+        where = (
+            f"both roll on circles about one point, the pole, {abs(pole):.3g} m to the {side} of "
+            "the robot's middle"
+        )
     alt = (
-        f"A left wheel rolls at {left:g} m/s and a right wheel at {right:g} m/s, on circles about "
-        f"one point, the pole, {pole:g} m to the left of the robot."
+        f"A robot on two wheels, seen from above, whose speeds sliders set, with the paths of the "
+        f"wheels. The left wheel rolls at {left:g} m/s and the right wheel at {right:g} m/s, and "
+        f"{where}. The tips of the wheels' speeds, drawn as arrows, lie on a line through the pole."
     )
-    return Picture(
-        fig,
-        alt,
-        "The right wheel is twice as far from the pole as the left one, so it is twice as fast.",
+    caption = (
+        "Let the left wheel roll backwards as fast as the right one rolls forwards. The pole moves "
+        "into the robot's middle, and the robot rotates on the spot."
     )
+    model = {"left": left, "right": right, "track": track}
+    return Toy("wheels", model, alt, caption=caption)
 
 
 # ---- a body ----
@@ -201,7 +212,7 @@ def body_movie(name, poses, times, ghost=None):
     )
     still = [(track, BLUE, (7, 5)), (track[:1], BLUE, ()), (track[-1:], BLUE, ())]
     bodies = [[outline(pose) for pose in poses]]
-    look = {"still": still, "half": HALF, "closed": True}
+    look = {"still": still, "half": HALF, "closed": True, "ghosts": _GHOSTS}
     if ghost is not None:
         bodies.insert(0, [outline(pose) for pose in ghost])
         look["colours"] = [GHOST, CRIMSON]
@@ -210,24 +221,52 @@ def body_movie(name, poses, times, ghost=None):
     return flat_film(bodies, times, alt, _CAPTIONS.get(name, ""), name=name, **look)
 
 
-def longer_arc(wrapped, unwrapped):
-    """Return a motion along the shorter arc beside one along the longer arc.
+def longer_arc(times, wrapped, unwrapped):
+    """Return a film of a body that rotates along the shorter arc and one along the longer arc.
 
     Parameters
     ----------
+    times : array_like, shape (n,)
+        Of the poses, in seconds.
     wrapped, unwrapped : ndarray, shape (n, 3)
         Poses, whose angles do not jump.
 
     Returns
     -------
-    Picture
+    Toy
     """
     motions = {"wrapped": wrapped, "not wrapped": unwrapped}
-    titled = {
-        f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad": poses for name, poses in motions.items()
-    }
-    caption = "Both motions end in the same pose; the two rotations differ by $2\\pi$."
-    return _body_paths(titled, 12, caption)
+    in_words = []
+    for name, poses in motions.items():
+        in_words.append(f"{name}: {poses[-1, 2] - poses[0, 2]:.2f} rad, {_rotation(poses[:, 2])}")
+    begin, end = _point(wrapped[0]), _point(wrapped[-1])
+    alt = (
+        f"Moving picture, {times[-1] - times[0]:.3g} s. One body wraps the difference of its "
+        f"directions, and another one does not. Both move from {begin} to {end} along the same "
+        f"line. {_capital('; '.join(in_words))}."
+    )
+    caption = (
+        "Stop the film halfway: the two bodies point in opposite directions there. They end in the "
+        "same pose, because the two rotations differ by $2\\pi$."
+    )
+    track = wrapped[:, :2]
+    return flat_film(
+        [[outline(pose) for pose in poses] for poses in motions.values()],
+        times,
+        alt,
+        caption,
+        name="body-wrapped-or-not",
+        still=[(track, GHOST, (7, 5)), (track[:1], GHOST, ()), (track[-1:], GHOST, ())],
+        half=8.5,  # small maps, in which the bodies should be large
+        closed=True,
+        colours=(CRIMSON, BLUE),
+        names=tuple(motions),
+        ghosts=_GHOSTS,
+    )
+
+
+def _capital(words):
+    return words[0].upper() + words[1:]
 
 
 def past_a_gate(paths):
@@ -522,7 +561,7 @@ def past_via_points(points, motions):
 # ---- arms ----
 
 
-def arm_movie(name, points, times, beside=None):
+def arm_movie(name, points, times, beside=None, names=("linear", "cubic")):
     """Return a film of a planar arm in red, with its tip's dashed blue path.
 
     Parameters
@@ -535,6 +574,8 @@ def arm_movie(name, points, times, beside=None):
         Of the points, in seconds.
     beside : ndarray, shape (n, links + 1, 2), optional
         The points of a second arm at these times, which is drawn to the right of the first.
+    names : sequence of str, optional
+        The names of both arms, if there are two.
 
     Returns
     -------
@@ -542,15 +583,14 @@ def arm_movie(name, points, times, beside=None):
     """
     links = points.shape[1] - 1
     arms = [points]
-    window = {"half": links + 0.4}
+    look = {"half": links + 0.4}
     if beside is not None:
-        distance = 2 * links + 0.4
-        arms.append(beside + np.array([distance, 0]))
-        window = {"half": distance + 0.2, "centre": (distance / 2, 0), "proportion": 0.5}
+        arms.append(beside)
+        look["names"] = names
     still = []
-    for arm in arms:
-        path_of_tip = (arm[:, -1], BLUE, (7, 5))
-        base = (arm[0, :1], BLACK, ())
+    for number, arm in enumerate(arms):
+        path_of_tip = (arm[:, -1], BLUE, (7, 5), number)
+        base = (arm[0, :1], BLACK, (), number)
         still += [path_of_tip, base]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip "
@@ -560,7 +600,9 @@ def arm_movie(name, points, times, beside=None):
     if beside is not None:
         off = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
         alt += f" A second arm moves to its right; their tips are up to {off:.2f} m apart."
-    return flat_film(arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, **window)
+    return flat_film(
+        arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, ghosts=_GHOSTS, **look
+    )
 
 
 def arm_paths(contents):

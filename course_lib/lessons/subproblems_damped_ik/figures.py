@@ -28,6 +28,7 @@ from course_lib.figures.solids.model import BLACK as INK
 from course_lib.figures.solids.model import MUG_RED as RED
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, GREEN, GREY, plane_figure
 from course_lib.figures.toys.film import still
+from course_lib.figures.toys.toy import Toy
 from course_lib.figures.words import interval
 from course_lib.rotations import exp_so3, log_so3
 
@@ -36,6 +37,7 @@ VIEW = (1.3, 1.0, 0.7)
 LEAST_DISTANCE = 1e-8
 GREEK = {"alpha": "α", "eps": "ε"}  # as charts write them
 MAX_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
+_LEAST_OF_MAP = 1e-8  # metres
 CONVERGED = 0.01  # metres: a run that ends nearer to its target has converged
 SAME_POINT = 1e-6  # metres: points that are nearer to each other are one
 TRIED_ANGLES = 721  # half a degree apart, on a circle
@@ -581,97 +583,84 @@ def race(racers, points_of, target):
     return descents(runs, target, caption)
 
 
-def gains(epsilons, values):
-    """Return the factor s/(s^2 + eps) of each damping over the singular value s.
+def gains(epsilons, values, damping=2.0):
+    """Return a toy: the length of a damped step over the singular value, and two singular values.
 
-    The largest value of each factor is marked.
+    The singular values are dragged on the ellipse of the velocities of the tip; a slider sets the
+    damping. The undamped step, 1/s, and the damped step, s/(s^2 + eps), are curves beside it.
 
     Parameters
     ----------
     epsilons : sequence of float
-        The dampings, in square metres.
+        The dampings whose curves stay, in square metres.
     values : dict
-        Label, such as "s1", to a singular value to point out, in metres.
+        The singular values "s1" and "s2" at the start, in metres, with s1 >= s2.
+    damping : float, optional
+        The damping at the start, in square metres.
 
     Returns
     -------
-    Picture
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `values` does not hold two singular values, or they lie outside their interval.
     """
-    s = np.linspace(0.01, 4.2, 300)
-    fig = charts.panels(
-        xlabel="singular value s of the Jacobian (m)",
-        ylabel="joint step per error (rad/m)",
-        height=430,
-    )
-    charts.add_line(fig, s, 1 / s, "no damping: 1/s", colour=BLACK, width=1.5, dash="solid")
-    for colour, eps in zip(COLOURS, epsilons, strict=False):
-        name = f"ε = {eps:g} m²"
-        charts.add_line(fig, s, s / (s**2 + eps), name, colour=colour)
-        if np.sqrt(eps) < s[-1]:
-            largest = 1 / (2 * np.sqrt(eps))
-            charts.add_points(fig, [np.sqrt(eps)], [largest], name, colour=colour, size=9)
-    for label, value in values.items():
-        charts.add_rule(fig, x=value, text=f"{label[0]}<sub>{label[1:]}</sub>")
-    fig.update_layout(yaxis_range=[0, 2.2])
+    if set(values) != {"s1", "s2"} or not 0.02 <= values["s2"] <= values["s1"] <= 4:
+        raise ValueError(
+            f"values must hold s1 and s2, with 0.02 <= s2 <= s1 <= 4 m; it is {values!r}"
+        )
     tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
     alt = (
         "The joint step per metre of error, over the singular value. Without damping it grows "
         f"without bound towards zero; with damping it rises from zero to a largest value, {tops}, "
-        "and falls again."
+        f"and falls again. Two singular values, {values['s1']:.2f} and {values['s2']:.2f} m, are "
+        "the axes of an ellipse and can be dragged, and so can the direction of an error of 1 m. "
+        "An arrow shows how far the damped step moves the tip."
     )
     caption = (
         r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ the damping shortens the "
         "step strongly, and for large $s$ it hardly changes the step."
     )
-    return Picture(fig, alt, caption)
+    model = {
+        "dampings": [float(eps) for eps in epsilons],
+        "damping": float(damping),
+        "singularValues": [float(values["s1"]), float(values["s2"])],
+    }
+    return Toy("gains", model, alt, caption=caption)
 
 
-def step_map(alphas, epsilons, errors, largest, runs):
-    """Return the error after a run, for step sizes and dampings, with the limit of the step size.
+def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
+    """Return a toy: a map of the error after a run, over step size and damping, and one run.
 
-    The limit is 2 (1 + eps/s1^2), with the largest singular value s1.
+    A click on the map chooses the run that is shown. A curve in the map is the limit of the step
+    size, 2 (1 + eps/s1^2), with the largest singular value s1.
 
     Parameters
     ----------
     alphas : array_like, shape (n,)
-        Step sizes.
+        Step sizes, each larger than the one before by the same factor.
     epsilons : array_like, shape (m,)
-        Dampings, in square metres.
+        Dampings, in square metres, each larger than the one before by the same factor.
     errors : ndarray, shape (n, m)
         In metres.
     largest : float
         The largest singular value at the target, in metres.
     runs : sequence of (alpha, eps)
-        The runs to mark.
+        The runs to mark; the first one is shown at the start.
+    start : array_like, shape (n_joints,)
+        Joint angles, in radians, at the beginning of each run of an arm with links of 1 m.
+    target : array_like, shape (2,)
+        In metres.
+    steps : int
+        The number of steps of each run.
 
     Returns
     -------
-    Picture
+    Toy
     """
-    fig = charts.panels(xlabel="step size α", ylabel="damping ε (m²)", log="xy", height=470)
-    distance = charts.ColourScale(
-        "distance from the target (m)",
-        low=1e-8,
-        high=3,
-        log=True,
-        middle=0.01,
-        colours="RdBu_r",
-    )
-    charts.add_map(fig, alphas, epsilons, np.maximum(errors.T, 1e-9), distance)
     limit = 2 * (1 + np.array(epsilons) / largest**2)
-    charts.add_line(fig, limit, epsilons, "α = 2 (1 + ε/s<sub>1</sub>²)", colour=BLACK)
-    charts.add_points(
-        fig,
-        *np.transpose(runs),
-        "the report's runs",
-        colour="white",
-        size=9,
-    )
-    fig.update_traces(marker_line={"color": BLACK, "width": 1.5}, selector={"mode": "markers"})
-    fig.update_layout(
-        xaxis_range=np.log10([alphas[0], alphas[-1]]),
-        yaxis_range=np.log10([epsilons[0], epsilons[-1]]),
-    )
     left = np.asarray(alphas)[:, None] < limit
     blue_left = 100 * (errors[left] < CONVERGED).mean()
     blue_right = 100 * (errors[~left] < CONVERGED).mean()
@@ -679,13 +668,28 @@ def step_map(alphas, epsilons, errors, largest, runs):
     alt = (
         "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
         f"a curve, the limit of the step size, {blue_left:.0f} % of it is blue, below a "
-        f"centimetre; right of it {blue_right:.0f} %. Circles mark {marked}."
+        f"centimetre; right of it {blue_right:.0f} %. Circles mark {marked}. A ring that can be "
+        "dragged chooses a run, and beside the map the arm makes it."
     )
     caption = (
-        "Blue runs converge. Right of the curve the steps are too large; at the left and at the "
-        "top they are too small."
+        "Click just left and then just right of the black curve: on one side the tip comes to rest "
+        "at the target, and on the other side it jumps about. At the left and at the top the steps "
+        "are too small, and the tip is still on its way."
     )
-    return Picture(fig, alt, caption)
+    model = {
+        "lengths": [1.0] * len(start),
+        "q": list(map(float, start)),
+        "target": list(map(float, target)),
+        "steps": int(steps),
+        "alphas": np.log10(alphas).round(4).tolist(),
+        "epsilons": np.log10(epsilons).round(4).tolist(),
+        # Smaller distances are alike in the map, and rounding decides them.
+        "logErrors": np.log10(np.maximum(errors.T, _LEAST_OF_MAP)).round(2).tolist(),
+        "largest": round(float(largest), 6),
+        "runs": [list(map(float, run)) for run in runs],
+        "at": list(map(float, runs[0])),
+    }
+    return Toy("step_map", model, alt, caption=caption)
 
 
 def two_arms(paths, points_of):

@@ -23,6 +23,12 @@
   }
 
   /**
+   * The body twist of a robot that faces x, from the speeds of its left and right wheels, which are
+   * `track` metres apart.
+   */
+  const twistOfWheels = (left, right, track) => [(right - left) / track, (left + right) / 2, 0];
+
+  /**
    * Dead reckoning.
    * @param {number[]} start a pose
    * @param {[number[], number][]} plan body velocities [[vx, vy, omega], seconds]
@@ -74,6 +80,20 @@
     return [joints.map((joint) => joint[1] - y), joints.map((joint) => x - joint[0])];
   }
   /**
+   * The joint angles of a planar arm at the start and after each of n damped least-squares steps
+   * towards a target.
+   */
+  function dampedRun(lengths, start, target, alpha, eps, n) {
+    const run = [start];
+    for (let k = 0; k < n; k++) {
+      const q = run[k];
+      const error = M.subtract(target, planarPoints(lengths, q).at(-1));
+      const step = M.dampedStep(planarJacobian(lengths, q), error, eps);
+      run.push(M.add(q, step, alpha));
+    }
+    return run;
+  }
+  /**
    * The joint angles of a planar arm with two links that reach a point, with q2 >= 0; null out of
    * reach.
    */
@@ -90,9 +110,11 @@
     logPlanar,
     expPlanar,
     pole,
+    twistOfWheels,
     propagate,
     planarPoints,
     planarJacobian,
+    dampedRun,
     twoLink,
   });
 })();
