@@ -5,7 +5,9 @@ import numpy as np
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, planar_arm, ur5e
 from course_lib.ik import damped_path
+from course_lib.lessons.panda_dh_ik import figures as nb5
 from course_lib.lessons.panda_dh_ik.toys import click
+from course_lib.lessons.poe_kuka_iiwa import figures as nb4
 from course_lib.lessons.rigid_motion.figures import wheels
 from course_lib.lessons.subproblems_damped_ik import figures as nb3
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import ARM, all_solutions
@@ -31,6 +33,14 @@ T_WC = rigid.transform(
 )
 T_MC = rigid.transform(rotations.rot_z(0.4) @ rotations.rot_x(-2.0), [0.2, -0.41, 0.256])
 VIEWS = np.array([[1300, 0, 320], [0, 1300, 240], [0, 0, 1]]), T_MC, T_WC, T_WM
+
+
+def velocities():
+    """A film of the end-effector of the iiwa beside charts of its velocity."""
+    t = np.linspace(0, 2, 21)
+    poses = iiwa14().fk(np.outer(t, Q7))
+    v = np.gradient(poses[:, :3, 3], t, axis=0)
+    return nb4.velocities_over_time(t, {"space": 2 * v, "hybrid": v}, poses)
 
 
 def step_map():
@@ -59,5 +69,10 @@ TOYS |= {
     "wheels": lambda: wheels(0.2, 0.4, 0.2),
     "gains": lambda: nb3.gains([0.5, 2, 8], {"s1": 3.2, "s2": 1.1}),
     "step_map": step_map,
+    "pose_errors": lambda: nb5.pose_errors(
+        rigid.transform(rotations.rot_z(0.2), [0.45, 0.3, 0]),
+        rigid.transform(rotations.rot_z(1.0), [1.0, 0.65, 0]),
+    ),
+    "velocities": velocities,
     "click": lambda: figures.alive(click(*VIEWS)),
 }

@@ -112,7 +112,7 @@ PICTURES = [
     (velocities_of_the_tip, ({"bent": np.array([[0, 0], [2, 0], [2, 1]])},), "1: (-1, 2) m/s; bent, joint 2: (-1, 0)"),
     (nb4.arm_movie, (IIWA, trajectory.Trajectory(T, T[:, None] * GENERIC, 0 * T[:, None] * GENERIC)), "2.0 s: the"),
     (nb4.plane_projections, (np.arange(len(SCREW)), SCREW[:, :3, 3]), "1.00 by 1.00 by 0.60 m."),
-    (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}), "space up to 0.00 m/s, body up to 1.00"),
+    (nb4.velocities_over_time, (T, {"space": 0 * R[0], "body": np.eye(3)}, FRAMES[:, -1]), "space up to 0.00 m/s, body up to 1.00"),
     (nb4.velocities_against_each_other, (np.arange(len(R[0])), {"space": R[0], "body": R[1]}),
      "for each of the frames space, body."),
     (nb4.singular_values, (IIWA, GENERIC, GENERIC * [1, 1, 1, 1, 1, 0, 1]), "q6 varies (wrist): least 0.11 at -0.08"),

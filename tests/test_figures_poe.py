@@ -38,15 +38,32 @@ def test_a_point_of_a_curve_without_a_time_axis_says_its_time():
         assert "time: %{customdata[0]" in curve.hovertemplate
 
 
-def test_the_panels_of_velocities_over_time_have_one_time_axis():
-    chart = figures.velocities_over_time(T, V).fig
-    assert {curve.xaxis for curve in chart.data} == {"x"}
-    assert len({curve.yaxis for curve in chart.data}) == len(V)
+POSES = rigid.transform(np.eye(3), np.array([[0.0, 0, 0], [0.1, 0, 0], [0.1, 0.3, 0]]))
+
+
+def test_the_charts_beside_the_end_effector_hold_the_velocities_of_each_frame():
+    course = figures.velocities_over_time(T, V, POSES).meta
+    assert course["times"] == T.tolist()
+    for chart, (frame, velocities) in zip(course["charts"], V.items(), strict=True):
+        assert chart["title"] == frame
+        drawn = np.transpose([values for *_, values in chart["curves"]])
+        np.testing.assert_allclose(drawn, velocities, atol=1e-4)
+        low, high = chart["range"]
+        assert low < velocities.min()
+        assert velocities.max() < high
+        assert all(low <= tick <= high for tick in chart["ticks"])
+
+
+def test_the_arrow_at_the_end_effector_is_along_the_velocity_in_the_last_frame():
+    ((body, _, vectors),) = figures.velocities_over_time(T, V, POSES).meta["arrows"]
+    assert body == 0
+    np.testing.assert_allclose(np.cross(vectors, V["body"]), 0, atol=1e-4)
+    assert (np.sum(vectors * V["body"], axis=1) > 0).all()
 
 
 def test_what_rounding_decides_is_drawn_as_zero():
-    chart = figures.velocities_over_time(T, {"space": np.full((3, 3), 3e-12)}).fig
-    assert not np.any([curve.y for curve in chart.data])
+    film = figures.velocities_over_time(T, {"space": np.full((3, 3), 3e-12)}, POSES)
+    assert not np.any([values for *_, values in film.meta["charts"][0]["curves"]])
 
 
 def test_each_arm_holds_its_glass_at_the_beginning_and_at_the_end():

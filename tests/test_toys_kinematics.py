@@ -133,6 +133,19 @@ def test_the_pole_is_a_fixed_point_and_a_translation_has_none(js, rng):
     assert js("pole", [[0, 0, 1]], [[0, 1, 2]]) == [None]
 
 
+def test_three_errors_between_planar_poses_are_the_librarys(js, rng):
+    A, B = planar_poses(rng)
+    errors = js("planarErrors", A, B)
+    T, T_target = pose_matrix(A), pose_matrix(B)
+    spatial = rigid.log_se2(T_target @ np.linalg.inv(T))
+    body = rigid.log_se2(np.linalg.inv(T) @ T_target)
+    assert_allclose([error["space"] for error in errors], spatial, **CLOSE)
+    assert_allclose([error["body"] for error in errors], body, **CLOSE)
+    geometric = np.array([error["geometric"] for error in errors])
+    assert_allclose(geometric[:, :2], (B - A)[:, :2], **CLOSE)
+    assert_allclose(geometric[:, 2], body[:, 0], **CLOSE)
+
+
 def test_two_wheels_roll_at_their_speeds_on_the_path_of_their_twist(js, rng):
     left, right, track = *rng.uniform(-0.5, 0.5, (2, N)), rng.uniform(0.1, 0.6, N)
     left[:5] = right[:5]

@@ -177,7 +177,7 @@ def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_ke
 
 
 HANDLES = ["axis", "two_poses_toy", "planar_arm_toy", "cells_toy", "circles_toy", "reach", "fly"]
-HANDLES += ["table", "click", "gains", "step_map"]
+HANDLES += ["table", "click", "gains", "step_map", "pose_errors"]
 FREE = (
     "axis",
     "circles_toy",
@@ -466,6 +466,8 @@ SAYS = [  # what is put into a toy's ranges, and what it then says
     ("gains", {"Damping ε": 1.3}, r"along u₂: 1/s₂ = 0.91 rad/m, damped 0.05 .* removes 6 %"),
     ("step_map", {"Steps": 0}, r"from the target after 0 steps"),
     ("step_map", {"Steps": 1}, r"from the target after 1 step\."),
+    ("pose_errors", {"Rotate the target": 0}, r"0.65 m \(space\), 0.65 m \(body\) and 0.65 m"),
+    ("pose_errors", {"Rotate the target": 90}, r"0.65 m \(geometric\)"),
     ("drive", {"Step dt": 0}, r"is \d{2,} cm and"),
     ("drive", {"Step dt": -2}, r"is \d\.\d cm and"),
     (
@@ -581,6 +583,21 @@ def test_a_click_on_the_map_chooses_the_run(visit):
     left = [float(re.search(r"tip is (\d+\.\d+|\d)", words)[1]) for words in answers]
     assert left[1] > 0.1, "steps that are too large leave the tip away from its target"
     assert "10" in answers[0], "a small distance is written as a power of ten"
+
+
+def test_a_drag_across_a_chart_moves_the_time_of_all_of_them(visit):
+    box = figure_of(visit, "velocities")
+    time = box.get_by_role("slider", name="Time")
+    numbers = box.locator(".numbers")
+    for chart in (1, 2):
+        put(box, "Time", 0)
+        before = numbers.inner_text()
+        place = box.locator("canvas").nth(chart).bounding_box()
+        drag(visit.page, place["x"] + 100, place["y"] + 40, 60, 0)
+        visit.page.evaluate(SETTLED, 200)
+        across = (160 - 48) / (place["width"] - 64)  # 48 and 16 pixels are margins
+        assert float(time.input_value()) == pytest.approx(2 * across, abs=0.03)
+        assert numbers.inner_text() != before
 
 
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):

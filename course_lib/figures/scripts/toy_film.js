@@ -7,13 +7,20 @@
   const M = globalThis.course.motion;
   const P = globalThis.course.parts;
   const S = globalThis.course.scene;
-  const { COLOURS, isDark } = globalThis.course.palette;
+  const { COLOURS, isDark, tint } = globalThis.course.palette;
   // Milliseconds: after a longer pause of the page a film goes on where it was.
   const MAX_PAUSE = 250;
   const EVERY = 5; // so many vertices apart a few of them stand for all when the view is fitted
   const PALE = { opacity: 0.35 };
   const GHOST = { opacity: 0.3, shadow: false };
   const FLAT_GHOST = 0.1; // how opaque the area of a ghost in the plane is
+  const COLUMN = "display:flex;flex-direction:column;gap:.25rem";
+  const LEGEND = "display:flex;flex-wrap:wrap;gap:.2rem 1rem";
+  const SWATCH = "display:inline-block;width:.9em;height:.9em;margin-right:.35em;background:";
+  const SIDE_BY_SIDE = 612; // pixels: room for the picture and the charts beside each other
+  // The height of a chart over time, in widths, and that of the last one, which has numbers below.
+  const CHART = { beside: 0.3, below: 0.2 };
+  const LAST_CHART = { beside: 0.38, below: 0.29 };
   const FITTED_TIMES = 12; // of a film, when the view is fitted
 
   P.toy(
@@ -33,14 +40,17 @@
   /**
    * A range for the time and a button that plays, if there is more than one time. With `at` it is a
    * still.
-   * @returns {{at: number}} holds the time
+   * @returns {{state: {at: number}, seek: (t: number) => void}} state holds the time; seek stops and
+   *   goes to another time
    */
-  function addPlayer(card, { times, at }, view) {
+  function addPlayer(card, { times, at, charts, start = 0 }, view) {
     const end = times.at(-1);
     const isStill = at !== undefined;
     const isReduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const state = card.state({ at: at || 0, plays: end > 0 && !isReduced && !isStill });
-    if (!end || isStill) return state;
+    // Beside charts it waits, because there the reader moves the time.
+    const begins = end > 0 && !isReduced && !isStill && !charts;
+    const state = card.state({ at: at ?? start, plays: begins });
+    if (!end || isStill) return { state, seek: () => {} };
 
     let before = null; // the time of the frame before
     let frame = null;
@@ -74,7 +84,13 @@
       observer.disconnect();
     });
     play(state.plays);
-    return state;
+    function seek(t) {
+      play(false);
+      state.at = t;
+      time.set(t);
+      card.draw();
+    }
+    return { state, seek };
   }
 
   // ---- in space ----
@@ -112,7 +128,9 @@
       return poses[i].map((from, k) => M.interpolate(from, poses[i + 1][k], share));
     }
     const view = card.space({ radius, centre, azimuth, elevation, label: title, proportion });
-    const state = addPlayer(card, meta, view);
+    const charts = meta.charts ? chartsOf(card, meta) : null;
+    const { state, seek } = addPlayer(card, meta, view);
+    charts?.follow(state, seek);
     const seen = pointsToFit();
     const ghosts = ghostsOf(meta);
     const ghost = ghosts.length ? partOf(solid, meta.moving) : null;
@@ -154,9 +172,111 @@
         const path = points.map((p) => (isPoint(p) ? p : null));
         view.line(path, colour, 2.5, { dash });
       }
+      for (const [body, colour, vectors] of meta.arrows ?? []) {
+        const from = M.positionOf(now[body]);
+        view.arrow(from, M.add(from, vectorAt(times, vectors, state.at)), colour);
+      }
       for (const [word, p, colour] of meta.words) view.text(p, word, colour);
       view.end();
+      charts?.draw();
     };
+  }
+
+  /** A list that is stored at each time, between two of them by straight lines. */
+  function vectorAt(times, vectors, t) {
+    const [i, share] = placeOf(times, t);
+    if (!share) return vectors[i];
+    return M.add(vectors[i], M.subtract(vectors[i + 1], vectors[i]), share);
+  }
+
+  // ---- charts over time ----
+
+  /**
+   * The charts beside a film, with one cursor, which a pointer drags.
+   * @returns {{follow: Function, draw: () => void}} follow(state, seek): whose time the cursor
+   *   shows, and what moves it
+   */
+  function chartsOf(card, { times, charts, timeTicks }) {
+    const parent = P.element("div", { style: COLUMN }, card.views);
+    const end = times.at(-1);
+    const planes = charts.map(({ title, label, range, ticks }, i) => {
+      const isLast = i === charts.length - 1;
+      return card.plane({
+        parent,
+        x: [0, end],
+        y: range,
+        margin: true,
+        proportion: () => {
+          const { beside, below } = isLast ? LAST_CHART : CHART;
+          return card.views.clientWidth < SIDE_BY_SIDE ? below : beside;
+        },
+        ticks: [isLast ? timeTicks : timeTicks.map((tick) => [tick, ""]), ticks],
+        names: [isLast ? "time (s)" : "", `${title}: ${label}`],
+        label: `${title}, ${label}, over time`,
+      });
+    });
+    let state = null;
+    let numbers = null;
+    function follow(followed, seek) {
+      state = followed;
+      addLegend(card.controls, charts[0].curves);
+      numbers = card.numbers();
+      for (const plane of planes) {
+        onDrag(plane, ([t]) => seek(P.clamp(t, 0, end)));
+      }
+    }
+    function draw() {
+      planes.forEach((plane, i) => {
+        const { range, curves } = charts[i];
+        plane.begin();
+        for (const [, colour, values] of curves) {
+          const points = values.map((value, k) => [times[k], value]);
+          plane.line(points, colour, 2);
+        }
+        const cursor = range.map((value) => [state.at, value]);
+        plane.line(cursor, COLOURS.black, 1.5);
+        for (const [, colour, values] of curves) {
+          plane.dot([state.at, vectorAt(times, asColumn(values), state.at)[0]], colour, 4);
+        }
+        plane.end();
+      });
+      const lines = charts.map(({ title, curves }) => {
+        const values = curves.map(([, , column]) => vectorAt(times, asColumn(column), state.at)[0]);
+        return `${title}: (${P.list(values, 3)})`;
+      });
+      numbers(...lines);
+    }
+    return { follow, draw };
+  }
+  const asColumn = (values) => values.map((value) => [value]);
+
+  function addLegend(parent, curves) {
+    const legend = P.element("p", { style: LEGEND }, parent);
+    for (const [name, colour] of curves) {
+      const item = P.element("span", {}, legend);
+      P.element("span", { style: SWATCH + tint(colour) }, item);
+      item.append(name);
+    }
+  }
+
+  /** Call act with the place of a pointer that is pressed, and while it is dragged. */
+  function onDrag(plane, act) {
+    const { canvas } = plane;
+    canvas.style.touchAction = "pan-y"; // a finger that moves up or down scrolls the page
+    canvas.style.cursor = "ew-resize";
+    let isHeld = false;
+    const follow = (event) => act(plane.fromPixels(P.pixelOf(event, canvas)));
+    canvas.addEventListener("pointerdown", (event) => {
+      isHeld = true;
+      canvas.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (isHeld) follow(event);
+    });
+    P.onRelease(canvas, () => {
+      isHeld = false;
+    });
   }
 
   // ---- in the plane ----
@@ -174,7 +294,7 @@
     const maps = names
       ? names.map((name) => mapWithName(card, name, { ...options, label: `${title}: ${name}` }))
       : [card.map({ ...options, label: title })];
-    const state = addPlayer(card, meta, maps[0]);
+    const { state } = addPlayer(card, meta, maps[0]);
     const ghosts = ghostsOf(meta);
 
     /** The corners of a thing that moves, at a time. */

@@ -14,6 +14,7 @@ _RATE = 20
 _MAX_POSES = 600
 _MAX_POINTS = 300  # about so many points of a path are stored
 _MAX_GHOSTS = 4  # in the photograph of a film; more cover each other
+_START = 0.2  # where the cursor of charts begins, as a share of the film
 _MILLIMETRES = 1000  # the unit of positions, in which numbers are short
 _POSITION_OFF_TIES = 3.1e-4  # OFF_TIES in millimetres
 VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
@@ -34,6 +35,8 @@ def film(
     ground=None,
     near=None,
     ghosts=0,
+    arrows=(),
+    charts=(),
 ):
     """Return a toy in which bodies move in real time, or stand still if there is one time.
 
@@ -63,6 +66,12 @@ def film(
     ghosts : int, optional
         Where no script runs, a photograph of the first pose stands for the film. In it the bodies
         that move are drawn, translucent, at so many later poses, the last one among them.
+    arrows : sequence of (body, colour, vectors), optional
+        Arrows at the origins of bodies; vectors, shape (m, 3), in metres, one for each time.
+    charts : sequence of (title, label, curves), optional
+        Charts over time beside the picture, with a cursor at the time of the film. The label names
+        the values and their unit; curves is a sequence of (name, colour, values), values of shape
+        (m,).
 
     Returns
     -------
@@ -111,12 +120,49 @@ def film(
         meta["pale"] = solid(Model.of(pale))
     if near is not None:
         meta["near"] = np.round(near, 4).tolist()
+    if arrows:
+        meta["arrows"] = [
+            [body, colour, (np.round(np.asarray(vectors)[kept] + OFF_TIES, 4) + 0.0).tolist()]
+            for body, colour, vectors in arrows
+        ]
+    if charts:
+        meta["charts"] = [_chart_over_time(*chart, kept) for chart in charts]
+        meta["timeTicks"] = _round_ticks(0, meta["times"][-1])
+        meta["proportion"] = 1.0
+        meta["start"] = round(_START * meta["times"][-1], 2)
     if name:
         meta["movie"] = name
     if ghosts:
         meta["ghosts"] = _times_of_ghosts(meta["times"], ghosts)
         meta["moving"] = _moving(poses)
     return Toy("film", meta, alt, caption=caption)
+
+
+def _chart_over_time(title, label, curves, kept):
+    """Return a chart for the script, with a margin around its curves and its name above them."""
+    values = [np.asarray(values, float)[kept] for *_, values in curves]
+    low, high = np.min(values), np.max(values)
+    margin = max(0.08 * (high - low), 1e-3)
+    low, high = round(float(low - margin), 3), round(float(high + 4 * margin), 3)
+    lines = [
+        [name, colour, (np.round(line + OFF_TIES, 4) + 0.0).tolist()]
+        for (name, colour, _), line in zip(curves, values, strict=True)
+    ]
+    return {
+        "title": title,
+        "label": label,
+        "range": [low, high],
+        "ticks": _round_ticks(low, high),
+        "curves": lines,
+    }
+
+
+def _round_ticks(low, high):
+    """Return a few round numbers from low to high."""
+    step = 10.0 ** np.floor(np.log10((high - low) / 2))
+    step *= next(factor for factor in (1, 2, 5, 10) if (high - low) / (factor * step) <= 5)
+    first, last = np.ceil(low / step), np.floor(high / step)
+    return [round(step * k, 9) + 0.0 for k in np.arange(first, last + 1)]
 
 
 def _times_of_ghosts(times, count):

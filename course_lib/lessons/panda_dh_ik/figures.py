@@ -12,7 +12,6 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import in_columns
 from course_lib.figures.solids import (
     Model,
     Part,
@@ -27,6 +26,7 @@ from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREE
 from course_lib.figures.style import BLACK as INK
 from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
 from course_lib.figures.toys.film import beside, film, still
+from course_lib.figures.toys.toy import Toy
 from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE
 from course_lib.rotations import rot_x, rot_z
 
@@ -212,41 +212,30 @@ def _numbers(frames):
 
 
 def pose_errors(T, T_target):
-    """Return the linear velocity of three pose errors, in the plane, one panel for each.
+    """Return a toy: two poses in the plane, and the linear parts of three errors between them.
+
+    The errors are those that belong to the space, the body and the geometric Jacobian. Both poses
+    can be dragged, and a slider rotates the target.
 
     Parameters
     ----------
     T, T_target : array_like, shape (4, 4)
-        The current and the target pose. Both lie in the plane z = 0 and are rotated about z.
+        The current and the target pose at the start. Both lie in the plane z = 0 and are rotated
+        about z.
 
     Returns
     -------
-    Picture
+    Toy
     """
     space = rigid.log_se3(T_target @ rigid.inverse(T))
     body = rigid.log_se3(rigid.inverse(T) @ T_target)
-    difference = (T_target - T)[:2, 3]
-    R = T[:2, :2]
-    origin = np.zeros(2)
-    contents = {  # the title: where the arrow starts, the arrow, and the axes of its components
-        "space: the point at the base's origin": (origin, space[3:5], np.eye(2)),
-        "body: along its own axes": (T[:2, 3], R @ body[3:5], R),
-        "geometric: along the base's axes": (T[:2, 3], difference, np.eye(2)),
+    lengths = {
+        "space, at the base's origin": space[3:],
+        "body, along its own axes": body[3:],
+        "geometric, along the base's axes": (T_target - T)[:3, 3],
     }
-    fig, axes = in_columns(contents, 3.5, 3.7, xlabel="x (m)", ylabel="y (m)")
-    lengths = []
-    for ax, (title, (start, arrow, directions)) in zip(axes, contents.items(), strict=True):
-        _draw_plane_frame(ax, T, BLUE, "now")
-        _draw_plane_frame(ax, T_target, GREEN, "    target", align="left")
-        _draw_plane_frame(ax, np.eye(4), INK, "base")
-        _draw_arrow_with_components(ax, start, arrow, directions)
-        ax.set(title=title.replace(": ", ":\n"), xlim=(-0.35, 1.3), ylim=(-0.45, 0.95))
-        ax.set_aspect("equal")
-        length = f"{np.linalg.norm(arrow):.2f} m"
-        ax.text(0.98, 0.04, length, transform=ax.transAxes, ha="right", color=CRIMSON)
-        lengths.append(f"{title} {length} long")
-    return Picture(
-        fig,
+    in_words = [f"{name}, {np.linalg.norm(arrow):.2f} m long" for name, arrow in lengths.items()]
+    alt = (
         f"A base, a current pose in blue, and a target in green, which is rotated by "
         f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose. Each of the three "
         f"panels shows the linear part of one error as a red arrow: {', '.join(lengths)}.",
@@ -255,24 +244,17 @@ def pose_errors(T, T_target):
         "origin at this moment. "
         "Only the last arrow ends at the target.",
     )
+    caption = (
+        "Rotate the target with the slider and watch the three arrows: the geometric one stays, "
+        "because the position of the target stays, and the other two change."
+    )
+    model = {"now": _planar(T), "target": _planar(T_target)}
+    return Toy("pose_errors", model, alt, caption=caption)
 
 
-def _draw_plane_frame(ax, T, colour, name, align="right"):
-    """Draw the x and y axis of a pose (4, 4), x thick, with its name below."""
-    origin = T[:2, 3]
-    for k, width in ((0, 3), (1, 1.5)):
-        ax.plot(*np.transpose([origin, origin + 0.16 * T[:2, k]]), color=colour, linewidth=width)
-    ax.text(*origin - [0.03, 0.09], name, color=colour, ha=align)
-
-
-def _draw_arrow_with_components(ax, start, arrow, directions):
-    """Draw an arrow (2,) from a start (2,), with its components along the columns of directions."""
-    for direction in directions.T:
-        component = direction * (direction @ arrow)
-        ends = np.transpose([start, start + component])
-        ax.plot(*ends, ":", color=CRIMSON, linewidth=2, zorder=3)
-    look = {"arrowstyle": "-|>", "color": CRIMSON, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", start + arrow, start, arrowprops=look)
+def _planar(T):
+    """Return (x, y, theta) of a pose (4, 4) in the plane z = 0."""
+    return [float(T[0, 3]), float(T[1, 3]), float(np.arctan2(T[1, 0], T[0, 0]))]
 
 
 # ---- the pick of a mug ----

@@ -415,52 +415,56 @@ def _without_rounding(values):
     return np.where(np.abs(values) < _ROUNDING, 0.0, values)
 
 
-def velocities_over_time(t, v):
-    """Return the components of linear velocities over time, one panel for each frame.
+def velocities_over_time(t, v, poses):
+    """Return a film of the end-effector's frame beside the components of its velocity over time.
 
-    The panels share their time axis, so zooming in one of them zooms in all.
+    There is one chart for each frame, and one cursor across all of them.
 
     Parameters
     ----------
     t : array_like, shape (n,)
         Times in seconds.
     v : dict
-        Name of a frame to velocities, shape (n, 3), in m/s.
+        Name of a frame to velocities, shape (n, 3), in m/s. The last one is along fixed axes; an
+        arrow shows it.
+    poses : array_like, shape (n, 4, 4)
+        Of the end-effector.
 
     Returns
     -------
-    Picture
+    Toy
     """
-    fig = charts.panels(
-        list(v),
-        xlabel="time (s)",
-        ylabel="v (m/s)",
-        columns=1,
-        share="xy",
-        height=150 + 190 * len(v),
-    )
-    for panel, velocities in enumerate(v.values()):
-        for letter, values, colour in zip(
-            "xyz", np.transpose(velocities), FRAME_COLOURS, strict=True
-        ):
-            charts.add_line(
-                fig,
-                t,
-                _without_rounding(values),
-                f"v<sub>{letter}</sub>",
-                panel=panel,
-                colour=colour,
-                markers=_few(t),
-            )
+    poses = np.asarray(poses, float)
+    path = poses[:, :3, 3]
+    size = max(float(np.ptp(path, axis=0).max()), 0.1)
+    velocities = {name: _without_rounding(values) for name, values in v.items()}
+    drawn_as_arrow = list(velocities.values())[-1]
+    fastest = max(float(np.linalg.norm(drawn_as_arrow, axis=1).max()), 1e-9)
+    charts_over_time = []
+    for frame, values in velocities.items():
+        curves = [
+            (f"v{subscript}", colour, values[:, k])
+            for k, (subscript, colour) in enumerate(zip("xyz", FRAME_COLOURS, strict=True))
+        ]
+        charts_over_time.append((frame, "v (m/s)", curves))
     speeds = ", ".join(
-        f"{frame} up to {np.abs(velocities).max():.2f} m/s" for frame, velocities in v.items()
+        f"{frame} up to {np.abs(values).max():.2f} m/s" for frame, values in velocities.items()
     )
-    return Picture(
-        fig,
+    return film(
+        scene.triad(0, np.eye(4), 0.22 * size),
+        poses[:, None],
+        t,
         f"{len(v)} panels show the components of the linear velocity over time, one for each "
-        f"frame. The largest components are: {speeds}.",
-        "The body twist and the hybrid twist have the same speed at each instant, because only "
-        "their axes differ.",
+        f"frame, and beside them the frame of the end-effector moves along its path. One cursor "
+        f"goes through all of them. The largest components are: {speeds}.",
+        "Drag the cursor across the panels: the black arrow at the end-effector's frame is the velocity "
+        "at that time. The body twist and the hybrid twist have the same speed at each instant, "
+        "because only their axes differ.",
+        paths=[(path, BLUE, (7, 5))],
+        arrows=[(0, BLACK, 0.6 * size / fastest * drawn_as_arrow)],
+        charts=charts_over_time,
+        view=(0.1, 1.0, 0.5),
+        ground=False,
     )
 
 

@@ -626,7 +626,7 @@ def gains(epsilons, values, damping=2.0):
     model = {
         "dampings": [float(eps) for eps in epsilons],
         "damping": float(damping),
-        "singularValues": [float(values["s1"]), float(values["s2"])],
+        "singularValues": [round(float(values[name]), 4) for name in ("s1", "s2")],
     }
     return Toy("gains", model, alt, caption=caption)
 

@@ -29,6 +29,20 @@
   const twistOfWheels = (left, right, track) => [(right - left) / track, (left + right) / 2, 0];
 
   /**
+   * Three errors that lead from the pose A to B: those of the space and the body Jacobian, (omega,
+   * vx, vy), and that of the geometric one, (vx, vy, omega).
+   */
+  function planarErrors(A, B) {
+    const body = logPlanar(A, B);
+    const [omega, vx, vy] = body;
+    const [x, y, theta] = A;
+    const [c, s] = [Math.cos(theta), Math.sin(theta)];
+    // The velocity of the body's point at the origin.
+    const space = [omega, c * vx - s * vy + omega * y, s * vx + c * vy - omega * x];
+    return { space, body, geometric: [B[0] - x, B[1] - y, omega] };
+  }
+
+  /**
    * Dead reckoning.
    * @param {number[]} start a pose
    * @param {[number[], number][]} plan body velocities [[vx, vy, omega], seconds]
@@ -111,6 +125,7 @@
     expPlanar,
     pole,
     twistOfWheels,
+    planarErrors,
     propagate,
     planarPoints,
     planarJacobian,

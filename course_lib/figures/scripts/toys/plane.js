@@ -6,6 +6,7 @@
   const { COLOURS, tint } = globalThis.course.palette;
   // Pixels around a chart for the words at its axes; a map writes them into the picture.
   const CHART_MARGINS = { left: 48, right: 16, top: 8, below: 38 };
+  const BELOW_WITHOUT_NAME = 10; // pixels, below a chart whose axis has no name and no numbers
   const NO_MARGINS = { left: 0, right: 0, top: 0, below: 0 };
   const STEPS_ACROSS = 120; // of a handle, by the arrow keys
 
@@ -30,7 +31,8 @@
     const plane = P.stage(parent, { label, redraw, proportion: proportion || height / width });
     const { context } = plane;
     const stage = { begin: plane.begin, end: plane.end, handle: plane.handle };
-    const { left, right, top, below } = margin ? CHART_MARGINS : NO_MARGINS;
+    const { left, right, top, ...margins } = margin ? CHART_MARGINS : NO_MARGINS;
+    const below = margin && !names[0] ? BELOW_WITHOUT_NAME : margins.below;
     const isMap = typeof ticks === "function";
     let [[x0, x1], [y0, y1]] = [x, y];
     let ticksAcross = [];
