@@ -5,6 +5,7 @@ import numpy as np
 from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, planar_arm, ur5e
 from course_lib.ik import damped_path
+from course_lib.lessons.decomposition_ik import figures as nb6
 from course_lib.lessons.panda_dh_ik import figures as nb5
 from course_lib.lessons.panda_dh_ik.toys import click
 from course_lib.lessons.poe_kuka_iiwa import figures as nb4
@@ -43,6 +44,18 @@ def velocities():
     return nb4.velocities_over_time(t, {"space": 2 * v, "hybrid": v}, poses)
 
 
+def errors_of_arm():
+    """Thirty queries with two answers each, one of which is missing."""
+    rng = np.random.default_rng(5)
+    angles = rng.uniform([0.1, 0.3], [1.4, 1.5], (30, 2))
+    queries = planar_arm([1, 1]).fk(angles)[:, :2, 3]
+    answers = angles[:, None] + rng.normal(0, [[[0.01], [0.1]]], (30, 2, 2))
+    tips = planar_arm([1, 1]).fk(answers)[..., :2, 3]
+    errors = 100 * np.linalg.norm(tips - queries[:, None], axis=-1)
+    answers[3, 1] = errors[3, 1] = np.nan
+    return nb6.errors_of_arm(queries, answers, errors, range(30), "Click a dot.")
+
+
 def step_map():
     """The map of step size and damping, coarser than that of the notebook."""
     q, target = np.array([0, 0, 0, np.pi / 2]), np.array([-1.8663, 1.1207])
@@ -74,5 +87,6 @@ TOYS |= {
         rigid.transform(rotations.rot_z(1.0), [1.0, 0.65, 0]),
     ),
     "velocities": velocities,
+    "errors": errors_of_arm,
     "click": lambda: figures.alive(click(*VIEWS)),
 }

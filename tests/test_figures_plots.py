@@ -211,3 +211,12 @@ def test_a_second_body_stands_behind_the_first_in_grey():
         assert_allclose(behind, nb2.outline(pose), atol=ROUNDED)
     for before, pose in zip(film["shapes"][1], POSES, strict=True):
         assert_allclose(before, nb2.outline(pose), atol=ROUNDED)
+
+
+def test_the_arm_of_a_query_is_at_its_answers_the_better_one_first():
+    angles = np.array([[[0.1, 0.2], [0.3, 0.4]], [[0.5, 0.6], [np.nan, np.nan]]])
+    errors = np.array([[2.0, 1.0], [3.0, np.nan]])
+    course = nb6.errors_of_arm(np.ones((2, 2)), angles, errors, [7, 8], "Words.").meta
+    assert course["angles"] == [[[0.3, 0.4], [0.5, 0.6]], [[0.1, 0.2], None]]
+    assert course["errors"] == [[1.0, 3.0], [2.0, None]]
+    assert course["cells"] == [7, 8]

@@ -600,6 +600,36 @@ def test_a_drag_across_a_chart_moves_the_time_of_all_of_them(visit):
         assert numbers.inner_text() != before
 
 
+def test_a_click_on_a_dot_shows_the_arm_that_made_it(visit):
+    box = figure_of(visit, "errors")
+    rank = box.get_by_role("slider", name="Query, by the size of its error")
+    put(box, "Query, by the size of its error", 20)
+    said = box.locator("p[role=status]")
+    before = said.inner_text()
+    place = box.locator("canvas").bounding_box()
+    visit.page.mouse.click(place["x"] + 0.8 * place["width"], place["y"] + 0.3 * place["height"])
+    expect(said).not_to_have_text(before)
+    number = int(rank.input_value())
+    chosen = said.inner_text()
+    put(box, "Query, by the size of its error", number + 1)
+    expect(said).not_to_have_text(chosen)
+    put(box, "Query, by the size of its error", number)
+    expect(said).to_have_text(chosen)
+
+
+def test_the_ranks_of_queries_fall_with_their_errors(visit):
+    box = figure_of(visit, "errors")
+    said = box.locator("p[role=status]")
+    found = []
+    for rank in (1, 2, 10, 30):
+        put(box, "Query, by the size of its error", rank)
+        visit.page.evaluate(SETTLED, 100)
+        found.append(
+            float(re.search(r"better answer misses it by ([\d.]+) cm", said.inner_text())[1])
+        )
+    assert found == sorted(found, reverse=True)
+
+
 def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")

@@ -7,7 +7,6 @@
   const { COLOURS, tint } = globalThis.course.palette;
   const SIDE_BY_SIDE = 612; // pixels: room for the map and the arm beside each other
   const FLAT = 0.62; // the heights of both below each other, in widths
-  const MAX_TREMBLE = 6; // pixels between press and release of a click that is no drag
   const LEVELS = [
     { below: -6, colour: COLOURS.tiny, words: "below 1 µm" },
     { below: -2, colour: COLOURS.small, words: "below 1 cm" },
@@ -57,7 +56,7 @@
       describe: () =>
         `step size ${short(10 ** state.at[0])}, damping ${short(10 ** state.at[1])} m²`,
     });
-    onClick(chart, (p) => {
+    P.onClick(chart, (p) => {
       put(p);
       card.draw();
     });
@@ -173,18 +172,5 @@
       `With α = ${short(alpha)} and ε = ${short(eps)} m² the tip is ${left} m from the target ` +
       `after ${steps} ${steps === 1 ? "step" : "steps"}.`
     );
-  }
-
-  /** Call act with the place of a click that was no drag. */
-  function onClick(plane, act) {
-    let pressed = null;
-    plane.box.addEventListener("pointerdown", ({ clientX, clientY }) => {
-      pressed = [clientX, clientY];
-    });
-    plane.box.addEventListener("click", (event) => {
-      if (!pressed) return;
-      const way = M.norm(M.subtract(pressed, [event.clientX, event.clientY]));
-      if (way < MAX_TREMBLE) act(plane.fromPixels(P.pixelOf(event, plane.box)));
-    });
   }
 })();

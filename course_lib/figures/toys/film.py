@@ -283,7 +283,7 @@ def still(parts, alt, caption="", *, at=None, proportion=0.75, **look):
     return picture
 
 
-def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
+def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0, proportion=0.5):
     """Return a picture of things beside each other.
 
     Parameters
@@ -299,6 +299,8 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
         The direction to the eye.
     high : float, optional
         Metres above the origin at which the titles stand.
+    proportion : float, optional
+        Height over width.
 
     Returns
     -------
@@ -315,9 +317,8 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0):
         words += [(word, point + place, colour) for word, point, colour in own_words]
         words.append((title, place + np.array([0, 0, high]), INK))
     at = rigid.transform(np.broadcast_to(np.eye(3), (len(places), 3, 3)), places)
-    return still(
-        parts, alt, caption, at=at, proportion=0.5, pale=pale, paths=paths, words=words, view=view
-    )
+    look = {"proportion": proportion, "view": view}
+    return still(parts, alt, caption, at=at, pale=pale, paths=paths, words=words, **look)
 
 
 def _evenly(n, max_count):

@@ -9,12 +9,14 @@ from course_lib.figures import charts
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, PALE_GREY, RED, plane_figure
+from course_lib.figures.toys.toy import Toy
 
+_ANSWERS = ("the better answer", "the worse answer")
 LEAST_ERROR = 1e-3  # cm: a tenth of the thickness of paper; smaller errors have its colour
 EXACT = 0.01  # cm: a tip that is nearer than that to the desired position is at it
 
 
-def two_elbows(solutions, xy):
+def two_elbows(solutions, xy, sent=None):
     """Return the 2R arm at two pairs of joint angles, and the desired position.
 
     Parameters
@@ -23,6 +25,9 @@ def two_elbows(solutions, xy):
         Joint angles, in radians, a row for each elbow, q2 >= 0 first.
     xy : array_like, shape (2,)
         The desired position, in metres.
+    sent : array_like, shape (2, 2), optional
+        The joint angles that were sent, if the arm took other ones. The arm at these is drawn pale,
+        and an inset shows by how much the tips miss.
 
     Returns
     -------
@@ -31,21 +36,28 @@ def two_elbows(solutions, xy):
     fig, (ax,) = plane_figure(4.4, 4.2)
     looks = ((BLUE, "-", r"$q_2 \geq 0$"), (RED, "--", r"$q_2 \leq 0$"))
     elbows = []
-    distances = []
+    tips = []
     for q, (colour, style, name) in zip(solutions, looks, strict=True):
-        angles = np.cumsum(q)
-        links = np.stack([np.cos(angles), np.sin(angles)], -1)
-        joints = np.cumsum([np.zeros(2), *links], 0)
+        joints = _joints(q)
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
         elbows.append(f"({joints[1, 0]:.2f}, {joints[1, 1]:.2f})")
-        distances.append(100 * np.linalg.norm(joints[2] - xy))
+        tips.append(joints[2])
+    distances = [100 * np.linalg.norm(tip - xy) for tip in tips]
+    for q in [] if sent is None else sent:
+        ax.plot(*_joints(q).T, color=PALE_GREY, linewidth=3, zorder=1)
     # Hollow, so that a tip near it remains visible.
     hollow = {"markerfacecolor": "none", "markeredgewidth": 1.8, "markersize": 13}
     ax.plot(*xy, "D", color=BLACK, linestyle="", label="desired position", **hollow)
     ax.plot(0, 0, "s", color=BLACK, markersize=10)
     in_metres(ax)
     ax.margins(0.12)
-    ax.legend(frameon=False)
+    if sent is None:
+        ax.legend(frameon=False)
+    else:
+        ax.plot([], [], color=PALE_GREY, linewidth=3, label="as sent")
+        # Below the arm, because the inset takes the room within it.
+        ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(0, -0.16), ncols=2)
+        _enlarge_misses(ax, tips, xy, distances)
     alt = (
         f"An arm with two links twice, its elbows at {' and '.join(elbows)} m, and the desired "
         f"position ({xy[0]:g}, {xy[1]:g}) m."
@@ -57,7 +69,39 @@ def two_elbows(solutions, xy):
         f"Neither tip is at the desired position: they miss it by {distances[0]:.1f} and "
         f"{distances[1]:.1f} cm."
     )
-    return Picture(fig, f"{alt} Neither tip is there.", caption)
+    alt += " Neither tip is there."
+    if sent is not None:
+        caption += " The arm sags: the angles that were sent would bring both tips there, pale."
+        alt += " Pale, the arm at the angles that were sent, which reaches it."
+    return Picture(fig, alt, caption)
+
+
+def _joints(q):
+    """Return the base, the elbow and the tip (3, 2) of the 2R arm at joint angles (2,)."""
+    angles = np.cumsum(q)
+    links = np.stack([np.cos(angles), np.sin(angles)], -1)
+    return np.cumsum([np.zeros(2), *links], 0)
+
+
+def _enlarge_misses(ax, tips, xy, distances):
+    """Draw the neighbourhood of the desired position enlarged, with the distances of both tips."""
+    inset = ax.inset_axes([0.28, 0.25, 0.43, 0.43])
+    farthest = tips[int(np.argmax(distances))]
+    middle = (xy + farthest) / 2
+    half = 0.9 * max(distances) / 100
+    for tip, distance, colour, side in zip(tips, distances, (BLUE, RED), (1, -1), strict=True):
+        inset.plot(*np.transpose([xy, tip]), color=colour, linewidth=3)
+        inset.plot(*tip, "o", color=colour, markersize=9)
+        # On one side of the longer line and on the other side of the shorter one, beyond its end.
+        along = (tip - xy) / np.linalg.norm(tip - xy)
+        beside = middle if tip is farthest else tip
+        place = beside + side * 0.45 * half * np.array([-along[1], along[0]])
+        words = f"{distance:.1f} cm"
+        inset.annotate(words, place, color=colour, ha="center", va="center", weight="bold")
+    inset.plot(*xy, "D", color=BLACK, markersize=13, markerfacecolor="none", markeredgewidth=1.8)
+    window = half * np.array([-1, 1])
+    inset.set(xlim=middle[0] + window, ylim=middle[1] + window, xticks=[], yticks=[])
+    ax.indicate_inset_zoom(inset, edgecolor=BLACK)
 
 
 def samples(xy, cell, low, high, n):
@@ -261,6 +305,72 @@ def errors(contents, caption, details=None):
     fig.layout.showlegend = False  # the titles of the panels name the series
     alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(in_words)}."
     return Picture(fig, alt, caption)
+
+
+def errors_of_arm(xy, angles, errors, cells, caption):
+    """Return a toy: queries with the errors of two answers, and the arm at the answers to one.
+
+    A click chooses a query.
+
+    Parameters
+    ----------
+    xy : ndarray, shape (m, 2)
+        Positions that were asked for, in metres.
+    angles : ndarray, shape (m, 2, 2)
+        Two answers to each, in radians; NaN where there is none.
+    errors : ndarray, shape (m, 2)
+        Their errors, in centimetres; NaN where there is no answer.
+    cells : array_like, shape (m,)
+        The number of each query's cell.
+    caption : str
+        What to try, and what is seen.
+
+    Returns
+    -------
+    Toy
+    """
+    xy = np.asarray(xy, float)
+    order = np.argsort(np.where(np.isnan(errors), np.inf, errors), axis=1, kind="stable")
+    angles = np.take_along_axis(np.asarray(angles, float), order[..., None], axis=1)
+    errors = np.take_along_axis(np.asarray(errors, float), order, axis=1)
+    in_words = []
+    for name, column in zip(_ANSWERS, errors.T, strict=True):
+        worst = int(np.nanargmax(column))
+        x, y = xy[worst]
+        in_words.append(
+            f"{name}: half below {np.nanmedian(column):.2g}, the largest {column[worst]:.1f} at "
+            f"({x:.1f}, {y:.1f}) m"
+        )
+    alt = (
+        "Errors in cm at positions in the plane, by size and colour, of two answers to each query. "
+        f"{_capital('; '.join(in_words))}. The planar arm is drawn at the answers to the query "
+        "that is chosen by a click or a slider."
+    )
+    low, high = xy.min(0), xy.max(0)
+    centre = (np.minimum(low, 0) + np.maximum(high, 0)) / 2
+    model = {
+        "lengths": [1.0, 1.0],
+        "queries": (np.round(xy, 3) + 0.0).tolist(),
+        "angles": [_with_gaps(np.round(column, 3) + 0.0) for column in angles.swapaxes(0, 1)],
+        "errors": [
+            [None if np.isnan(error) else round(float(error), 2) for error in column]
+            for column in errors.T
+        ],
+        "cells": [int(cell) for cell in cells],
+        "names": list(_ANSWERS),
+        "half": round(0.6 * float(max(np.maximum(high, 0) - np.minimum(low, 0))), 2),
+        "centre": centre.round(2).tolist(),
+    }
+    return Toy("errors", model, alt, caption=caption)
+
+
+def _with_gaps(rows):
+    """Return rows as JSON, with None for those that hold NaN."""
+    return [None if np.isnan(row).any() else row.tolist() for row in rows]
+
+
+def _capital(words):
+    return words[0].upper() + words[1:]
 
 
 def _name_largest(fig, panel, position, text):

@@ -466,6 +466,7 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         "on both sides of the mug.",
         view=(1.2, 1.2, 0.7),
         name="pick",
+        ghosts=2,
         paths=[(grippers[:, :3, 3], BLUE, ())],
         ground=base[2],
     )

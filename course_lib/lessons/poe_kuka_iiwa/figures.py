@@ -64,7 +64,11 @@ def wrong_frame(arm, motions, table):
         pale = [_placed(part, first) for part in body]
         pale.append(Part(0, DARK, box(corner, opposite, 0.05, 8)))  # shows what is below it
         pale.append(Part(0, LIGHT_BLUE, _glass().moved(poses[0] @ glass_in_gripper)))
-        groups[label] = solid, pale, [(path, colour, ())], []
+        paths, words = [(path, colour, ())], []
+        if path[:, 2].min() < table:
+            paths.append((_ring(path[np.argmax(path[:, 2] < table)], table), CRIMSON, ()))
+            words.append(("through the table", path[-1] - [0, 0, 0.17], CRIMSON))
+        groups[label] = solid, pale, paths, words
         moved[label] = 100 * np.linalg.norm(path[-1] - path[0])
         lowest[label] = path[:, 2].min()
     ends = "; ".join(f"{label}: the gripper moves by {far:.0f} cm" for label, far in moved.items())
@@ -83,12 +87,20 @@ def wrong_frame(arm, motions, table):
         f"The arm holds a glass above a table. It is shown at the end of its motion. "
         f"{_capital(ends)}. {through}",
         caption,
-        view=(0.3, 1.0, 0.16),
-        high=1.0,
+        view=(0.3, 1.0, 0.3),
+        high=0.98,
+        proportion=0.45,
     )
 
 
 _BOARD = 0.04  # thickness of the table in metres
+
+
+def _ring(point, height, radius=0.13):
+    """Return a circle (n, 3) around a point, at a height, which is drawn around a hole."""
+    angles = np.linspace(0, 2 * np.pi, 61)
+    circle = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1)
+    return radius * circle + [point[0], point[1], height + 0.002]
 
 
 def _placed(part, poses):
@@ -343,6 +355,7 @@ def arm_movie(arm, motion):
         f"end-effector moves within {size}.",
         "The end-effector follows the dashed path.",
         name="iiwa",
+        ghosts=3,
         paths=[(path, BLUE, (7, 5))],
         view=(0.1, 1.0, 0.5),
     )
@@ -457,9 +470,9 @@ def velocities_over_time(t, v, poses):
         f"{len(v)} panels show the components of the linear velocity over time, one for each "
         f"frame, and beside them the frame of the end-effector moves along its path. One cursor "
         f"goes through all of them. The largest components are: {speeds}.",
-        "Drag the cursor across the panels: the black arrow at the end-effector's frame is the velocity "
-        "at that time. The body twist and the hybrid twist have the same speed at each instant, "
-        "because only their axes differ.",
+        "Drag the cursor across the panels: the black arrow at the end-effector's frame is the "
+        "velocity at that time. The body twist and the hybrid twist have the same speed at each "
+        "instant, because only their axes differ.",
         paths=[(path, BLUE, (7, 5))],
         arrows=[(0, BLACK, 0.6 * size / fastest * drawn_as_arrow)],
         charts=charts_over_time,

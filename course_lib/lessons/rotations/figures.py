@@ -16,7 +16,7 @@ from course_lib.figures.style import BLACK, BLUE, FRAME_COLOURS, GREY, RED, SPHE
 from course_lib.figures.toys.arms import jog
 from course_lib.figures.toys.film import beside, still
 from course_lib.rigid import transform
-from course_lib.rotations import log_so3, rot_y
+from course_lib.rotations import log_so3, nearest_so, rot_y
 
 # The camera of the spheres, below the equator: there the two samplers differ most.
 FROM_BELOW = {"eye": {"x": 0.75, "y": 0.75, "z": -0.85}}
@@ -91,8 +91,11 @@ def frames(
     for title, R in orientations.items():
         words = list(zip("xyz", 1.2 * scale * R.T, FRAME_COLOURS, strict=True))
         words += [(name, 1.4 * axis, GREY) for name, axis in zip("xyz", np.eye(3), strict=True)]
-        groups[title] = (_turned_drone(scale * R, 1.0, 1.25), (), (), words)
         lengths = np.linalg.norm(R, axis=0)
+        if np.ptp(np.append(lengths, 1)) > 0.01:
+            groups[title] = (*_grown_drone(R, scale), (), words)
+        else:
+            groups[title] = (_turned_drone(scale * R, 1.0, 1.25), (), (), words)
         axes = ", ".join(f"{name} {_direction(R[:, k])}" for k, name in enumerate("xyz"))
         stretched = ""
         if np.ptp(np.append(lengths, 1)) > 0.01:
@@ -105,10 +108,11 @@ def frames(
     if longest > 1.01:
         caption = (
             "A rotation keeps all three axes at length one; here the longest grows to "
-            f"{longest:.2f}."
+            f"{longest:.2f}. Inside the pale drone is one of the true size."
         )
     size = max(1, scale * longest)
-    return beside(groups, 2.5 * size, alt, caption, view=(1.35, 1.1, 0.8), high=1.5 * size)
+    look = {"view": (1.35, 1.1, 0.8), "high": 1.35 * size, "proportion": 0.42}
+    return beside(groups, 2.2 * size, alt, caption, **look)
 
 
 def _drone():
@@ -138,6 +142,21 @@ def _turned_drone(R, own, fixed):
     turned = [part.moved(pose) for part in parts]
     fixed_axes = [Part(0, STEEL, arrow(np.zeros(3), axis, fixed, 0.013)) for axis in np.eye(3)]
     return turned + fixed_axes
+
+
+def _grown_drone(R, scale):
+    """Return what a matrix makes of the drone: the solid parts and the translucent ones.
+
+    The drone of the true size is solid and the one that the matrix deforms is translucent.
+    """
+    grown = np.eye(4)
+    grown[:3, :3] = scale * R
+    true = np.eye(4)
+    true[:3, :3] = scale * nearest_so(R)
+    axes = [part.moved(grown) for part in scene.triad(0, np.eye(4), 1.0, 0.042)]
+    fixed_axes = [Part(0, STEEL, arrow(np.zeros(3), axis, 1.25, 0.013)) for axis in np.eye(3)]
+    drone = [part.moved(true) for part in _drone()]
+    return drone + axes + fixed_axes, [part.moved(grown) for part in _drone()]
 
 
 def rotated_point(w, p, exp):

@@ -9,7 +9,6 @@
   const { COLOURS } = globalThis.course.palette;
   const TITLES = ["template's picture", "scene's picture"];
   const RIM = 50; // pixels around the mug
-  const MAX_TREMBLE = 4; // pixels by which the pointer may move in a click
   const TABLE_LINE = 1 / 40; // metres between two lines on the table
   const TABLE_LINES = 10; // to each side
   const MUG = [214, 96, 86]; // red, green, blue, in full light
@@ -114,7 +113,7 @@
         moved();
       }
       addHandle(plane, i, put);
-      onClick(plane, (pixel) => {
+      P.onClick(plane, (pixel) => {
         put(pixel);
         chooseNext();
         card.draw();
@@ -230,19 +229,5 @@
   /** Whether the corners of a triangle in a plane follow each other counterclockwise. */
   function isInFront([[ax, ay], [bx, by], [cx, cy]]) {
     return (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) > 0;
-  }
-
-  /** Call act with the pixel (u, -v) of a click that was no drag. */
-  function onClick(plane, act) {
-    let pressed = null;
-    plane.box.addEventListener("pointerdown", ({ clientX, clientY }) => {
-      pressed = [clientX, clientY];
-    });
-    plane.box.addEventListener("click", (event) => {
-      if (!pressed) return;
-      const way = M.norm(M.subtract(pressed, [event.clientX, event.clientY]));
-      if (way > MAX_TREMBLE) return;
-      act(plane.fromPixels(P.pixelOf(event, plane.box)));
-    });
   }
 })();

@@ -46,6 +46,22 @@
     return [clientX - left, clientY - top];
   };
 
+  const MAX_TREMBLE = 4; // pixels between press and release of a click that is no drag
+
+  /** Call act with the place in a plane of a click on it that was no drag. */
+  P.onClick = (plane, act) => {
+    let pressed = null;
+    plane.box.addEventListener("pointerdown", ({ clientX, clientY }) => {
+      pressed = [clientX, clientY];
+    });
+    plane.box.addEventListener("click", (event) => {
+      if (!pressed) return;
+      const way = Math.hypot(pressed[0] - event.clientX, pressed[1] - event.clientY);
+      if (way > MAX_TREMBLE) return;
+      act(plane.fromPixels(P.pixelOf(event, plane.box)));
+    });
+  };
+
   P.clamp = (x, low, high) => Math.min(high, Math.max(low, x));
 
   /**
