@@ -87,7 +87,7 @@
 
     function drawMap() {
       chart.begin();
-      const [across, upwards] = [alphas, epsilons].map((list) => (list[1] - list[0]) * 0.52);
+      const [across, upwards] = [alphas, epsilons].map((list) => (list[1] - list[0]) * 0.6);
       logErrors.forEach((row, j) => {
         row.forEach((error, i) => {
           const { colour } = LEVELS.find(({ below }) => error < below);
