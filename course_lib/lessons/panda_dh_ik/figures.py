@@ -237,12 +237,9 @@ def pose_errors(T, T_target):
     in_words = [f"{name}, {np.linalg.norm(arrow):.2f} m long" for name, arrow in lengths.items()]
     alt = (
         f"A base, a current pose in blue, and a target in green, which is rotated by "
-        f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose. Each of the three "
-        f"panels shows the linear part of one error as a red arrow: {', '.join(lengths)}.",
-        "The three arrows describe the same motion. Dotted lines show the components of each "
-        "arrow. The first arrow is the velocity of the point of the body that is at the base's "
-        "origin at this moment. "
-        "Only the last arrow ends at the target.",
+        f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose; both can be dragged. "
+        f"Arrows show the linear parts of three errors: {'; '.join(in_words)}. A dashed arc is the "
+        "screw motion to the target."
     )
     caption = (
         "Rotate the target with the slider and watch the three arrows: the geometric one stays, "

@@ -111,8 +111,10 @@ def frames(
             f"{longest:.2f}. Inside the pale drone is one of the true size."
         )
     size = max(1, scale * longest)
-    look = {"view": (1.35, 1.1, 0.8), "high": 1.35 * size, "proportion": 0.42}
-    return beside(groups, 2.2 * size, alt, caption, **look)
+    apart, look = 2.5 * size, {"view": (1.35, 1.1, 0.8), "high": 1.5 * size}
+    if longest > 1.01:  # as large as the picture allows, so that the growth is seen
+        apart, look = 2.2 * size, look | {"high": 1.35 * size, "proportion": 0.42}
+    return beside(groups, apart, alt, caption, **look)
 
 
 def _drone():

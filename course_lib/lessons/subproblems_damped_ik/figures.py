@@ -620,8 +620,8 @@ def gains(epsilons, values, damping=2.0):
         "An arrow shows how far the damped step moves the tip."
     )
     caption = (
-        r"Each curve is highest at $s = \sqrt\epsilon$. For smaller $s$ the damping shortens the "
-        "step strongly, and for large $s$ it hardly changes the step."
+        r"Drag $s_2$ towards zero: the undamped step $1/s_2$ leaves the picture. The damped step "
+        r"is longest at $s_2 = \sqrt\epsilon$, and then it shrinks to nothing."
     )
     model = {
         "dampings": [float(eps) for eps in epsilons],
