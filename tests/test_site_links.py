@@ -18,6 +18,8 @@ FIRST = r"""# Rotations
 See *Axis and angle*, *Two ways*, *Both*, and notebook 2. Notebook 1 is this one, notebook 7 none.
 `notebook 2` is code. In *Modern times*, $R_{ab}\,p_b = e^{[w]}$ with $k_1 = 2$, $e_x$ and $e$.
 
+[The line](#cell-id=second-figure) rises, [this](#cell-id=no-figure) is code (and $q$, so $p$).
+
 | symbol | meaning |
 |---|---|
 | $R_{ab}$, `R_ab` | the **orientation** of b, $R^T R = I$ |
@@ -78,7 +80,9 @@ def site(tmp_path_factory):
     folder = tmp_path_factory.mktemp("links") / "notebooks"
     picture = output({"image/png": png()}, "A rising line")
     picture.metadata["caption"] = "It rises."
-    write(folder, "01_rotations.ipynb", new_markdown_cell(FIRST), cell(picture), cell(picture))
+    second, last = cell(picture), cell(source="pass")
+    second.id, last.id = "second-figure", "no-figure"
+    write(folder, "01_rotations.ipynb", new_markdown_cell(FIRST), cell(picture), second, last)
     write(folder, "02_rigid_motion.ipynb", new_markdown_cell(f"{SECOND} [all](notation.md)"))
     write(folder, "03_plots.ipynb", new_markdown_cell(THIRD))
     (folder / "notation.md").write_text(NOTATION, encoding="utf-8")
@@ -139,6 +143,31 @@ def test_figures_and_equations_are_numbered_within_their_notebook(pages):
     assert page.select_one("#equation-2 math")
 
 
+def test_a_link_to_the_cell_of_a_figure_names_the_figure(pages):
+    assert links_of(pages["01_rotations"])["Figure 1.2"] == "#figure-2"
+
+
+def test_a_link_to_a_cell_without_a_figure_leaves_its_words(pages):
+    assert "this is code" in pages["01_rotations"].article.get_text()
+    assert "this" not in links_of(pages["01_rotations"])
+
+
+def test_a_link_to_a_cell_that_is_not_there_is_refused(tmp_path):
+    text = new_markdown_cell("# A\n\nSee [the figure](#cell-id=gone).")
+    write(tmp_path / "notebooks", "01.ipynb", text)
+    with pytest.raises(SiteError, match=r"01\.ipynb, cell 1 links to the cell gone"):
+        builder.build(tmp_path / "notebooks", tmp_path / "html")
+
+
+def test_a_line_is_not_broken_between_a_formula_and_its_punctuation(pages):
+    page = BeautifulSoup(str(pages["01_rotations"]), "html.parser")
+    for part in page.select("article .unbroken math"):
+        part.decompose()  # what is left is punctuation
+    kept = [part.get_text() for part in page.select("article .unbroken")]
+    assert "," in kept
+    assert ")." in kept
+
+
 def test_tabs_name_the_page_and_the_course(pages):
     assert pages["01_rotations"].title.get_text() == "Rotations — Robot kinematics"
     assert pages["search"].title.get_text() == "Search — Robot kinematics"
@@ -154,11 +183,18 @@ def test_the_home_page_says_how_to_cite_and_what_is_needed_first(pages):
     assert home.select(".first-steps a[href='notation.html#what-you-need']")
 
 
-def test_a_notebook_opens_on_binder_where_its_repository_is_known(pages):
-    (link,) = pages["01_rotations"].select("a[href*=mybinder]")
-    assert "gh/owner/name" in link["href"]
+@pytest.mark.parametrize(
+    ("host", "repository"),
+    [
+        ("mybinder.org", "gh/owner/name/main"),
+        ("colab.research.google.com", "github/owner/name/blob/main"),
+    ],
+)
+def test_a_notebook_opens_where_its_repository_can_be_run(pages, host, repository):
+    (link,) = pages["01_rotations"].select(f"a[href*='{host}']")
+    assert repository in link["href"]
     assert link["href"].endswith("notebooks/01_rotations.ipynb")
-    assert not pages["index"].select("a[href*=mybinder]")
+    assert not pages["index"].select(f"a[href*='{host}']")
 
 
 @pytest.mark.parametrize("address", ["github.com/owner/name", "https://github.com/owner", "x y"])

@@ -41,8 +41,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--repository",
         default="",
         metavar="ADDRESS",
-        help="the address of the public repository on GitHub that holds these notebooks: pages "
-        "then have a button that opens them on Binder",
+        help="the address of the public repository on GitHub that holds these notebooks, on its "
+        "branch main: pages then have buttons that open them on Binder and on Colab",
     )
     parser.add_argument(
         "--pdf", type=Path, metavar="FILE", help="also write the pages as one PDF, to this file"

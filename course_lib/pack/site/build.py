@@ -40,9 +40,9 @@ def build(
 
     `output` is empty, absent, or holds a site. With `solutions` the answers are folded, else left
     out; with `model` those to written questions are folded. `repository` is the address of a public
-    repository on GitHub that holds these notebooks; each page then has a button that opens its
-    notebook on Binder. Raises SiteError if a notebook cannot be published, or the address is no
-    such one; `output` then stays as it was.
+    repository on GitHub that holds these notebooks, on its branch main; each page then has buttons
+    that open its notebook on Binder and on Colab. Raises SiteError if a notebook cannot be
+    published, or the address is no such one; `output` then stays as it was.
     """
     if repository and not REPOSITORY.fullmatch(repository):
         raise SiteError(
@@ -101,7 +101,7 @@ def _gather(
     for source in sources:
         prepare(source, pages, solutions, model)
         if release:
-            offer(pages / source.name, release)
+            offer(pages / source.name, release, repository)
     books = {source.name: nbformat.read(source, as_version=4) for source in sources}
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(books, pages)

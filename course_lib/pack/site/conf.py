@@ -10,6 +10,7 @@ from docutils import nodes
 from sphinx.util import logging
 
 from course_lib.pack.site import formulas, glossary, links
+from course_lib.pack.site.prepare import SHOWN
 
 project = "Robot kinematics"
 html_title = project  # it follows the title of each page
@@ -60,15 +61,19 @@ html_theme_options = {
 # The title is already the first entry there, and the theme's own title is outside every landmark.
 html_sidebars = {"**": ["search-button-field.html", "sbt-sidebar-nav.html"]}
 
+BRANCH = "main"  # GitHub's name for the first branch of a repository
 
-def offer_binder(app, config):
-    """Let the theme put a button on the notebooks' pages that opens them on Binder."""
+
+def offer_to_run(app, config):
+    """Let the theme put buttons on the notebooks' pages that open them on Binder and on Colab."""
     if config.course_repository:
         config.html_theme_options |= {
             "repository_url": config.course_repository,
+            "repository_branch": BRANCH,
             "path_to_docs": "notebooks",
             "launch_buttons": {
                 "binderhub_url": "https://mybinder.org",
+                "colab_url": "https://colab.research.google.com",
                 "notebook_interface": "jupyterlab",
             },
         }
@@ -206,7 +211,7 @@ def number_figures(app, pagename, templatename, context, doctree):
     notebook = links.notebook_number(pagename)
     if not notebook:
         return
-    first, *others = context["body"].split('<figure class="shown">')
+    first, *others = context["body"].split(SHOWN)
     parts = [first]
     for number, part in enumerate(others, 1):
         caption = f'<figcaption><span class="figure-number">Figure {notebook}.{number}.</span> '
@@ -242,11 +247,14 @@ def _in_output(found):
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
     """Typeset the formulas in HTML outputs, as JupyterLab does.
 
-    Once per page the letters of all its formulas are defined.
+    Then all formulas of the page are there: punctuation is kept with them, and their letters are
+    defined, once per page.
     """
     body = re.sub(
         r'<span class="math" data-tex="([^"]*)"></span>', _in_output, context.get("body", "")
     )
+    body = formulas.with_punctuation(body)
+    context["body"] = body
     if letters := formulas.letters_of(body + (context.get("toc") or "")):
         context["body"] = letters + body
 
@@ -254,7 +262,7 @@ def set_formulas_in_outputs(app, pagename, templatename, context, doctree):
 def setup(app):
     """Register the functions above."""
     app.add_config_value("course_repository", "", "html")
-    app.connect("config-inited", offer_binder, priority=1)
+    app.connect("config-inited", offer_to_run, priority=1)
     app.connect("doctree-read", name_tables_of_symbols)
     app.connect("builder-inited", do_without_sphinx_search)
     app.connect("html-page-context", name_the_course_once)

@@ -42,6 +42,10 @@ const letters = () => adaptor.innerHTML(svg.fontCache.getCache());
 
 WIDE = 30  # ex; about 250 pixels
 LETTER = re.compile(r'href="#(MJX-[^"]+)"')
+# A formula in a line, as `typeset` makes it, and with punctuation before it, behind it, or both.
+INLINE = r'<span class="math(?: wide)?"[^>]*>(?:(?!<span class="math).)*?</math></span></span>'
+OPENING, CLOSING = r"[(\[“‘]", r"[,.;:!?)\]”’]"
+PUNCTUATED = re.compile(f"{OPENING}+{INLINE}{CLOSING}*|{INLINE}{CLOSING}+", re.DOTALL)
 
 
 class FormulaError(ValueError):
@@ -114,6 +118,15 @@ def typeset(text: str, display: bool = False) -> str:
     width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
     wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
     return f'<span class="math{wide}"{named}>{made}</span>'
+
+
+def with_punctuation(page: str) -> str:
+    """Return HTML in which no line breaks between a formula and the punctuation at its sides.
+
+    A browser breaks lines before and after a picture, and a formula is one: a line would begin with
+    a comma, or end with a bracket. `page` is HTML with formulas that `typeset` made.
+    """
+    return PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', page)
 
 
 def letters_of(page: str) -> str:

@@ -9,6 +9,7 @@ import html
 import io
 import json
 import re
+import textwrap
 from itertools import pairwise
 from pathlib import Path
 
@@ -26,6 +27,7 @@ from course_lib.pack.site.answers import (
     is_written,
     leave_out,
 )
+from course_lib.pack.site.links import notebook_number
 
 OPENING = 4  # cells, with the first figure among them
 # The words of a prediction's box before its choices, and what a page says instead: it runs no code.
@@ -34,6 +36,11 @@ HOW_TO_CHOOSE = (
     r"\1Choose before you read on. Then open your choice: it holds the reply. "
     "(In JupyterLab you write your choice into the cell.)"
 )
+NAME_LETTERS = 36  # of a line of the legend on a phone, as charts.js has it
+# A link of a text to the cell that shows a figure, as JupyterLab follows it; on the page of another
+# notebook the notebook's name is before the hash.
+FIGURE_LINK = re.compile(r"\[([^]]*)\]\(([\w-]*\.ipynb)?#cell-id=([\w-]+)\)")
+SHOWN = '<figure class="shown">'  # a figure with a caption, which conf.py numbers
 # MyST keeps no tags of text; conf.py folds the sections of this class
 MORE = "```{rst-class} more\n```\n\n"
 IMAGES = {"image/svg+xml": "svg", "image/png": "png", "image/jpeg": "jpg", "image/gif": "gif"}
@@ -79,7 +86,47 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
                     raise SiteError(f"{place} stopped with {output.ename}: {output.evalue}")
             elif output.output_type != "stream":
                 show(output, place, folder)
+    name_figures(book, notebook.name)
     nbformat.write(book, folder / notebook.name)
+
+
+def name_figures(book: nbformat.NotebookNode, name: str) -> None:
+    """Replace the links to cells by links to the figures that these cells show, "Figure 5.1".
+
+    `book` is a prepared notebook, and `name` that of its file. The words of a link are kept where
+    its cell shows no figure with a number, and where the figure is on another page. Raises
+    SiteError, which names notebook and cell, if there is no such cell.
+    """
+    notebook = notebook_number(name)
+    cells = {cell.id for cell in book.cells}
+    numbers = _figure_numbers(book) if notebook else {}
+    for position, cell in enumerate(book.cells, 1):
+        if cell.cell_type != "markdown":
+            continue
+        place = f"{name}, cell {position}"
+
+        def named(link: re.Match, place: str = place) -> str:
+            words, page, cell_id = link.groups()
+            if not page and cell_id not in cells:
+                raise SiteError(f"{place} links to the cell {cell_id}, which is not there.")
+            if page or cell_id not in numbers:
+                return words
+            number = numbers[cell_id]
+            return f'<a href="#figure-{number}">Figure {notebook}.{number}</a>'
+
+        cell.source = FIGURE_LINK.sub(named, cell.source)
+
+
+def _figure_numbers(book: nbformat.NotebookNode) -> dict[str, int]:
+    """Return {cell: the number of the first figure that it shows} of a prepared notebook."""
+    numbers = {}
+    count = 0
+    for cell in book.cells:
+        for output in cell.get("outputs", []):
+            if SHOWN in output.get("data", {}).get("text/html", ""):
+                count += 1
+                numbers.setdefault(cell.id, count)
+    return numbers
 
 
 def show(output, place: str, folder: Path) -> None:
@@ -122,7 +169,7 @@ def _captioned(shown: str, output) -> str:
         return shown
     stressed = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
     words = mark_dollars(stressed)
-    return f'<figure class="shown">{shown}<figcaption>{words}</figcaption></figure>'
+    return f"{SHOWN}{shown}<figcaption>{words}</figcaption></figure>"
 
 
 def mark_dollars(page: str) -> str:
@@ -204,9 +251,17 @@ def _height_on_phone(chart: dict) -> int:
         height = panels * (350 if is_plane else 270)
     if "coloraxis" in layout:
         height += 55
-    if layout.get("showlegend"):  # below, a line for each name
-        height += 24 * sum(series.get("showlegend", True) for series in chart["data"])
+    if layout.get("showlegend"):  # below, a line or more for each name
+        height += sum(map(_height_in_legend, chart["data"]))
     return height
+
+
+def _height_in_legend(series: dict) -> int:
+    """Return how high the name of a series is in the legend on a phone, in pixels."""
+    if not series.get("showlegend", True):
+        return 0
+    further_lines = textwrap.wrap(series.get("name") or "", NAME_LETTERS)[1:]
+    return 24 + 18 * len(further_lines)
 
 
 def _data(figure: dict) -> str:

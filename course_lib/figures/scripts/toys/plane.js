@@ -77,22 +77,32 @@
       context.fillStyle = tint(COLOURS.grey);
       context.fillText(words, u, v);
     }
-    function drawGridAcross() {
+    function drawGrid() {
+      for (const [u] of ticksAcross) {
+        const ends = [
+          [u, y0],
+          [u, y1],
+        ];
+        plane.line(ends, COLOURS.grid, 1);
+      }
+      for (const [v] of ticksUpwards) {
+        const ends = [
+          [x0, v],
+          [x1, v],
+        ];
+        plane.line(ends, COLOURS.grid, 1);
+      }
+    }
+    function writeTicks() {
       for (const [u, words] of ticksAcross) {
-        const from = [u, y0];
-        plane.line([from, [u, y1]], COLOURS.grid, 1);
-        const [across] = toPixels(from);
+        const [across] = toPixels([u, y0]);
         // In a map the corners hold the names of the axes.
         const isFree = margin || (across > 30 && across < plane.width - 50);
         const down = plane.height - (margin ? 22 : 5);
         if (isFree) write(words, [across, down], "center");
       }
-    }
-    function drawGridUpwards() {
       for (const [v, words] of ticksUpwards) {
-        const from = [x0, v];
-        plane.line([from, [x1, v]], COLOURS.grid, 1);
-        const down = toPixels(from)[1];
+        const down = toPixels([x0, v])[1];
         const isFree = margin || (down > 30 && down < plane.height - 20);
         if (!isFree) continue;
         if (margin) write(words, [left - 6, down + 4], "right");
@@ -116,6 +126,11 @@
       plane.line(axes, COLOURS.grey, 1);
     }
 
+    function writeAxes() {
+      writeTicks();
+      writeNames();
+    }
+
     plane.begin = () => {
       stage.begin();
       measure();
@@ -123,9 +138,8 @@
       context.clearRect(0, 0, plane.width, plane.height);
       context.lineCap = "round";
       context.lineJoin = "round";
-      drawGridAcross();
-      drawGridUpwards();
-      writeNames();
+      drawGrid();
+      if (margin) writeAxes();
       context.save();
       context.beginPath();
       context.rect(left, 0, plane.width, plane.height - below);
@@ -133,6 +147,9 @@
     };
     plane.end = () => {
       context.restore();
+      // The words of a map stand in the picture: what was drawn, a wall say, must not run through
+      // them.
+      if (!margin) writeAxes();
       stage.end();
     };
 

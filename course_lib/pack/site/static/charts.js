@@ -11,6 +11,7 @@
   const NEAR = "800px 0px";
   const FAR = "3000px 0px";
   const NARROW = 520; // pixels, as site.css has it
+  const NAME_LETTERS = 36; // of a line of a narrow legend, as prepare.py has it
   const MAX_ROWS = 2500; // of a table, for each series
   const OWN_URL = document.currentScript.src;
 
@@ -36,6 +37,8 @@
   }
   const needsWebGL = ({ type }) =>
     /gl$|3d$|^(cone|surface|isosurface|volume|streamtube|splom)$/.test(type);
+
+  const plain = (words) => words.replace(/<[^>]*>/g, "");
 
   // ---- the layout on a narrow page ----
 
@@ -94,6 +97,18 @@
     return narrow;
   }
 
+  /** A series whose name continues on the next line of a narrow legend, which would cut it off. */
+  function withFoldedName(series) {
+    if (!series.name || plain(series.name).length <= NAME_LETTERS) return series;
+    const lines = [""];
+    for (const word of series.name.split(" ")) {
+      const longer = `${lines.at(-1)} ${word}`.trim();
+      if (plain(longer).length > NAME_LETTERS && lines.at(-1)) lines.push(word);
+      else lines[lines.length - 1] = longer;
+    }
+    return { ...series, name: lines.join("<br>") };
+  }
+
   // ---- a chart ----
 
   function setUp(box) {
@@ -107,6 +122,8 @@
     function layoutFor(narrow) {
       if (!layouts.has(narrow)) {
         const own = { ...figure.layout, autosize: true };
+        // Of a series of small dots the legend shows a dot that is as large as the others.
+        own.legend = { ...own.legend, itemsizing: "constant" };
         delete own.width;
         delete own.height; // those of its <div>
         layouts.set(narrow, narrow ? narrowed(own) : own);
@@ -128,7 +145,8 @@
           responsive: true,
           displayModeBar: isNarrow ? false : "hover",
         };
-        const { data, frames = [] } = figure;
+        const data = isNarrow ? figure.data.map(withFoldedName) : figure.data;
+        const { frames = [] } = figure;
         await window.Plotly.newPlot(live, { data, layout: layoutFor(isNarrow), frames, config });
         box.classList.add("drawn");
       } catch (error) {
@@ -202,7 +220,6 @@
     });
   }
 
-  const plain = (words) => words.replace(/<[^>]*>/g, "");
   function titleOf(layout, axis) {
     return layout[axisKey(axis)]?.title?.text ?? axis[0];
   }
