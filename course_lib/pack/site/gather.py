@@ -129,6 +129,11 @@ that you used:
 {citation}
 ```
 """
+# Here no text stands before the toy that would say what to do.
+TRY_TOY = (
+    "Drag the ring at the robot's flange, and inverse kinematics moves the arm. Drag next to the "
+    "robot to look at it from another side."
+)
 PREREQUISITES = "## What you need"  # the heading of the page of notation
 CITATION = """@misc{{robot-kinematics,
   title = {{Robot kinematics in six notebooks}},{more}
@@ -334,6 +339,7 @@ def _toy(book, name: str, pages: Path) -> str:
             continue
         for output in cell.outputs:
             if TOY in output.get("data", {}):
+                output.metadata["caption"] = TRY_TOY
                 show(output, name, pages)
-                return f'<figure class="shown">{output.data["text/html"]}</figure>'
+                return output.data["text/html"]
     return ""

@@ -167,8 +167,8 @@ def _captioned(shown: str, output) -> str:
     caption = output.metadata.get("caption")
     if not caption:
         return shown
-    stressed = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
-    words = mark_dollars(stressed)
+    words = re.sub(r"\*(\w[^*$]*)\*", r"<em>\1</em>", html.escape(caption, quote=False))
+    words = mark_dollars(re.sub(r"`([^`]+)`", r"<code>\1</code>", words))
     return f"{SHOWN}{shown}<figcaption>{words}</figcaption></figure>"
 
 

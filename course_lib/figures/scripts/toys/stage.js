@@ -21,6 +21,10 @@
     [0, -2],
     [0, 2],
   ];
+  // A wide word stays above its place, or below it: beside it, it would seem to name a neighbour.
+  const MAX_NARROW = 36; // pixels
+  const ABOVE_OR_BELOW = [0, -1, -2, 1, 2].map((down) => [0, down]);
+  const ASIDE_IF_WIDE = [...ABOVE_OR_BELOW, ...ASIDE.filter(([across]) => across !== 0)];
 
   /**
    * A stage in `parent`.
@@ -92,7 +96,8 @@
      * there is one.
      */
     function freePlace([x, y], width, taken) {
-      const places = ASIDE.map(([across, down]) => [
+      const moves = width > MAX_NARROW ? ASIDE_IF_WIDE : ASIDE;
+      const places = moves.map(([across, down]) => [
         P.clamp(x + width * across, width / 2, stage.width - width / 2),
         P.clamp(y + WORD_HEIGHT * down, WORD_HEIGHT / 2, stage.height - WORD_HEIGHT / 2),
       ]);

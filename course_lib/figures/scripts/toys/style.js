@@ -122,6 +122,11 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
 .course-toy .room::after { content: attr(data-longest); visibility: hidden }
 .course-toy .matrix { font-size: 11px; gap: 0 .3em; padding: .1em .3em }
 }
+/* JupyterLab's dark theme shows plots and charts, whose ground is white in both themes, as cards. */
+[data-jp-theme-light=false] .jp-RenderedImage img[width], [data-jp-theme-light=false] .jp-RenderedPlotly {
+  box-sizing: content-box; padding: 10px; border-radius: 8px; background: #fff;
+}
+
 @media print {
   .course-toy .controls { display: none }
 }`;
