@@ -3,7 +3,9 @@
 The background is opaque and white, in JupyterLab's dark theme too. A stored picture is one file for
 both themes, and these inks cannot be read on both grounds: on a dark one black letters have a
 contrast of 1.2 and crimson one of 2.8, and inks that are lighter are too pale on white. The pages
-know their theme: there plots exchange light and dark, and pictures of robots are dimmed.
+know their theme: there plots exchange light and dark, and pictures of robots are dimmed. The dark
+theme of JupyterLab shows plots and charts as cards with a margin and round corners
+(scripts/toys/style.js).
 
 All colours of matplotlib's and plotly's pictures stand here, and those of solid bodies in
 `course_lib.figures.solids.model`.
