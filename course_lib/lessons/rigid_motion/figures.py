@@ -46,7 +46,8 @@ _CAPTIONS = {  # of films
     "arm-interpolated": "Both joints move in proportion to each other, and the tip draws a curve.",
     "arm-linear": (
         "The left arm is linear in time and the right one cubic, along the same path and "
-        "in the same duration. The left arm starts abruptly."
+        "in the same duration. The left arm starts abruptly. The right arm is drawn beside it, "
+        "and both have their base at x = 0."
     ),
     "arm-propagated": "The first joint moves for one second, then the second joint, then both.",
 }
