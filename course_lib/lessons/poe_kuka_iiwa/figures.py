@@ -470,11 +470,11 @@ def velocities_over_time(t, v, poses):
         f"{len(v)} panels show the components of the linear velocity over time, one for each "
         f"frame, and beside them the frame of the end-effector moves along its path. One cursor "
         f"goes through all of them. The largest components are: {speeds}.",
-        "Drag the cursor across the panels: the black arrow at the end-effector's frame is the "
+        "Drag the cursor across the panels: the violet arrow at the end-effector's frame is the "
         "velocity at that time. The body twist and the hybrid twist have the same speed at each "
         "instant, because only their axes differ.",
         paths=[(path, BLUE, (7, 5))],
-        arrows=[(0, BLACK, 0.6 * size / fastest * drawn_as_arrow)],
+        arrows=[(0, VIOLET, 0.6 * size / fastest * drawn_as_arrow)],
         charts=charts_over_time,
         view=(0.1, 1.0, 0.5),
         ground=False,
