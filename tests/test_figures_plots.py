@@ -177,7 +177,7 @@ def test_a_film_shows_its_whole_path_and_all_of_it_is_in_the_window(number, trac
     film = FILMS[number].meta
     assert film["movie"] == ["body", "arm"][number]
     assert_allclose(film["times"], TIMES, atol=1e-4)
-    (path, colour, dash), *others = film["still"]
+    (path, colour, dash, *_), *others = film["still"]
     assert_allclose(path, track, atol=ROUNDED)
     assert (colour, dash) == (BLUE, [7, 5])
     seen = np.concatenate(

@@ -640,9 +640,9 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
     Parameters
     ----------
     alphas : array_like, shape (n,)
-        Step sizes, each larger than the one before by the same factor.
+        Step sizes, evenly spaced on a logarithmic axis.
     epsilons : array_like, shape (m,)
-        Dampings, in square metres, each larger than the one before by the same factor.
+        Dampings, in square metres, evenly spaced on a logarithmic axis.
     errors : ndarray, shape (n, m)
         In metres.
     largest : float
@@ -683,7 +683,7 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
         "steps": int(steps),
         "alphas": np.log10(alphas).round(4).tolist(),
         "epsilons": np.log10(epsilons).round(4).tolist(),
-        # Smaller distances are alike in the map, and rounding decides them.
+        # Rounding decides smaller distances, and the map shows them by the same colour.
         "logErrors": np.log10(np.maximum(errors.T, _LEAST_OF_MAP)).round(2).tolist(),
         "largest": round(float(largest), 6),
         "runs": [list(map(float, run)) for run in runs],
