@@ -26,7 +26,7 @@ from course_lib.trajectory import Trajectory
 
 GLOBE = Part(0, AMBER, ball(np.zeros(3), 1))
 MINUS = "\N{MINUS SIGN}"
-ALL = 26000  # pixels: a window in which all toys are, so that none waits to be drawn
+ALL = 36000  # pixels: a window in which all toys are, so that none waits to be drawn
 
 
 @pytest.fixture(scope="module")
