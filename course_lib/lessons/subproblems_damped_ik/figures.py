@@ -41,6 +41,7 @@ _LEAST_OF_MAP = 1e-8  # metres
 CONVERGED = 0.01  # metres: a run that ends nearer to its target has converged
 SAME_POINT = 1e-6  # metres: points that are nearer to each other are one
 TRIED_ANGLES = 721  # half a degree apart, on a circle
+GAP_DASHES = (6, 5)  # pixels, of the line from a point to its goal
 
 
 # ---- circles in space ----
@@ -68,6 +69,7 @@ def rotated_onto(k, p, g, theta):
         _circle(k, p, BLUE),
         (np.array([foot, p]), GREY, ()),
         (np.array([foot, end]), CRIMSON, ()),
+        (np.array([end, g]), BLACK, GAP_DASHES),
     ]
     gap = np.linalg.norm(end - g)
     gap_at_start = np.linalg.norm(p - g)
@@ -78,8 +80,9 @@ def rotated_onto(k, p, g, theta):
         f"itself {gap_at_start:.3f}."
     )
     caption = (
-        f"$R\\,p$ is {gap:.3f} m from $g$; of {TRIED_ANGLES} points of the circle the nearest is "
-        f"{nearest:.3f} m from it. The radii to $p$ and to $R\\,p$ enclose the angle $\\theta$. "
+        f"The dashed line shows the distance of $R\\,p$ from $g$, {gap:.3f} m. Of {TRIED_ANGLES} "
+        f"points of the circle the nearest is {nearest:.3f} m from $g$. The radii to $p$ and to "
+        "$R\\,p$ enclose the angle $\\theta$. "
         "Only the parts of $p$ and $g$ that are perpendicular to $k$ determine this angle."
     )
     dots = [(p, "p", INK), (g, "g", INK), (end, "R p", RED)]
