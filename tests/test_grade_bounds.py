@@ -11,10 +11,12 @@ import time
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
-from course_lib.pack.grade import runner, submission
+from course_lib.pack.grade import judging, notebook_file, runner
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
 from course_lib.pack.grade.result import row_of
+from course_lib.pack.grade.run import Run
+from course_lib.pack.grade.student import Student
 from course_lib.pack.grade.submission import grade
 
 # ---- a process of its own ----
@@ -177,29 +179,29 @@ CLAIMS = {
 
 @pytest.mark.parametrize("claim", CLAIMS)
 def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
-    run = submission.Run([], SHORT, SEED, (), None)
+    run = Run([], SHORT, SEED, (), None)
     for exercise in (
         each
-        for each in submission.courses()[NAME].exercises
+        for each in notebook_file.courses()[NAME].exercises
         if each.name in ("is_valid", "nearest_so")
     ):
         begin = time.process_time()
-        outcome = submission.ask(run, submission.Student(Claims(CLAIMS[claim]), run, exercise), {})
+        outcome = judging.ask(run, Student(Claims(CLAIMS[claim]), run, exercise), {})
         assert outcome.verdict.points < exercise.points or claim == "lists in lists"
         assert json.dumps(row_of(exercise, outcome))
         assert time.process_time() - begin < 10
 
 
 def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
-    judge = submission.judge
+    judge = judging.judge
 
     def endless(exercise, *rest):
         if exercise.name == "nearest_so":
             busy(time.process_time() + 100)
         return judge(exercise, *rest)
 
-    monkeypatch.setattr(submission, "judge", endless)
-    monkeypatch.setattr(submission, "JUDGING_SECONDS", 0.5)
+    monkeypatch.setattr(judging, "judge", endless)
+    monkeypatch.setattr(judging, "JUDGING_SECONDS", 0.5)
     result = grade(book(few[0], *few[1]), NAME, SEED)
     said = {row["exercise"]: row["message"] for row in result["exercises"]}["nearest_so"]
     assert said == "Its answers cannot be judged: that takes more than 0.5 seconds of computing."

@@ -9,15 +9,18 @@ from hostile.build import NAME, OTHERS, SEED, book
 from toy_exercises import NEAREST_SO
 
 from course_lib.checks.exercise import RIGHT, WRONG, Here
-from course_lib.pack.grade import notebook_file, submission
+from course_lib.pack.grade import judging, notebook_file, right_functions, submission
+from course_lib.pack.grade.judging import ask
 from course_lib.pack.grade.notebook_file import courses
-from course_lib.pack.grade.submission import Run, ask, grade
+from course_lib.pack.grade.run import Run
+from course_lib.pack.grade.sandbox import Limits
+from course_lib.pack.grade.submission import grade
 
 # ---- several sets of cases ----
 
 
 class InThisProcess(SimpleNamespace):
-    """A student's function in this process, with what submission.ask wants to know of it."""
+    """A student's function in this process, with what judging.ask wants to know of it."""
 
     def __init__(self, function, **about):
         usual = {"ended": "", "too_slow": False, "hindered": False, "too_late": False}
@@ -46,13 +49,13 @@ def wrong_for_one_set_in(number):
 
 
 def outcome(student, seed):
-    return ask(Run([], submission.Limits(), seed, (NEAREST_SO,), None), student, {})
+    return ask(Run([], Limits(), seed, (NEAREST_SO,), None), student, {})
 
 
 def test_a_right_answer_is_asked_for_several_sets_of_cases():
     student = InThisProcess(right)
     assert outcome(student, SEED).verdict.state == RIGHT
-    assert student.asked == submission.SETS >= 3
+    assert student.asked == judging.SETS >= 3
 
 
 def test_a_wrong_answer_is_asked_once_more_with_the_same_cases():
@@ -75,16 +78,16 @@ def test_an_answer_that_is_wrong_for_some_sets_is_refused_more_often_than_by_one
         return states.count(RIGHT)
 
     by_several = accepted()
-    monkeypatch.setattr(submission, "SETS", 1)
+    monkeypatch.setattr(judging, "SETS", 1)
     by_one = accepted()
     assert 0 < by_several < 0.75 * by_one < by_one < 40
 
 
 def test_the_sets_of_one_file_differ():
-    seeds = submission._seeds(Run([], submission.Limits(), SEED, (NEAREST_SO,), None))
+    seeds = judging._seeds(Run([], Limits(), SEED, (NEAREST_SO,), None))
     sets = [NEAREST_SO.questions(np.random.default_rng(seed))[0] for seed in seeds]
     texts = {repr(cases) for cases in sets}
-    assert len(texts) == submission.SETS
+    assert len(texts) == judging.SETS
 
 
 # ---- what nobody has worked on ----
@@ -100,7 +103,8 @@ def attempts(monkeypatch):
         return one_run(run, exercises, *rest, **named)
 
     one_run = submission.attempt
-    monkeypatch.setattr(submission, "attempt", attempt)
+    for module in (submission, right_functions):
+        monkeypatch.setattr(module, "attempt", attempt)
     return runs
 
 

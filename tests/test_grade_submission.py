@@ -10,9 +10,10 @@ import nbformat
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
-from course_lib.pack.grade import notebook_file, submission
+from course_lib.pack.grade import attempt, notebook_file, submission
+from course_lib.pack.grade.attempt import sandbox_files
 from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
-from course_lib.pack.grade.submission import _files, grade
+from course_lib.pack.grade.submission import grade
 from course_lib.pack.release.stubs import students_copy
 
 pytestmark = pytest.mark.usefixtures("isolated")
@@ -32,7 +33,7 @@ def messages(result):
 @pytest.mark.parametrize("name", courses())
 def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
     if name != NAME:  # a sandbox for each candidate of a test takes time: one notebook has them
-        monkeypatch.setattr(submission, "apart", lambda run, outcome, *rest: outcome)
+        monkeypatch.setattr(attempt, "apart", lambda run, outcome, *rest: outcome)
     result = grade((NOTEBOOKS / f"{name}.ipynb").read_bytes(), name, SEED)
     assert set(states(result).values()) == {"right"}, result
     assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)
@@ -44,7 +45,7 @@ def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
 def test_whatever_a_notebook_imports_from_the_course_is_there_when_it_is_graded(name, solutions):
     modules = {
         path.removesuffix("/__init__.py").removesuffix(".py").replace("/", ".")
-        for path in _files(frozenset())
+        for path in sandbox_files(frozenset())
     }
     imported = [
         node for node in ast.walk(ast.parse(solutions(name)[0])) if isinstance(node, ast.ImportFrom)
@@ -423,7 +424,7 @@ PRESENT = MATHEMATICS + "from course_lib.lessons.rotations import check, figures
 
 @pytest.mark.parametrize("imports", [FORMER, PRESENT], ids=["former", "present"])
 def test_notebooks_of_both_layouts_of_the_course_are_graded(few, imports):
-    checked = [f"check.{e.name}({e.name})" for e in submission.courses()[NAME].exercises]
+    checked = [f"check.{e.name}({e.name})" for e in notebook_file.courses()[NAME].exercises]
     uses = "used = check.nearest_so.use(nearest_so)\nused(np.eye(2)), check.progress()"
     assert points(grade(book(imports, *few[1], *checked, uses), NAME, SEED)) == FULL
 

@@ -11,7 +11,7 @@ import pytest
 from hostile.build import SEED, SHORT, book, left_over, processes, traces
 from toy_exercises import DOUBLE, TEST_LOG
 
-from course_lib.pack.grade import notebook_file, submission
+from course_lib.pack.grade import notebook_file, student, submission
 from course_lib.pack.grade.notebook_file import Course
 
 pytestmark = pytest.mark.usefixtures("isolated")
@@ -38,8 +38,7 @@ def graded(monkeypatch):
         named = {f"test_log_{number}": name for number, name in enumerate(tests)}
         exercises = tuple(replace(TEST_LOG, name=exercise, versions=versions) for exercise in named)
         known = {"09_toys": Course("09_toys", "toys", (DOUBLE, *exercises), ())}
-        for module in (notebook_file, submission):
-            monkeypatch.setattr(module, "courses", lambda: known)
+        monkeypatch.setattr(notebook_file, "courses", lambda: known)
         cells = [re.sub(r"\btest_log\b", each, tests[name]) for each, name in named.items()]
         before = processes(), traces()
         limits = replace(
@@ -279,7 +278,7 @@ def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing
     graded, monkeypatch
 ):
     monkeypatch.setattr(
-        submission, "MOST_CALLS", 1000
+        student, "MOST_CALLS", 1000
     )  # so that calls without an end do not take long
     rows = graded(ATTACKS)
     assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}

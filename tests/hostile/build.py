@@ -14,7 +14,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from course_lib.pack.grade import notebook_file, submission
+from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.sandbox import Limits
 
@@ -115,7 +115,6 @@ def few_exercises(monkeypatch):
     few = tuple(each for each in course.exercises if each.name in (*OTHERS, "nearest_so"))
     known = {course.name: replace(course, exercises=few)}
     monkeypatch.setattr(notebook_file, "courses", lambda: known)
-    monkeypatch.setattr(submission, "courses", lambda: known)
 
 
 def answers(solutions):

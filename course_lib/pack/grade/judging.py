@@ -1,0 +1,95 @@
+"""Put the questions of an exercise to a student's function, and judge the answers within bounds.
+
+A right answer is right for several sets of cases. An answer that is wrong for one set in ten would
+else earn its points nine times in ten, though the notebook, which asks many sets, has refused it.
+"""
+
+from dataclasses import replace
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge
+from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
+from course_lib.pack.grade.result import message_of
+from course_lib.pack.grade.run import Outcome, Run, Seed
+from course_lib.pack.grade.student import UNREADABLE_REPLY, Student
+
+# Of the grader's own processor time for one exercise; a right answer takes less than one.
+JUDGING_SECONDS = 60
+# Of cases, for all of which an answer must be right. Each costs a tenth of a second for a right
+# answer on average, and a second for the slowest.
+SETS = 3
+
+
+def ask(
+    run: Run, student: Student, left_out: dict, at: int = 0, seed: Seed | None = None
+) -> Outcome:
+    """Return the Outcome of an exercise: put its questions to the student's function, and judge.
+
+    left_out: {(cell, line): why it was left out}. at: the number of its check in the notebook, 0
+    after all cells. seed: of the cases; without it, several sets of cases are asked.
+    """
+    exercise = student.exercise
+    if run.over():
+        return run.not_graded(exercise)
+    first, *others = [seed] if seed is not None else _seeds(run)
+    asked, verdict = first, judged(run, student, first)
+    for other in others:
+        if verdict.state != RIGHT or student.ended or student.candidates or run.over():
+            break
+        asked, verdict = other, replace(judged(run, student, other), note=verdict.note)
+    if student.ended:
+        verdict = Verdict(exercise, ERROR, student.ended)
+        return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
+    if verdict.case is not None and verdict.state in (WRONG, ERROR):
+        verdict = _if_it_is_repeated(verdict, judged(run, student, asked))
+    for (cell, _), how in left_out.items():
+        is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
+        if verdict.state == ERROR or is_missing:
+            reason = f"{verdict.reason}\nA cell that it may need was left out: {how}.".strip()
+            verdict, student.hindered = replace(verdict, state=ERROR, reason=reason), True
+            break
+    hindered = student.hindered and verdict.state != RIGHT
+    return Outcome(
+        verdict,
+        hindered,
+        apart=student.candidates,
+        at=at,
+        called=student.called,
+        too_late=student.too_late,
+    )
+
+
+def _seeds(run: Run) -> list[Seed]:
+    """Return the seeds of the sets of cases that are asked of each function."""
+    return [run.seed, *((run.seed, number) for number in range(1, SETS))]
+
+
+def _if_it_is_repeated(verdict: Verdict, again: Verdict) -> Verdict:
+    """Return a verdict, without what it quotes if the same questions were answered otherwise.
+
+    A random answer, or one that depends on the time, would give other feedback with each run.
+    """
+    if message_of(verdict) == message_of(again):
+        return verdict
+    texts = (wanted.text for wanted in verdict.exercise.properties)
+    broken = next((text for text in texts if verdict.reason.startswith(text)), "")
+    if not broken:
+        broken = "called a second time with the same arguments, it gives the same result"
+    reason = f"{broken}. Your answers to the same questions differ from one time to the next."
+    credit = min(verdict.points, again.points)
+    return Verdict(verdict.exercise, WRONG, reason, credit=credit)
+
+
+def judged(run: Run, student: Student, seed: Seed) -> Verdict:
+    """Return the Verdict on a student's answers to one set of cases, formed within bounds."""
+    exercise = student.exercise
+    try:
+        with cpu_deadline(JUDGING_SECONDS):
+            verdict = judge(exercise, student, seed, run.limits.cpu_seconds)
+            message_of(verdict)  # showing an answer of any size may take long too, or fail
+    except CpuDeadline as deadline:
+        return Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
+    except Exception as error:
+        return Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
+    if verdict.reason.startswith(UNREADABLE_REPLY):  # the rest is a text of the student's process
+        return replace(verdict, reason=f"{UNREADABLE_REPLY}.")
+    return verdict

@@ -1,0 +1,144 @@
+"""A submission while it is graded, and the outcomes of its exercises so far."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    UNCHANGED,
+    WRONG,
+    Exercise,
+    Verdict,
+)
+from course_lib.pack.grade.sandbox import Limits, Sandbox
+
+Place = tuple[int, int]  # (cell, line) of a statement
+Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
+Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
+WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
+
+
+@dataclass
+class Outcome:
+    """The outcome of one exercise.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    hindered : bool
+        Whether the run may have prevented a better one, which a process of its own may give.
+    answered : bool
+        False if no answer came.
+    apart : bool
+        Whether it is a test, which must be asked about each candidate apart.
+    at : int
+        The number of the notebook's check at which it was asked, 0 after all cells.
+    whole : bool
+        Whether the whole notebook was run.
+    called : tuple of str
+        The names of the functions that it called and that were replaced by right functions.
+    instead : tuple of str
+        The same, if the verdict that counts was formed so.
+    remark : str
+        A sentence that stands before the message.
+    too_late : bool
+        Whether it called a right function after that one's cases were known in the process, and
+        got no answer.
+    """
+
+    verdict: Verdict
+    hindered: bool = False
+    answered: bool = True
+    apart: bool = False
+    at: int = 0
+    whole: bool = False
+    called: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    remark: str = ""
+    too_late: bool = False
+
+    def better(self, later: "Outcome") -> "Outcome":
+        """Return the better one of this and a later outcome.
+
+        Of equal ones the later, if its reason is another.
+        """
+        mine, other = self._rank(), later._rank()
+        if other != mine:
+            return later if other > mine else self
+        return later if later.verdict.reason != self.verdict.reason else self
+
+    def _rank(self) -> tuple:
+        verdict = self.verdict
+        return verdict.points, self.answered, WORST_FIRST.index(verdict.state), bool(verdict.reason)
+
+
+@dataclass
+class Run:
+    """A submission while it is graded.
+
+    Parameters
+    ----------
+    sources : list of str
+        Of its code cells.
+    limits : Limits
+    seed : int
+        Of the cases.
+    exercises : tuple of Exercise
+    start : callable
+        Returns a Sandbox, called with its files.
+    left_out : dict
+        {number of a cell that ended or blocked the process: how it did}.
+    untouched : set of str
+        The names of the exercises that the student has not worked on.
+    too_slow : list
+        Statements as (cell, line) that no later run executes again.
+    sandboxes : list
+        All so far.
+    missing : set of str
+        Modules that the notebook imports and that are not there.
+    """
+
+    sources: list[str]
+    limits: Limits
+    seed: int
+    exercises: tuple[Exercise, ...]
+    start: Callable
+    untouched: set[str] = field(default_factory=set)
+    left_out: dict = field(default_factory=dict)
+    too_slow: list = field(default_factory=list)
+    sandboxes: list = field(default_factory=list)
+    missing: set[str] = field(default_factory=set)
+    begin: float = field(default_factory=time.process_time)
+
+    def sandbox(self, files: dict[str, bytes]) -> Sandbox:
+        """Return a Sandbox that is not yet started."""
+        self.sandboxes.append(self.start(files))
+        return self.sandboxes[-1]
+
+    def over(self) -> bool:
+        """Return whether the submission has used all its time."""
+        computed = sum(sandbox.computed for sandbox in self.sandboxes)
+        computed += time.process_time() - self.begin
+        asleep = sum(sandbox.asleep for sandbox in self.sandboxes)
+        limits = self.limits
+        return asleep > limits.submission_seconds or computed > limits.submission_cpu_seconds
+
+    def exercise(self, name: object) -> Exercise | None:
+        """Return the exercise of this name, or None."""
+        return next((exercise for exercise in self.exercises if exercise.name == name), None)
+
+    def not_graded(self, exercise: Exercise) -> Outcome:
+        """Return the Outcome of an exercise for which no time is left."""
+        return Outcome(Verdict(exercise, ERROR, time_is_up(self.limits)), answered=False)
+
+
+def time_is_up(limits: Limits) -> str:
+    """Return why an exercise was not graded for which no time was left."""
+    seconds = (
+        f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of "
+        f"waiting"
+    )
+    return f"It was not graded: everything before it took {seconds}."
