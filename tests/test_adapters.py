@@ -10,7 +10,7 @@ import sympy as sp
 from course_lib.checks import call_student, wire
 from course_lib.checks.adapters import NoNumber, with_symbols
 from course_lib.checks.exercise import ERROR, Here, judge
-from course_lib.checks.notebook import describe
+from course_lib.checks.messages import describe
 from course_lib.lessons.decomposition_ik import check
 
 DH_SYMBOLIC = check.dh_symbolic.exercise

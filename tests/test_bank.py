@@ -24,8 +24,8 @@ import numpy as np
 import pytest
 
 from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, judge, review
+from course_lib.checks.messages import describe
 from course_lib.checks.naming import attempt, predict
-from course_lib.checks.notebook import describe
 
 LESSONS = Path(__file__).parent / "lessons"
 FILES = sorted(

@@ -18,7 +18,7 @@ from toy_exercises import NEAREST_SO, right
 from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
-from course_lib.checks.notebook import describe
+from course_lib.checks.messages import describe
 from course_lib.checks.wire import Seed
 from course_lib.lessons.rotations import check
 

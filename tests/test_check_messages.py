@@ -13,7 +13,8 @@ from course_lib import rotations
 from course_lib.arms import panda
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Exercise, Property, Verdict
-from course_lib.checks.notebook import Check, Predict, Progress, describe
+from course_lib.checks.messages import describe
+from course_lib.checks.notebook import Check, Predict, Progress
 from course_lib.checks.prediction import Prediction
 
 

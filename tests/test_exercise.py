@@ -23,8 +23,8 @@ from course_lib.checks.exercise import (
     judge,
     review,
 )
+from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.notebook import describe
 
 
 class Forged:

@@ -12,10 +12,10 @@ import pytest
 from toy_exercises import DOUBLE, NEAREST_SO
 
 from course_lib.arms import panda
-from course_lib.checks import notebook
+from course_lib.checks import kernel, notebook
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG
 from course_lib.checks.follow_through import in_circles
-from course_lib.checks.notebook import Check, _native_output_dropped
+from course_lib.checks.notebook import Check
 from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import RIGHT_ONES, namespace_of, right_ones
 from course_lib.figures.toys.arms import jog
@@ -36,7 +36,7 @@ WRONG_DOUBLES = {
 @pytest.fixture
 def shown(monkeypatch):
     texts = []
-    monkeypatch.setattr(notebook, "_show", lambda text, *rest, **named: texts.append(text))
+    monkeypatch.setattr(kernel, "show", lambda text, *rest, **named: texts.append(text))
     return texts
 
 
@@ -221,7 +221,7 @@ def test_the_check_says_at_once_that_a_file_beside_the_notebook_does_not_count(
 ):
     space = {}
     exec(USES["from"], space)
-    monkeypatch.setattr(notebook, "_shell", lambda: object())
+    monkeypatch.setattr(kernel, "ipython_shell", lambda: object())
     check = Check(DOUBLE)
     check(space["double"])
     assert check.verdict.state == ERROR
@@ -249,10 +249,10 @@ class Shell:
 
 def test_a_cell_that_assigns_to_the_name_of_the_checks_is_told_so(monkeypatch, shown):
     shell, module = Shell(), types.ModuleType("own_checks")
-    monkeypatch.setattr(notebook, "_shell", lambda: shell)
+    monkeypatch.setattr(kernel, "ipython_shell", lambda: shell)
     monkeypatch.setitem(sys.modules, "own_checks", module)
     shell.run("check = 'before the checks'")
-    notebook._keep_the_name("own_checks")
+    kernel.keep_the_name("own_checks")
     shell.run("import own_checks as check")
     assert shown == []
     shell.run("check = 1 < 2")
@@ -268,7 +268,7 @@ def test_what_lapack_writes_does_not_reach_a_student(capfd):
         with contextlib.suppress(np.linalg.LinAlgError):
             np.linalg.svd(np.full((6, 7), np.inf))
 
-    with _native_output_dropped():
+    with kernel.native_output_dropped():
         svd_of_nothing()
     assert capfd.readouterr() == ("", "")
     print("afterwards")

@@ -9,7 +9,7 @@ from scipy.linalg import expm
 
 from course_lib import rigid
 from course_lib.checks.exercise import RIGHT, WRONG, Here, judge
-from course_lib.checks.notebook import describe
+from course_lib.checks.messages import describe
 from course_lib.lessons.poe_kuka_iiwa import check
 
 EXP = check.exp_se3.exercise

@@ -12,7 +12,7 @@ from toy_exercises import DOUBLE
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import RIGHT, WRONG, Exercise, Here, Property, judge
-from course_lib.checks.notebook import describe
+from course_lib.checks.messages import describe
 from course_lib.checks.special_cases import (
     BESIDE,
     ON_BOTH_SIDES,

@@ -1,25 +1,16 @@
-"""The checks in a notebook: one message for each answer, hints in steps, predictions and
-progress."""
+"""The commands of the checks in a notebook: checks and their hints, predictions and progress."""
 
-import contextlib
-import ctypes
 import functools
 import html
 import importlib
-import itertools
 import os
-import sys
-import textwrap
-import types
 from dataclasses import replace
 
-import numpy as np
-
+from course_lib.checks import kernel
 from course_lib.checks.exercise import (
     ERROR,
     NOT_ATTEMPTED,
     RIGHT,
-    UNCHANGED,
     WRONG,
     Here,
     Verdict,
@@ -28,20 +19,13 @@ from course_lib.checks.exercise import (
     review,
 )
 from course_lib.checks.follow_through import RightOnes, in_circles, is_excluded
-from course_lib.checks.naming import attempt, predict, same
+from course_lib.checks.messages import MARKS, describe, folded, listed
 from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import namespace_of
 
-# A mark and a colour for the rule beside each message. The words say the same; the colours suit
-# light and dark themes.
-_MARKS = {RIGHT: ("✓", "#2e8b57"), WRONG: ("✗", "#c8641e"), ERROR: ("!", "#c8641e")}
-_MARKS |= {NOT_ATTEMPTED: ("○", "#808080"), UNCHANGED: ("○", "#808080")}
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _NOTHING = object()
 _CALLS_SECONDS = 2  # of computing, to see which functions an answer calls
-_LONG = 40  # numbers: of a longer array one item is shown
-# Columns and lines that JupyterLab shows beside its file browser on a small laptop.
-_WIDTH, _IN_VIEW = 100, 8
 
 
 def namespace(module, exercises, predictions, more=(), stop=None):
@@ -76,8 +60,11 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     names = {check.exercise.name: check for check in checks}
     asked = {prediction.name: Predict(prediction) for prediction in predictions}
     progress = Progress(checks, list(asked.values()), stop)
-    _keep_the_name(module)
+    kernel.keep_the_name(module)
     return names | asked | {"CHECKS": checks, "progress": progress}
+
+
+# ---- checks ----
 
 
 class Check:
@@ -124,12 +111,12 @@ class Check:
         elif files := _files_not_handed_in(function):
             self.verdict = Verdict(self.exercise, ERROR, self._not_in_the_notebook(files))
         else:
-            with _native_output_dropped():
+            with kernel.native_output_dropped():
                 self.verdict = self._judged(function)
         text = describe(self.verdict)
         if "NBGRADER_EXECUTION" in os.environ and self.verdict.state != RIGHT:
             raise AssertionError(text)
-        _show(text, _MARKS[self.verdict.state][1], inside=_folded(self.verdict))
+        kernel.show(text, MARKS[self.verdict.state][1], inside=folded(self.verdict))
 
     def _judged(self, function):
         verdict = review(self.exercise, Here(function))
@@ -206,7 +193,7 @@ class Check:
             text = f"Hint {self._hints_given} of {len(hints)}: {hints[self._hints_given - 1]}"
         else:
             text = "All hints:\n" + "\n".join(f"{i}. {hint}" for i, hint in enumerate(hints, 1))
-        _show(text, _MARKS[NOT_ATTEMPTED][1])
+        kernel.show(text, MARKS[NOT_ATTEMPTED][1])
 
     def use(self, function):
         """Return the student's function if its check has passed, else the library's, and show which
@@ -224,9 +211,9 @@ class Check:
         until = "" if mine else ", until yours passes its check"
         if self.verdict.instead:
             until = f", until {listed(self.verdict.instead)}, which yours calls, passes its check"
-        _show(
+        kernel.show(
             f"{self.exercise.name} from here on: {used.whose}{until}",
-            _MARKS[NOT_ATTEMPTED][1],
+            MARKS[NOT_ATTEMPTED][1],
             "course-use",
         )
         return used
@@ -238,78 +225,11 @@ def _is_right(exercise, function):
 
 def _files_not_handed_in(function):
     """Return the files of the student's own that a function needs, in a notebook; else []."""
-    shell = _shell()
+    shell = kernel.ipython_shell()
     if shell is None:
         return []
     history = getattr(shell, "history_manager", None)
     return own_files(function, getattr(history, "input_hist_raw", ()))
-
-
-def _shell():
-    """Return IPython's shell; None outside a notebook."""
-    ipython = sys.modules.get("IPython")
-    return ipython.get_ipython() if ipython else None
-
-
-@contextlib.contextmanager
-def _native_output_dropped():
-    """Discard what libraries write past Python, such as LAPACK on numbers that are not finite."""
-    try:
-        kept = {number: os.dup(number) for number in (1, 2)}
-    except OSError:  # no such output is open
-        yield
-        return
-    _flush()
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    try:
-        for number in kept:
-            os.dup2(nowhere, number)
-        yield
-    finally:
-        _flush()
-        for number, copy in kept.items():
-            os.dup2(copy, number)
-            os.close(copy)
-        os.close(nowhere)
-
-
-def _flush():
-    """Write out what Python and the C library still hold back, so that it goes where it was meant
-    to go."""
-    for stream in (sys.stdout, sys.stderr):
-        with contextlib.suppress(Exception):
-            stream.flush()
-    with contextlib.suppress(Exception):  # on Windows the C library has no such name
-        ctypes.CDLL(None).fflush(None)
-
-
-def _keep_the_name(module):
-    """Give the name `check` back to the checks after a cell that assigned to it, and say so."""
-    shell, checks = _shell(), sys.modules.get(module)
-    if shell is None or checks is None:
-        return
-    was_theirs = False
-
-    def after(result):
-        nonlocal was_theirs
-        value = shell.user_ns.get("check")
-        if value is checks:
-            was_theirs = True
-        elif was_theirs and "check" in shell.user_ns and not isinstance(value, types.ModuleType):
-            shell.user_ns["check"] = checks
-            _show(
-                "! This cell assigns to the name `check`, by which the notebook's checks are "
-                "called. The name stands for the checks again. Choose another name for your "
-                f"{type(value).__name__}, such as `checked`, and run the cell once more.",
-                _MARKS[ERROR][1],
-            )
-
-    shell.events.register("post_run_cell", after)
-
-
-def listed(names):
-    """Return names in a row, with "and" before the last one."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _as_checked(function, exercise):
@@ -325,6 +245,9 @@ def _as_checked(function, exercise):
         return exercise.as_read(function(*arguments, **named), in_order)
 
     return answering_as_checked
+
+
+# ---- predictions ----
 
 
 class Predict:
@@ -354,13 +277,40 @@ class Predict:
             return
         letter = str(choice).strip().lower()
         if letter not in self.prediction.replies:
-            _show(
-                f"○ Choose one of {', '.join(self.prediction.replies)}.", _MARKS[NOT_ATTEMPTED][1]
+            kernel.show(
+                f"○ Choose one of {', '.join(self.prediction.replies)}.", MARKS[NOT_ATTEMPTED][1]
             )
             return
         self.choice = letter
         state = RIGHT if letter == self.prediction.right else WRONG
-        _show(f"{_MARKS[state][0]} {letter}: {self.prediction.replies[letter]}", _MARKS[state][1])
+        kernel.show(
+            f"{MARKS[state][0]} {letter}: {self.prediction.replies[letter]}", MARKS[state][1]
+        )
+
+
+def _show_choices(prediction):
+    """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a
+    kernel."""
+    calls = " or ".join(
+        f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies
+    )
+    replies = []
+    for letter, reply in prediction.replies.items():
+        unfolded = html.escape(f"{_mark(prediction, letter)} {reply}")
+        replies.append(f"<details><summary>{letter}</summary>{unfolded}</details>")
+    kernel.show(
+        f"{_NO_CHOICE} {calls}",
+        MARKS[NOT_ATTEMPTED][1],
+        "course-predict",
+        _NO_CHOICE + "".join(replies),
+    )
+
+
+def _mark(prediction, letter):
+    return MARKS[RIGHT if letter == prediction.right else WRONG][0]
+
+
+# ---- progress ----
 
 
 class Progress:
@@ -403,7 +353,7 @@ class Progress:
             and {v.state for v in later} == {NOT_ATTEMPTED}
         ):
             lines.append(f"You can stop here; next time begin at “{section}”.")
-        _show("\n".join(lines), _MARKS[RIGHT][1])
+        kernel.show("\n".join(lines), MARKS[RIGHT][1])
 
 
 def _bar(name, verdicts):
@@ -415,206 +365,4 @@ def _bar(name, verdicts):
 
 def _line(verdict):
     name, points = verdict.exercise.name, f"{verdict.points} of {verdict.exercise.points}"
-    return f"{_MARKS[verdict.state][0]} {name}: {verdict.state} ({points})"
-
-
-def describe(verdict):
-    """Return the message for a verdict as plain text.
-
-    Parameters
-    ----------
-    verdict : Verdict
-
-    Returns
-    -------
-    str
-    """
-    return "\n".join(filter(None, (_said(verdict), _shown(verdict), _offer(verdict))))
-
-
-def _folded(verdict):
-    """Return a message in HTML whose case is folded, since it would push the hint out of view; None
-    for a short one."""
-    lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
-    if not _shown(verdict) or sum(map(len, lines)) <= _IN_VIEW:
-        return None
-    said, case, offer = (html.escape(part(verdict)) for part in (_said, _shown, _offer))
-    return f"{said}<details><summary>Input and answer</summary>{case}</details>{offer}"
-
-
-def _said(verdict):
-    """Return what a message says, and from which line a student goes on."""
-    exercise, mark = verdict.exercise, _MARKS[verdict.state][0]
-    if verdict.state == RIGHT:
-        note = f" ({verdict.note})" if verdict.note else ""
-        if verdict.instead:
-            others = listed(verdict.instead)
-            each = "a right one" if len(verdict.instead) == 1 else "right ones"
-            note += f"; it calls your {others}, not right yet, and was judged with {each} instead"
-        return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
-    if verdict.state == NOT_ATTEMPTED:
-        return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
-    if verdict.state == UNCHANGED:
-        return (
-            f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an "
-            "example whose "
-            "answer you know."
-        )
-    earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
-    lines = [
-        f"{mark} {exercise.name}: "
-        + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)
-    ]
-    if verdict.instead:
-        for name in verdict.instead:
-            lines.append(f"Your {name}, which it calls, is not right yet.")
-        ones = "a right one" if len(verdict.instead) == 1 else "right ones"
-        lines.append(f"So it was judged with {ones} instead.")
-    if verdict.blames:
-        lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
-        lines.append(f"Correct {verdict.blames} first, then run this check again.")
-        return "\n".join(lines)
-    if verdict.state == ERROR:
-        lines.append(verdict.reason)
-    if verdict.mistake is not None:
-        lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
-    if verdict.state == WRONG:
-        lines.append(f"What should hold: {verdict.reason}")
-    return "\n".join(lines)
-
-
-def _shown(verdict):
-    """Return the arguments and the answer of the case that fails, or ""."""
-    if verdict.case is None or verdict.blames:
-        return ""
-    named = zip(verdict.exercise.arguments, verdict.case, strict=True)
-    blocks = [
-        _labelled("and " if i else "For ", f"{name} = ", value)
-        for i, (name, value) in enumerate(named)
-    ]
-    if verdict.state == WRONG:
-        for i, part in enumerate(_wrong_parts(verdict)):
-            blocks.append(
-                _labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict))
-            )
-    return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
-
-
-def _wrong_parts(verdict):
-    """Return the arrays of a pair that are wrong, or one if they have the same shape; of another
-    answer it alone."""
-    answer, library = verdict.answer, verdict.exercise.library
-    if not isinstance(answer, tuple | list) or not any(
-        isinstance(part, np.ndarray) for part in answer
-    ):
-        return [answer]
-    joined = attempt(np.array, answer)
-    if joined is not None and joined.dtype != object:
-        return [joined]
-    right = predict(library, verdict.case) if library else None
-    parts = zip(answer, right, strict=False) if isinstance(right, tuple) else ()
-    return [part for part, wanted in parts if not same(part, wanted)] or answer
-
-
-def _side_by_side(blocks):
-    """Return rows of blocks of lines, beside each other where they fit."""
-    rows = []
-    for block in blocks:
-        both = [block]
-        if rows:
-            width = 3 + max(map(len, rows[-1]))
-            pairs = itertools.zip_longest(rows[-1], block, fillvalue="")
-            both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]
-            if max(map(len, both[0])) > _WIDTH:
-                both = [rows[-1], block]
-        rows[-1:] = both
-    return rows
-
-
-def _offer(verdict):
-    """Return how to get a hint if the message contains none, or ""."""
-    named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
-    return (
-        ""
-        if named or not verdict.exercise.hints
-        else f"check.{verdict.exercise.name}.hint() gives a hint."
-    )
-
-
-def _first_wrong(verdict):
-    """Return the number of the first item of a long answer that is not the library's; 0 if there is
-    none."""
-    library, answer = verdict.exercise.library, verdict.answer
-    if library is None or not isinstance(answer, np.ndarray) or answer.size <= _LONG:
-        return 0
-    right = attempt(np.asarray, predict(library, verdict.case), float)
-    if right is None or right.shape != answer.shape:
-        return 0
-    return next((k for k, item in enumerate(right) if not same(answer[k], item)), 0)
-
-
-def _labelled(before, label, value, item=0):
-    """Write a value beside its label, its further lines indented below the first; of a long array
-    one item."""
-    if hasattr(value, "number"):
-        text = f"numpy.random.default_rng({value.number})"
-    elif isinstance(value, np.ndarray) and value.size > _LONG:
-        which = f"whose item {item} is" if item else "that begins with"
-        return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
-            "    ", "", value[item]
-        )
-    elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
-        text = _six_digits(value)
-    elif isinstance(value, np.ndarray):
-        text = np.array2string(value)
-    else:
-        with np.printoptions(precision=6, legacy="1.25"):  # 0.5, not np.float64(0.5)
-            text = repr(value)
-        text = text if len(text) < 400 else text[:400] + " ..."
-    label = before + label
-    return label + text.replace("\n", "\n" + " " * len(label))
-
-
-def _six_digits(array):
-    """Write an array with six digits an entry, and rounding errors beside larger entries as 0."""
-    noise = 1e-13 * np.abs(array[np.isfinite(array)]).max(initial=0)
-
-    def digits(x):
-        return "0" if abs(x) <= noise else f"{x:.6g}"
-
-    width = max(map(len, map(digits, array.flat)), default=0)
-    return np.array2string(array, formatter={"float_kind": lambda x: digits(x).rjust(width)})
-
-
-def _show_choices(prediction):
-    """Show the choices of a prediction; in HTML each one unfolds its reply, also on pages without a
-    kernel."""
-    calls = " or ".join(
-        f'check.{prediction.name}.predict("{letter}")' for letter in prediction.replies
-    )
-    replies = []
-    for letter, reply in prediction.replies.items():
-        unfolded = html.escape(f"{_mark(prediction, letter)} {reply}")
-        replies.append(f"<details><summary>{letter}</summary>{unfolded}</details>")
-    _show(
-        f"{_NO_CHOICE} {calls}",
-        _MARKS[NOT_ATTEMPTED][1],
-        "course-predict",
-        _NO_CHOICE + "".join(replies),
-    )
-
-
-def _mark(prediction, letter):
-    return _MARKS[RIGHT if letter == prediction.right else WRONG][0]
-
-
-def _show(text, colour, kind="course-check", inside=None):
-    """Display text, and the same words in an HTML box for front ends that show HTML."""
-    from IPython.display import display
-
-    box = (
-        f'<div class="{kind}" role="status" style="border-left: 0.3em solid {colour}; padding:'
-        " 0.2em 0.8em; white-space: pre-wrap; overflow-wrap: anywhere; font-family: ui-monospace,"
-        f' monospace">{inside or html.escape(text)}</div>'
-    )
-    display({"text/plain": text, "text/html": box}, raw=True)
+    return f"{MARKS[verdict.state][0]} {name}: {verdict.state} ({points})"

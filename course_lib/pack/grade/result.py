@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from course_lib.checks.exercise import RIGHT, Exercise, Verdict
-from course_lib.checks.notebook import describe, listed
+from course_lib.checks.messages import describe, listed
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.claims import first_words
 from course_lib.pack.grade.notebook_file import UNREADABLE, Cell, Course

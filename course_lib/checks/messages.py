@@ -1,0 +1,202 @@
+"""The message for a verdict: what it says, the case that fails, and how to get a hint."""
+
+import html
+import itertools
+import textwrap
+
+import numpy as np
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
+from course_lib.checks.naming import attempt, predict, same
+
+# A mark and a colour for the rule beside each message. The words say the same; the colours suit
+# light and dark themes.
+MARKS = {
+    RIGHT: ("✓", "#2e8b57"),
+    WRONG: ("✗", "#c8641e"),
+    ERROR: ("!", "#c8641e"),
+    NOT_ATTEMPTED: ("○", "#808080"),
+    UNCHANGED: ("○", "#808080"),
+}
+_LONG = 40  # numbers: of a longer array one item is shown
+# Columns and lines that JupyterLab shows beside its file browser on a small laptop.
+_WIDTH, _IN_VIEW = 100, 8
+
+
+def describe(verdict):
+    """Return the message for a verdict as plain text.
+
+    Parameters
+    ----------
+    verdict : Verdict
+
+    Returns
+    -------
+    str
+    """
+    return "\n".join(filter(None, (_said(verdict), _shown(verdict), _offer(verdict))))
+
+
+def folded(verdict):
+    """Return a message in HTML whose case is folded, since it would push the hint out of view; None
+    for a short one."""
+    lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
+    if not _shown(verdict) or sum(map(len, lines)) <= _IN_VIEW:
+        return None
+    said, case, offer = (html.escape(part(verdict)) for part in (_said, _shown, _offer))
+    return f"{said}<details><summary>Input and answer</summary>{case}</details>{offer}"
+
+
+def listed(names):
+    """Return names in a row, with "and" before the last one."""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+# ---- its parts ----
+
+
+def _said(verdict):
+    """Return what a message says, and from which line a student goes on."""
+    exercise, mark = verdict.exercise, MARKS[verdict.state][0]
+    if verdict.state == RIGHT:
+        note = f" ({verdict.note})" if verdict.note else ""
+        if verdict.instead:
+            others = listed(verdict.instead)
+            each = "a right one" if len(verdict.instead) == 1 else "right ones"
+            note += f"; it calls your {others}, not right yet, and was judged with {each} instead"
+        return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
+    if verdict.state == NOT_ATTEMPTED:
+        return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
+    if verdict.state == UNCHANGED:
+        return (
+            f"{mark} {exercise.name}: {UNCHANGED}: it answers as the given code does. Run it on an "
+            "example whose "
+            "answer you know."
+        )
+    earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
+    lines = [
+        f"{mark} {exercise.name}: "
+        + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)
+    ]
+    if verdict.instead:
+        for name in verdict.instead:
+            lines.append(f"Your {name}, which it calls, is not right yet.")
+        ones = "a right one" if len(verdict.instead) == 1 else "right ones"
+        lines.append(f"So it was judged with {ones} instead.")
+    if verdict.blames:
+        lines.append(f"Your {verdict.blames}, which it calls, is not right yet.")
+        lines.append(f"Correct {verdict.blames} first, then run this check again.")
+        return "\n".join(lines)
+    if verdict.state == ERROR:
+        lines.append(verdict.reason)
+    if verdict.mistake is not None:
+        lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
+    if verdict.state == WRONG:
+        lines.append(f"What should hold: {verdict.reason}")
+    return "\n".join(lines)
+
+
+def _shown(verdict):
+    """Return the arguments and the answer of the case that fails, or ""."""
+    if verdict.case is None or verdict.blames:
+        return ""
+    named = zip(verdict.exercise.arguments, verdict.case, strict=True)
+    blocks = [
+        _labelled("and " if i else "For ", f"{name} = ", value)
+        for i, (name, value) in enumerate(named)
+    ]
+    if verdict.state == WRONG:
+        for i, part in enumerate(_wrong_parts(verdict)):
+            blocks.append(
+                _labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict))
+            )
+    return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
+
+
+def _offer(verdict):
+    """Return how to get a hint if the message contains none, or ""."""
+    named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
+    return (
+        ""
+        if named or not verdict.exercise.hints
+        else f"check.{verdict.exercise.name}.hint() gives a hint."
+    )
+
+
+# ---- the case and the answer ----
+
+
+def _wrong_parts(verdict):
+    """Return the arrays of a pair that are wrong, or one if they have the same shape; of another
+    answer it alone."""
+    answer, library = verdict.answer, verdict.exercise.library
+    if not isinstance(answer, tuple | list) or not any(
+        isinstance(part, np.ndarray) for part in answer
+    ):
+        return [answer]
+    joined = attempt(np.array, answer)
+    if joined is not None and joined.dtype != object:
+        return [joined]
+    right = predict(library, verdict.case) if library else None
+    parts = zip(answer, right, strict=False) if isinstance(right, tuple) else ()
+    return [part for part, wanted in parts if not same(part, wanted)] or answer
+
+
+def _first_wrong(verdict):
+    """Return the number of the first item of a long answer that is not the library's; 0 if there is
+    none."""
+    library, answer = verdict.exercise.library, verdict.answer
+    if library is None or not isinstance(answer, np.ndarray) or answer.size <= _LONG:
+        return 0
+    right = attempt(np.asarray, predict(library, verdict.case), float)
+    if right is None or right.shape != answer.shape:
+        return 0
+    return next((k for k, item in enumerate(right) if not same(answer[k], item)), 0)
+
+
+def _labelled(before, label, value, item=0):
+    """Write a value beside its label, its further lines indented below the first; of a long array
+    one item."""
+    if hasattr(value, "number"):
+        text = f"numpy.random.default_rng({value.number})"
+    elif isinstance(value, np.ndarray) and value.size > _LONG:
+        which = f"whose item {item} is" if item else "that begins with"
+        return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
+            "    ", "", value[item]
+        )
+    elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
+        text = _six_digits(value)
+    elif isinstance(value, np.ndarray):
+        text = np.array2string(value)
+    else:
+        with np.printoptions(precision=6, legacy="1.25"):  # 0.5, not np.float64(0.5)
+            text = repr(value)
+        text = text if len(text) < 400 else text[:400] + " ..."
+    label = before + label
+    return label + text.replace("\n", "\n" + " " * len(label))
+
+
+def _six_digits(array):
+    """Write an array with six digits an entry, and rounding errors beside larger entries as 0."""
+    noise = 1e-13 * np.abs(array[np.isfinite(array)]).max(initial=0)
+
+    def digits(x):
+        return "0" if abs(x) <= noise else f"{x:.6g}"
+
+    width = max(map(len, map(digits, array.flat)), default=0)
+    return np.array2string(array, formatter={"float_kind": lambda x: digits(x).rjust(width)})
+
+
+def _side_by_side(blocks):
+    """Return rows of blocks of lines, beside each other where they fit."""
+    rows = []
+    for block in blocks:
+        both = [block]
+        if rows:
+            width = 3 + max(map(len, rows[-1]))
+            pairs = itertools.zip_longest(rows[-1], block, fillvalue="")
+            both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]
+            if max(map(len, both[0])) > _WIDTH:
+                both = [rows[-1], block]
+        rows[-1:] = both
+    return rows
