@@ -13,12 +13,12 @@ from functools import cached_property
 import numpy as np
 from mutants import made, mutants, spread
 
-from course_lib.checks.exercise import RIGHT, Here, Property, attempt, judge
+from course_lib.checks.exercise import RIGHT, LocalFunction, Property, attempt, judge
 from course_lib.checks.write_test import Version, WriteTest
 
 SEEDS = range(100, 103)
 VARIED = 12
-MOST = (
+MAX_CASES = (
     12  # inputs besides the cases of one seed; as many candidates of a test, besides its exercise's
 )
 
@@ -59,7 +59,7 @@ class Solution:
             more += [
                 case for i, j in pairs if self._is_input(case := _varied(more[i], more[j], rng))
             ]
-            cases += [more[i] for i in rng.permutation(len(more))[:MOST]]
+            cases += [more[i] for i in rng.permutation(len(more))[:MAX_CASES]]
         return cases, self._answers(self.own, cases)
 
     def _is_input(self, case):
@@ -87,14 +87,14 @@ class Solution:
         return found[: len(cases)]  # the engine asks cases that it makes itself after these
 
     def _student(self, source):
-        return Here(made(source, self.exercise.name, self.space))
+        return LocalFunction(made(source, self.exercise.name, self.space))
 
     @cached_property
     def _versions(self):
         """The candidates that a test is asked to judge, each as right or wrong as the solution
         says."""
         tested = self.exercise.name.removeprefix("test_")
-        others = spread(mutants(self.sources[tested]), MOST) if tested in self.sources else []
+        others = spread(mutants(self.sources[tested]), MAX_CASES) if tested in self.sources else []
         functions = [made(other.source, tested, self.space) for other in others]
         either = [
             [Version("", function, right) for right in (True, False)] for function in functions

@@ -33,7 +33,7 @@ PAIRS += [("ones", "zeros"), ("any", "all"), ("hstack", "vstack")]
 OTHER_NAME = {old: new for a, b in PAIRS for old, new in ((a, b), (b, a))}
 EVEN = ("abs", "cos", "len", "norm", "zeros")  # which take no notice of the sign
 SIGNED = (ast.Name, ast.BinOp, ast.Call, ast.Subscript, ast.Attribute)
-MOST_ENTRIES = 10**6  # of an answer
+MAX_ENTRIES = 10**6  # of an answer
 
 
 @dataclass(frozen=True)
@@ -293,7 +293,7 @@ def made(source, name, space):
     def guarded(*arguments):
         space["passes"].made = 0
         value = own[name](*arguments)
-        if getattr(value, "size", 0) > MOST_ENTRIES:
+        if getattr(value, "size", 0) > MAX_ENTRIES:
             raise OverflowError("an answer of this size takes long to write down")
         return value
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from course_lib.checks import call_student, wire
 from course_lib.checks.adapters import NoNumber, with_symbols
-from course_lib.checks.exercise import ERROR, Here, judge
+from course_lib.checks.exercise import ERROR, LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.lessons.decomposition_ik import check
 
@@ -137,7 +137,7 @@ def test_what_stays_an_expression_is_no_number(entry):
     ],
 )
 def test_a_function_for_numbers_used_on_symbols_is_named_without_the_numbers_of_the_case(function):
-    verdict = judge(DH_SYMBOLIC, Here(function))
+    verdict = judge(DH_SYMBOLIC, LocalFunction(function))
     assert verdict.state == ERROR
     assert "For theta" not in describe(verdict)
     assert "a function of numpy or math is called with symbols" in describe(verdict)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers
-from course_lib.checks.exercise import Exercise, Here, Mistake, Property, Unreadable, judge
+from course_lib.checks.exercise import Exercise, LocalFunction, Mistake, Property, Unreadable, judge
 from course_lib.checks.format_numbers import format_array, format_tuple
 from course_lib.checks.mistake import Mistakes
 
@@ -39,7 +39,7 @@ def named(value, **recognised):
     """The Mistake that the check of TABLE names, if it knows one that is recognised so."""
     exercise = replace(TABLE, mistakes=Mistakes())
     exercise.mistake(SWAPPED, **recognised)
-    mistake = judge(exercise, Here(lambda n: value)).mistake
+    mistake = judge(exercise, LocalFunction(lambda n: value)).mistake
     return mistake and mistake.name
 
 
@@ -60,8 +60,8 @@ def test_what_nan_reveals_depends_on_the_case():
 def test_an_error_that_an_exercise_knows_is_called_by_its_name():
     exercise = replace(TABLE, mistakes=Mistakes())
     exercise.mistake(SWAPPED, raises=("ZeroDivisionError", "division"))
-    assert judge(exercise, Here(lambda n: n / 0)).mistake.name == SWAPPED.name
-    assert judge(exercise, Here(lambda n: [][n])).mistake.name != SWAPPED.name
+    assert judge(exercise, LocalFunction(lambda n: n / 0)).mistake.name == SWAPPED.name
+    assert judge(exercise, LocalFunction(lambda n: [][n])).mistake.name != SWAPPED.name
 
 
 def test_a_row_is_read_as_a_vector_unless_the_shape_is_to_be_exact():

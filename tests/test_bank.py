@@ -23,7 +23,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course_lib.checks.exercise import ERROR, PUBLIC_SEED, RIGHT, WRONG, Here, judge, review
+from course_lib.checks.exercise import (
+    ERROR,
+    PUBLIC_SEED,
+    RIGHT,
+    WRONG,
+    LocalFunction,
+    judge,
+    review,
+)
 from course_lib.checks.messages import describe
 from course_lib.checks.naming import attempt, predict
 
@@ -38,7 +46,7 @@ SLOW = (
     "plan_pick",
     "good_matches",
 )  # whose wrong answers are asked one seed's cases
-MOST_LINES = 24  # of a message
+MAX_LINES = 24  # of a message
 
 
 def notebook_of(path):
@@ -123,7 +131,7 @@ def answers(path):
 
 @cache
 def verdict_on(path, name, seed=PUBLIC_SEED):
-    return judge(exercise_of(path), Here(answers(path)[name]), seed)
+    return judge(exercise_of(path), LocalFunction(answers(path)[name]), seed)
 
 
 def called(verdict):
@@ -146,7 +154,7 @@ def complaints(name, function, verdict):
         elif expected not in called(verdict):
             yield f'{name} is called "{called(verdict)}", not "{expected}":\n{text}'
     lines = [part for line in text.splitlines() for part in textwrap.wrap(line, 100) or [""]]
-    if len(lines) > (1 if verdict.state == RIGHT else MOST_LINES):
+    if len(lines) > (1 if verdict.state == RIGHT else MAX_LINES):
         yield f"{name}: the message has {len(lines)} lines"
     for machinery in ("Traceback", ".py", " at 0x", "<function", "<lambda>"):
         if machinery in text:
@@ -164,7 +172,7 @@ def test_right_answers_are_accepted_and_wrong_ones_refused(path, record_property
                 for c in complaints(name, function, verdict_on(path, name, seed))
             ]
         if len(SEEDS) > 2 and name.startswith("right_"):
-            found += complaints(name, function, review(exercise, Here(function)))
+            found += complaints(name, function, review(exercise, LocalFunction(function)))
     met = [verdict_on(path, name).mistake for name in answers(path) if name.startswith("wrong_")]
     never = [
         known.name
@@ -211,7 +219,7 @@ def test_each_mistake_is_refused_and_called_by_its_name(path):
         for k, answer in enumerate(mistake.answers):
             for seed in SEEDS:
                 student, spoke = made_by(mistake, answer, exercise)
-                verdict = judge(exercise, Here(student), seed)
+                verdict = judge(exercise, LocalFunction(student), seed)
                 about = f'seed {seed}: "{mistake.name}", answer {k}'
                 if not spoke():
                     found.append(f"{about}: no case shows it")
@@ -231,7 +239,7 @@ def test_the_library_s_answer_is_right(path):
         )
         return
     for seed in SEEDS:
-        verdict = judge(exercise, Here(exercise.library), seed)
+        verdict = judge(exercise, LocalFunction(exercise.library), seed)
         assert verdict.state == RIGHT, describe(verdict)
 
 
@@ -241,12 +249,13 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
     right = next(function for name, function in answers(path).items() if name.startswith("right_"))
     shapes = []
     judge(
-        exercise, Here(lambda *case: shapes.append(attempt(np.shape, right(*case)) or ()))
+        exercise, LocalFunction(lambda *case: shapes.append(attempt(np.shape, right(*case)) or ()))
     )  # () for a pair of arrays
     for number in (0.0, -1.0, 1e-320, 1e200, -1.7e308, 2**70):
         shape = iter(shapes)
         verdict = judge(
-            exercise, Here(lambda *case, number=number, shape=shape: np.full(next(shape), number))
+            exercise,
+            LocalFunction(lambda *case, number=number, shape=shape: np.full(next(shape), number)),
         )
         assert verdict.state == WRONG
         assert describe(verdict)
@@ -266,7 +275,7 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
         1j,
     ]
     for value in [*kinds, {1}, object, np.zeros((3000, 3000))]:
-        verdict = judge(exercise, Here(lambda *case, value=value: value))
+        verdict = judge(exercise, LocalFunction(lambda *case, value=value: value))
         assert verdict.state == WRONG
         assert describe(verdict)
 

@@ -17,7 +17,7 @@ from toy_exercises import NEAREST_SO, right
 
 from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Here, judge
+from course_lib.checks.exercise import ERROR, RIGHT, WRONG, LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.checks.wire import Seed
 from course_lib.lessons.rotations import check
@@ -62,7 +62,7 @@ def test_a_right_answer_that_warns_is_right_with_a_note():
         np.float64(0) / np.float64(0)
         return right(M)
 
-    verdict = judge(NEAREST_SO, Here(warns))
+    verdict = judge(NEAREST_SO, LocalFunction(warns))
     assert verdict.state == RIGHT
     assert "numpy warned: invalid value" in describe(verdict)
 
@@ -211,9 +211,9 @@ def test_the_line_shown_is_the_last_one_of_the_students_own():
 def test_anything_that_can_be_called_is_judged_and_need_not_have_lines_of_its_own():
     vectorized = np.vectorize(right, signature="(n,n)->(n,n)")
     for function in (functools.partial(right), vectorized, lambda M: np.matrix(right(M))):
-        assert judge(NEAREST_SO, Here(function)).state == RIGHT
+        assert judge(NEAREST_SO, LocalFunction(function)).state == RIGHT
     for function in (np.linalg.inv, functools.partial(np.linalg.solve, np.zeros((2, 2))), len):
-        verdict = judge(NEAREST_SO, Here(function))
+        verdict = judge(NEAREST_SO, LocalFunction(function))
         assert verdict.state in (WRONG, ERROR)
         assert "Line None" not in describe(verdict)
 
@@ -245,7 +245,7 @@ def test_anything_that_can_be_called_is_judged_and_need_not_have_lines_of_its_ow
     ],
 )
 def test_what_cannot_be_an_answer_is_explained(function, state, words):
-    verdict = judge(NEAREST_SO, Here(function), seconds=1)
+    verdict = judge(NEAREST_SO, LocalFunction(function), seconds=1)
     assert verdict.state == state
     assert all(each in describe(verdict) for each in words)
 
@@ -278,7 +278,7 @@ def test_whatever_is_raised_is_one_calm_message(error, said):
     def raises(M):
         raise error
 
-    text = describe(judge(NEAREST_SO, Here(raises)))
+    text = describe(judge(NEAREST_SO, LocalFunction(raises)))
     assert said in text
     assert "`raise error`, raises" in text or isinstance(error, KeyboardInterrupt)
     assert len(text) < 1200
@@ -295,7 +295,7 @@ def test_settings_of_numpy_are_put_back_and_pictures_of_the_function_are_closed(
         plt.figure()
         return right(M)
 
-    assert judge(NEAREST_SO, Here(changes)).state == RIGHT
+    assert judge(NEAREST_SO, LocalFunction(changes)).state == RIGHT
     assert (np.geterr(), np.get_printoptions()) == before
     assert plt.get_fignums() == [kept.number]
     plt.close(kept)
@@ -310,5 +310,5 @@ def test_a_line_of_another_cell_is_said_to_be_there():
     for name, source in cells.items():
         exec(compile(source, f"<{name}>", "exec"), space)
         linecache.cache[f"<{name}>"] = (len(source), None, source.splitlines(True), f"<{name}>")
-    text = describe(judge(NEAREST_SO, Here(space["nearest_so"])))
+    text = describe(judge(NEAREST_SO, LocalFunction(space["nearest_so"])))
     assert "Line 2 of the cell of helper, `return M.nothing`, raises AttributeError" in text

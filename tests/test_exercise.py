@@ -18,7 +18,7 @@ from course_lib.checks.exercise import (
     RIGHT,
     UNCHANGED,
     WRONG,
-    Here,
+    LocalFunction,
     Property,
     judge,
     review,
@@ -84,18 +84,18 @@ def test_a_forged_reply_earns_nothing_and_stops_nothing(text):
 
 
 def test_broken_code_as_it_is_given_is_a_state_of_its_own():
-    assert judge(DOUBLE, Here(lambda x: 2 + x)).state == UNCHANGED
-    assert "the bug is still there" in describe(judge(DOUBLE, Here(lambda x: x + 2)))
-    assert judge(DOUBLE, Here(lambda x: 2 * x)).state == RIGHT
-    assert judge(DOUBLE, Here(lambda x: 3 * x)).state == WRONG
+    assert judge(DOUBLE, LocalFunction(lambda x: 2 + x)).state == UNCHANGED
+    assert "the bug is still there" in describe(judge(DOUBLE, LocalFunction(lambda x: x + 2)))
+    assert judge(DOUBLE, LocalFunction(lambda x: 2 * x)).state == RIGHT
+    assert judge(DOUBLE, LocalFunction(lambda x: 3 * x)).state == WRONG
 
 
 def test_code_that_forgets_its_return_can_be_the_bug_that_is_still_there():
     exercise = replace(DOUBLE, broken=lambda x: None)
-    assert judge(exercise, Here(lambda x: None)).state == UNCHANGED
-    assert judge(exercise, Here(lambda x: x + 2)).state == WRONG
-    assert judge(exercise, Here(lambda x: 2 * x)).state == RIGHT
-    assert judge(DOUBLE, Here(lambda x: None)).mistake == FORGOTTEN_RETURN
+    assert judge(exercise, LocalFunction(lambda x: None)).state == UNCHANGED
+    assert judge(exercise, LocalFunction(lambda x: x + 2)).state == WRONG
+    assert judge(exercise, LocalFunction(lambda x: 2 * x)).state == RIGHT
+    assert judge(DOUBLE, LocalFunction(lambda x: None)).mistake == FORGOTTEN_RETURN
 
 
 # Write the test
@@ -110,7 +110,7 @@ def _thorough(log):
 
 def test_a_test_that_distinguishes_all_versions_is_right_for_every_seed():
     for seed in range(5):
-        assert judge(TEST_LOG, Here(_thorough), seed).state == RIGHT
+        assert judge(TEST_LOG, LocalFunction(_thorough), seed).state == RIGHT
 
 
 def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
@@ -118,12 +118,17 @@ def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
         return np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])
 
     begun = replace(TEST_LOG, given=weak)
-    assert [judge(begun, Here(test)).state for test in (weak, _thorough)] == [NOT_ATTEMPTED, RIGHT]
-    assert judge(begun, Here(lambda log: True)).state == WRONG
+    assert [judge(begun, LocalFunction(test)).state for test in (weak, _thorough)] == [
+        NOT_ATTEMPTED,
+        RIGHT,
+    ]
+    assert judge(begun, LocalFunction(lambda log: True)).state == WRONG
 
 
 def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
-    verdict = judge(TEST_LOG, Here(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5])))
+    verdict = judge(
+        TEST_LOG, LocalFunction(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5]))
+    )
     assert (verdict.state, verdict.points) == (WRONG, 1)
     assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(
         verdict
@@ -135,22 +140,22 @@ def test_a_test_with_asserts_refuses_by_raising():
         assert _thorough(log)
         return True
 
-    assert judge(TEST_LOG, Here(by_asserts)).state == RIGHT
+    assert judge(TEST_LOG, LocalFunction(by_asserts)).state == RIGHT
 
 
 @pytest.mark.parametrize("always", [True, False, 1, np.bool_(False)])
 def test_a_test_that_always_says_the_same_earns_nothing(always):
-    verdict = judge(TEST_LOG, Here(lambda log: always))
+    verdict = judge(TEST_LOG, LocalFunction(lambda log: always))
     assert (verdict.state, verdict.points) == (WRONG, 0)
     assert "your test" in verdict.mistake.name
 
 
 def test_a_test_without_return_is_told_so():
-    assert judge(TEST_LOG, Here(lambda log: None)).mistake == FORGOTTEN_RETURN
+    assert judge(TEST_LOG, LocalFunction(lambda log: None)).mistake == FORGOTTEN_RETURN
 
 
 def test_a_test_that_fails_on_a_right_version_says_where():
-    verdict = judge(TEST_LOG, Here(lambda log: log(np.eye(3)).undefined))
+    verdict = judge(TEST_LOG, LocalFunction(lambda log: log(np.eye(3)).undefined))
     assert verdict.state == ERROR
     assert "undefined" in describe(verdict)
     assert "Candidate" not in describe(verdict)
@@ -158,7 +163,7 @@ def test_a_test_that_fails_on_a_right_version_says_where():
 
 @pytest.mark.parametrize(("times", "state"), [(90, RIGHT), (101, ERROR)])
 def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, times, state):
-    monkeypatch.setattr("course_lib.checks.call_student._MOST_CALLS", 100)
+    monkeypatch.setattr("course_lib.checks.call_student._MAX_CALLS", 100)
 
     def tries(log):
         for _ in range(times):
@@ -166,7 +171,7 @@ def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, tim
                 log(np.eye(3))
         return _thorough(log)
 
-    verdict = judge(TEST_LOG, Here(tries))
+    verdict = judge(TEST_LOG, LocalFunction(tries))
     assert verdict.state == state
     assert (state == RIGHT) != (
         "took more than 100 calls of the function that it tests" in describe(verdict)
@@ -182,8 +187,8 @@ def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
             case.version.right for (case,) in TEST_LOG.questions(np.random.default_rng(seed))[0]
         ]
         numbers = {k for k, is_right in enumerate(order) if is_right}
-        assert judge(TEST_LOG, Here(by_number), seed).state == RIGHT
-        assert judge(TEST_LOG, Here(by_number), seed + 100).state == WRONG
+        assert judge(TEST_LOG, LocalFunction(by_number), seed).state == RIGHT
+        assert judge(TEST_LOG, LocalFunction(by_number), seed + 100).state == WRONG
 
 
 def _request(candidate, *arguments):
@@ -247,7 +252,7 @@ SHIFTED = replace(
     ],
 )
 def test_a_changed_answer_is_called_by_its_name(answer, name):
-    mistake = judge(SHIFTED, Here(answer)).mistake
+    mistake = judge(SHIFTED, LocalFunction(answer)).mistake
     assert (mistake and mistake.name) == name
 
 
@@ -282,7 +287,7 @@ MIXED = replace(
     ],
 )
 def test_a_changed_argument_is_named_and_else_what_the_property_says(answer, name):
-    assert judge(MIXED, Here(answer)).mistake.name == name
+    assert judge(MIXED, LocalFunction(answer)).mistake.name == name
 
 
 def test_a_change_returned_without_what_it_changes_is_called_so():
@@ -291,7 +296,10 @@ def test_a_change_returned_without_what_it_changes_is_called_so():
         library=lambda x: x + x**2,
         properties=(Property("", lambda y, x: np.allclose(y, x)),),
     )
-    assert judge(exercise, Here(lambda x: x**2)).mistake.name == "only the change of x is returned"
+    assert (
+        judge(exercise, LocalFunction(lambda x: x**2)).mistake.name
+        == "only the change of x is returned"
+    )
 
 
 # What else a verdict says
@@ -300,14 +308,14 @@ def test_a_change_returned_without_what_it_changes_is_called_so():
 def test_the_notebook_asks_the_cases_of_more_seeds_before_it_says_right():
     """An answer that is wrong for one seed in ten is not right in the notebook."""
     exercise = replace(DOUBLE, cases=lambda rng: [(2.0,), (float(rng.integers(10)),)], broken=None)
-    rarely_wrong = Here(lambda x: 2 * x if x != 7 else 0.0)
+    rarely_wrong = LocalFunction(lambda x: 2 * x if x != 7 else 0.0)
     assert judge(exercise, rarely_wrong).state == RIGHT
     assert review(exercise, rarely_wrong).state == WRONG
-    assert review(exercise, Here(lambda x: 2 * x)).state == RIGHT
+    assert review(exercise, LocalFunction(lambda x: 2 * x)).state == RIGHT
 
 
 def test_nothing_there_is_not_attempted():
-    assert judge(NEAREST_SO, Here(None)).state == NOT_ATTEMPTED
+    assert judge(NEAREST_SO, LocalFunction(None)).state == NOT_ATTEMPTED
 
 
 @pytest.mark.parametrize(

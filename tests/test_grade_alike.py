@@ -55,7 +55,7 @@ def test_a_disguised_copy_is_found_wherever_it_stands_and_an_honest_answer_is_no
 def test_what_many_students_have_comes_from_the_task(monkeypatch):
     everyone = [work(f"s{i}", OWN) for i in range(3)]
     assert len(named(*everyone)) == 3
-    monkeypatch.setattr(alike, "MANY", 2)
+    monkeypatch.setattr(alike, "MAX_STUDENTS", 2)
     assert named(*everyone) == []
 
 
@@ -100,7 +100,7 @@ def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monk
     path = tmp_path / "alike.html"
     write_alike(path, find(tmp_path / "in", [NOTEBOOK]))
     assert "anna and bo" in path.read_text()
-    monkeypatch.setattr(alike, "LEAST", 10**6)
+    monkeypatch.setattr(alike, "MIN_SCORE", 10**6)
     write_alike(path, find(tmp_path / "in", [NOTEBOOK]))
     assert "anna and bo" in path.read_text()
     os.utime(tmp_path / f"in/bo/{NOTEBOOK}.ipynb", (5, 5))

@@ -8,7 +8,7 @@ import pytest
 from hostile.build import NAME, OTHERS, SEED, book
 from toy_exercises import NEAREST_SO
 
-from course_lib.checks.exercise import RIGHT, WRONG, Here
+from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction
 from course_lib.pack.grade import judging, notebook_file, right_functions, submission
 from course_lib.pack.grade.judging import ask
 from course_lib.pack.grade.notebook_file import courses
@@ -29,7 +29,7 @@ class InThisProcess(SimpleNamespace):
 
     def reply(self, questions, consult=None):
         self.asked += 1
-        return Here(self.function).reply(questions, consult)
+        return LocalFunction(self.function).reply(questions, consult)
 
 
 def right(M):

@@ -14,10 +14,10 @@ from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
 from test_bank import FILES, exercise_of, notebook_of
 
-from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, Here, judge
+from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, LocalFunction, judge
 from course_lib.checks.write_test import WriteTest
 
-MOST = 35  # of the mutants of an exercise
+MAX_MUTANTS = 35  # of the mutants of an exercise
 SLOW = (
     "random_rotations random_quaternions newton_ik panda_ik plan_pick good_matches reached_targets "
     "test_wrap_angle"
@@ -59,7 +59,7 @@ class Judge:
 
         The part that refuses it comes first for the next mutant.
         """
-        student = Here(made(mutant, self.name, self.space))
+        student = LocalFunction(made(mutant, self.name, self.space))
         refusing = next((part for part in self.parts if judge(part, student).state != RIGHT), None)
         if refusing:
             self.parts.remove(refusing)
@@ -97,7 +97,7 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     every = mutants(sources[name])
     tried = [
         mutant
-        for mutant in spread(every, 16 if name in SLOW.split() else MOST)
+        for mutant in spread(every, 16 if name in SLOW.split() else MAX_MUTANTS)
         if TOO_LARGE not in mutant.source
     ]
     alive = [mutant for mutant in tried if judge_of.lives(mutant.source)]

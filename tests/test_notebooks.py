@@ -25,8 +25,8 @@ REPORT = [
     "Errors in it",
     "Remarks",
 ]  # the last one only where there are any
-MOST_LINES = 26
-MOST_BYTES = 3_000_000  # notebook 6 holds all of its 50,000 samples, in two thirds of this
+MAX_LINES = 26
+MAX_BYTES = 3_000_000  # notebook 6 holds all of its 50,000 samples, in two thirds of this
 
 pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
@@ -47,9 +47,9 @@ def outputs(notebook):
 def test_is_valid_small_and_made_of_small_cells(path):
     notebook = nbformat.read(path, 4)
     nbformat.validate(notebook)
-    assert path.stat().st_size < MOST_BYTES
+    assert path.stat().st_size < MAX_BYTES
     assert [
-        cell.id for cell in code_cells(notebook) if len(cell.source.splitlines()) > MOST_LINES
+        cell.id for cell in code_cells(notebook) if len(cell.source.splitlines()) > MAX_LINES
     ] == []
 
 

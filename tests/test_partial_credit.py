@@ -8,7 +8,7 @@ import pytest
 from scipy.linalg import expm
 
 from course_lib import rigid
-from course_lib.checks.exercise import RIGHT, WRONG, Here, judge
+from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.lessons.poe_kuka_iiwa import check
 
@@ -16,7 +16,7 @@ EXP = check.exp_se3.exercise
 
 
 def verdict(answer, exercise=EXP):
-    return judge(exercise, Here(answer), seed=5)
+    return judge(exercise, LocalFunction(answer), seed=5)
 
 
 def only_turns(twist):

@@ -11,7 +11,7 @@ import pytest
 from toy_exercises import DOUBLE
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import RIGHT, WRONG, Exercise, Here, Property, judge
+from course_lib.checks.exercise import RIGHT, WRONG, Exercise, LocalFunction, Property, judge
 from course_lib.checks.messages import describe
 from course_lib.checks.special_cases import (
     BESIDE,
@@ -113,8 +113,8 @@ def test_a_hole_of_any_width_beside_a_special_value_is_found(width):
     def with_a_hole(a):
         return 0.0 if np.pi - a < width else np.sin(a) / 2
 
-    assert judge(replace(SINE, sweeps=()), Here(with_a_hole)).state == RIGHT
-    assert judge(SINE, Here(with_a_hole)).state == WRONG
+    assert judge(replace(SINE, sweeps=()), LocalFunction(with_a_hole)).state == RIGHT
+    assert judge(SINE, LocalFunction(with_a_hole)).state == WRONG
 
 
 # What is said of answers that are nearly right
@@ -141,13 +141,13 @@ HALF = replace(
 def test_few_digits_are_named_before_anything_else(answer, name):
     always = Property(HALF.properties[0].text, HALF.properties[0].holds)
     exercise = replace(HALF, properties=(always,))
-    assert name in judge(exercise, Here(answer)).mistake.name
+    assert name in judge(exercise, LocalFunction(answer)).mistake.name
 
 
 def test_a_difference_that_the_numbers_shown_do_not_show_is_printed():
-    text = describe(judge(HALF, Here(lambda x: x / 2 * (1 + 3e-8))))
+    text = describe(judge(HALF, LocalFunction(lambda x: x / 2 * (1 + 3e-8))))
     assert re.search(r"Your answer is off by \d\.\de-08\.", text)
-    text = describe(judge(HALF, Here(lambda x: x)))
+    text = describe(judge(HALF, LocalFunction(lambda x: x)))
     assert "off by" not in text
 
 
@@ -159,9 +159,11 @@ def into_a_copy(x):
 
 def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
     cases = lambda rng: [(np.array([1.5, 0.25]),), (np.array([3.0, 5.0]),)]  # noqa: E731
-    mistake = judge(replace(HALF, cases=cases), Here(into_a_copy)).mistake
+    mistake = judge(replace(HALF, cases=cases), LocalFunction(into_a_copy)).mistake
     assert mistake.name.startswith("the answer is wrong for whole numbers only")
-    wrong_for_all = judge(replace(HALF, cases=cases), Here(lambda x: into_a_copy(x) + 0.3)).mistake
+    wrong_for_all = judge(
+        replace(HALF, cases=cases), LocalFunction(lambda x: into_a_copy(x) + 0.3)
+    ).mistake
     assert wrong_for_all is None or "whole numbers only" not in wrong_for_all.name
 
 
@@ -176,7 +178,7 @@ TINY_ROTATIONS = replace(
 
 
 def test_a_transpose_is_named_although_a_tiny_rotation_is_nearly_its_transpose():
-    mistake = judge(TINY_ROTATIONS, Here(lambda w: exp_so3(w).T)).mistake
+    mistake = judge(TINY_ROTATIONS, LocalFunction(lambda w: exp_so3(w).T)).mistake
     assert mistake.name == "the answer is the transpose of what it should be"
 
 
@@ -281,7 +283,7 @@ def test_answers_that_take_small_numbers_for_0_are_refused(exercise):
         except ValueError:  # a matrix is no rotation without its small entries
             return exercise.library(*case)
 
-    assert judge(replace(exercise, forbidden=()), Here(student)).state == WRONG
+    assert judge(replace(exercise, forbidden=()), LocalFunction(student)).state == WRONG
 
 
 FORMS = {

@@ -8,7 +8,7 @@ function's arguments, and returns what the function answers, as plain data if po
 import numpy as np
 
 _ROUNDING = 1e-12  # by which formulas with symbols and with numbers may differ
-_DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
+_MAX_DEPTH = 12  # how deep lists may be nested; wire.py refuses deeper ones
 
 
 class NoNumber(ValueError):
@@ -76,7 +76,7 @@ ADAPTERS = {"": directly, "symbols": with_symbols}
 
 def _agree(value, other, depth=0):
     """Return whether two answers agree to rounding; True for answers that are not numbers."""
-    if depth > _DEPTH:
+    if depth > _MAX_DEPTH:
         return True
     if isinstance(value, list | tuple) and isinstance(other, list | tuple):
         same_length = len(value) == len(other)
@@ -108,7 +108,7 @@ def _evaluated(value, at, depth=0):
         return np.array(_evaluated(value.tolist(), at))
     if isinstance(value, np.ndarray) and value.dtype == object:
         value = value.tolist()
-    if isinstance(value, list | tuple) and depth <= _DEPTH:
+    if isinstance(value, list | tuple) and depth <= _MAX_DEPTH:
         items = [_evaluated(item, at, depth + 1) for item in value]
         return items if isinstance(value, list) else tuple(items)
     return _number(value.xreplace(at)) if isinstance(value, sympy.Expr) else value

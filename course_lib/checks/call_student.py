@@ -14,7 +14,7 @@ import sys
 import types
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -24,8 +24,8 @@ from course_lib.checks.right_ones import namespace_of, right_ones, written_funct
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-_MOST_CALLS = 5_000  # of one candidate, by a test; the tasks say so
-_MAX_WARNING = 300  # letters of a warning or an error's message
+_MAX_CALLS = 5_000  # of one candidate, by a test; the tasks say so
+_MAX_WARNING = 300  # characters of a warning or an error's message
 _MODULES_OF_CHECKS = ("course_lib.lessons.", "course_lib.checks.")
 _ENDS_ALL = ("TimeUp", "NotAllowed", "KeyboardInterrupt")  # errors after which no case is asked
 
@@ -229,8 +229,8 @@ class _StandIn:
 
     def __call__(self, *arguments, **named):
         self._calls += 1
-        if self._calls > _MOST_CALLS and not self._names:
-            raise TimeUp(f"more than {_MOST_CALLS:,} calls of the function that it tests")
+        if self._calls > _MAX_CALLS and not self._names:
+            raise TimeUp(f"more than {_MAX_CALLS:,} calls of the function that it tests")
         further = self._names[len(arguments) :]
         arguments += tuple(named.pop(name) for name in further if name in named)
         if named:
@@ -281,52 +281,94 @@ def _put_back():
         np.set_printoptions(**printing)
 
 
+class _Forbidden(NamedTuple):
+    """What the answer may not use: an object, the name by which it is refused, and where it goes.
+
+    packages: it is replaced in the modules of these, and in the notebook.
+    """
+
+    thing: object
+    name: str
+    packages: tuple[str, ...]
+
+
 @contextlib.contextmanager
 def _taken_away(names, function, exercise):
     """Replace the functions with these dotted names in the library and in the student's notebook.
 
-    So are the objects in the notebook of a class with such a name: an arm made in another cell does
-    its work as well; the checks that have one of these functions, or are the exercise's own; and
-    what their `use` returned in another cell. Yields the answer to every question if the student's
-    function is itself one of them, else None. This is a deterrent: a pasted copy of the library's
-    code is not recognized.
+    What does their work in the notebook is replaced too, see _forbidden_in_notebook. Yields the
+    answer to every question if the student's function is itself one of them, else None. This is a
+    deterrent: a pasted copy of the library's code is not recognized.
     """
-    things = {}
+    forbidden = _forbidden_functions(names)
+    refused = None
+    if id(function) in forbidden:
+        refused = _error("NotAllowed", forbidden[id(function)].name)
+    own = namespace_of(function)
+    forbidden |= _forbidden_in_notebook(own, exercise, forbidden)
+    replaced = []
+    try:
+        for place, space in _spaces(forbidden, own):
+            for key, value in list(space.items()):
+                taken = forbidden.get(id(value))
+                if taken is not None and place.startswith(taken.packages):
+                    replaced.append((space, key, value))
+                    space[key] = _Taken(taken.name)
+        yield refused
+    finally:
+        for space, key, thing in replaced:
+            space[key] = thing
+
+
+def _forbidden_functions(names):
+    """Return {id: _Forbidden} of the functions and classes with these dotted names."""
+    forbidden = {}
     for name in names:
         module, _, attribute = name.rpartition(".")
         thing = getattr(importlib.import_module(module), attribute)
-        things[id(thing)] = thing, name, ("course_lib", module)
-    refused = _error("NotAllowed", things[id(function)][1]) if id(function) in things else None
-    own = namespace_of(function)
+        forbidden[id(thing)] = _Forbidden(thing, name, ("course_lib", module))
+    return forbidden
+
+
+def _forbidden_in_notebook(own, exercise, functions):
+    """Return {id: _Forbidden} of what does the work of forbidden functions in a notebook.
+
+    That is each object of a forbidden class, because an arm made in another cell does its work as
+    well; the checks that have one of these functions, or are the exercise's own; and what their
+    `use` returned in another cell.
+
+    own: the names of the notebook. exercise: its name. functions: {id: _Forbidden}.
+    """
+    forbidden = {}
     for value in list(own.values()):
-        if id(type(value)) in things:
-            things[id(value)] = value, things[id(type(value))][1], ("course_lib",)
+        if id(type(value)) in functions:
+            name = functions[id(type(value))].name
+            forbidden[id(value)] = _Forbidden(value, name, ("course_lib",))
     partials = [value for value in own.values() if isinstance(value, functools.partial)]
     for name, check in _checks(own):
         library = getattr(check, "library", None)
-        if library is None or (name != exercise and id(library) not in things):
+        is_forbidden = name == exercise or id(library) in functions
+        if library is None or not is_forbidden:
             continue
-        things[id(check)] = check, f"check.{name}", ("course_lib",)
+        forbidden[id(check)] = _Forbidden(check, f"check.{name}", ("course_lib",))
         for used in partials:
             if used.func is library:
-                things[id(used)] = used, f"the library's {name}", ("course_lib",)
-    packages = tuple(sorted({package for *_, where in things.values() for package in where}))
-    spaces = [(key, vars(sys.modules[key])) for key in _inside(packages, tuple(sys.modules))]
-    put_back = []
+                forbidden[id(used)] = _Forbidden(used, f"the library's {name}", ("course_lib",))
+    return forbidden
+
+
+def _spaces(forbidden, own):
+    """Yield (name, namespace) of the modules, and of the notebook, that hold forbidden things.
+
+    The notebook goes by the name of the library, in all of whose modules things are replaced.
+    """
+    packages = {package for taken in forbidden.values() for package in taken.packages}
+    modules = _inside(tuple(sorted(packages)), tuple(sys.modules))
+    spaces = [(name, vars(sys.modules[name])) for name in modules]
     for place, space in [*spaces, ("course_lib", own)]:
-        # Nearly all spaces hold none of them, and this takes a fifth of the time of the loop below.
-        if things.keys().isdisjoint(map(id, list(space.values()))):
-            continue
-        for key, value in list(space.items()):
-            thing, name, where = things.get(id(value), (None, "", ()))
-            if thing is not None and place.startswith(where):
-                put_back.append((space, key, thing))
-                space[key] = _Taken(name)
-    try:
-        yield refused
-    finally:
-        for space, key, thing in put_back:
-            space[key] = thing
+        # Nearly all spaces hold none of them, and this takes a fifth of the time of a look at each.
+        if not forbidden.keys().isdisjoint(map(id, list(space.values()))):
+            yield place, space
 
 
 def _checks(own):

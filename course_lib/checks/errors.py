@@ -121,19 +121,19 @@ _KNOWN = (
 )
 
 
-def explain_error(exercise, kind, message, line="", source="", cell=""):
+def explain_error(exercise, error):
     """Return what an error says of an answer: ("waits", "wrong" or "error", reason, Mistake or
     None, show the case).
 
     Parameters
     ----------
     exercise : Exercise
-    kind, message : str
-        The name of the exception's type, and its text.
-    line, source, cell : str, optional
-        The number and the text of the student's last line that ran, and the function whose cell
-        holds it if that is another one.
+    error : dict
+        "type" and "message", the name of the exception's type and its text; and, where they are
+        known, "line", "source" and "cell": the number and the text of the student's last line that
+        ran, and the function whose cell holds it if that is another one.
     """
+    kind, message = error["type"], error["message"]
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if kind == "NotImplementedError":
         return "waits", _waits(exercise.name, message), None, False
@@ -159,19 +159,27 @@ def explain_error(exercise, kind, message, line="", source="", cell=""):
     if kind == "TimeUp":
         of_any_exercise = _TOO_MANY_CALLS if "calls of the function" in message else _TOO_LONG
         return "error", f"{call} took {message}.", own[0] if own else of_any_exercise, True
-    where = f"Line {line} of {f'the cell of {cell}' if cell else 'its cell'}, `{source}`, raises"
-    said = f"{kind}: {message}" if message else kind
     of_any_exercise = [
-        mistake for type_, words, mistake in _KNOWN if type_ == kind and re.search(words, message)
+        mistake
+        for known_kind, words, mistake in _KNOWN
+        if known_kind == kind and re.search(words, message)
     ]
-    shows_case = (
-        not exercise.through
-    )  # otherwise the function was not given the numbers of the case
-    known = own + of_any_exercise
+    mistakes = own + of_any_exercise
+    source = error.get("source", "")
     if source.startswith("raise "):
-        known.append(_RAISED)
-    mistake = known[0] if known else None
-    return "error", f"{where if source else f'Calling {call} raises'} {said}", mistake, shows_case
+        mistakes.append(_RAISED)
+    mistake = mistakes[0] if mistakes else None
+    where = _place(error) if source else f"Calling {call}"
+    exception = f"{kind}: {message}" if message else kind
+    # A function that was called with symbols was not given the numbers of the case.
+    shows_case = not exercise.through
+    return "error", f"{where} raises {exception}", mistake, shows_case
+
+
+def _place(error):
+    """Return the student's line that raised an error, and whose cell holds it."""
+    cell = f"the cell of {error['cell']}" if error.get("cell") else "its cell"
+    return f"Line {error['line']} of {cell}, `{error['source']}`,"
 
 
 def _waits(name, message):

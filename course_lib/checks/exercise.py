@@ -138,7 +138,7 @@ class Exercise:
     >>> @double.mistake("x is squared", "What is twice x?")
     ... def squared(x):
     ...     return x**2
-    >>> judge(double, Here(lambda x: x * x)).mistake
+    >>> judge(double, LocalFunction(lambda x: x * x)).mistake
     Mistake('x is squared')
     """
 
@@ -235,7 +235,7 @@ class Exercise:
     def _ended(self, position, cases, answers):
         """Return the Verdict on answers of which this one ended in an error."""
         error = answers[position]["error"]
-        verdict = no_answer(self, cases[position], **error)
+        verdict = no_answer(self, cases[position], error)
         credit = 0 if error["type"] == "NotAllowed" else self._credit(cases, answers)
         if credit and verdict.state == NOT_ATTEMPTED:
             return Verdict(
@@ -379,7 +379,7 @@ class Verdict:
         return self.exercise.points if self.state == RIGHT else self.credit
 
 
-class Here:
+class LocalFunction:
     """A student's function in this process, for the checks in the notebook.
 
     Parameters
@@ -425,8 +425,8 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     exercise : Exercise
     student : object
         Its reply(questions, consult) passes JSON text to call_student.reply in the function's
-        process: Here, or a stand-in for another process. The reply is read as plain data and not
-        trusted otherwise.
+        process: LocalFunction, or a stand-in for another process. The reply is read as plain data
+        and not trusted otherwise.
     seed : int
         Of the cases.
     seconds : float
@@ -487,9 +487,9 @@ def with_blame(verdict, others):
     return replace(verdict, blames=first)
 
 
-def no_answer(exercise, case, type, message, line="", source="", cell=""):
-    """Return the Verdict on a call that ended in an error; see errors.explain_error."""
-    state, reason, mistake, shows_case = explain_error(exercise, type, message, line, source, cell)
+def no_answer(exercise, case, error):
+    """Return the Verdict on a call that ended in an error, a dict as in call_student.reply."""
+    state, reason, mistake, shows_case = explain_error(exercise, error)
     states = {"waits": NOT_ATTEMPTED, "wrong": WRONG, "error": ERROR}
     return Verdict(exercise, states[state], reason, mistake, case if shows_case else None)
 

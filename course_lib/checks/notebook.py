@@ -12,7 +12,7 @@ from course_lib.checks.exercise import (
     NOT_ATTEMPTED,
     RIGHT,
     WRONG,
-    Here,
+    LocalFunction,
     Verdict,
     judge,
     no_answer,
@@ -119,7 +119,7 @@ class Check:
         kernel.show(text, MARKS[self.verdict.state][1], inside=folded(self.verdict))
 
     def _judged(self, function):
-        verdict = review(self.exercise, Here(function))
+        verdict = review(self.exercise, LocalFunction(function))
         waits = verdict.state == NOT_ATTEMPTED and verdict.reason
         if verdict.state not in (WRONG, ERROR) and not waits:
             return verdict
@@ -142,7 +142,8 @@ class Check:
             return verdict
         for other in unfinished:
             if is_excluded(self.exercise, other):
-                refused = no_answer(self.exercise, None, "NotAllowed", other.name)
+                not_allowed = {"type": "NotAllowed", "message": other.name}
+                refused = no_answer(self.exercise, None, not_allowed)
                 return replace(refused, case=None)
         calls, waiting = {self.exercise.name: called}, list(unfinished)
         while waiting:
@@ -155,7 +156,7 @@ class Check:
         if circle:
             names = " and ".join([self.exercise.name, *circle])
             return Verdict(self.exercise, ERROR, f"Your {names} call each other in a circle.")
-        again = review(self.exercise, Here(function, RightOnes(self.exercise, unfinished)))
+        again = review(self.exercise, LocalFunction(function, RightOnes(self.exercise, unfinished)))
         if again.state in (RIGHT, WRONG):
             return replace(again, instead=tuple(other.name for other in unfinished))
         return replace(verdict, blames=unfinished[0].name)
@@ -165,7 +166,7 @@ class Check:
         running it."""
         others = [check.exercise for check in self.siblings if check.exercise is not exercise]
         right_ones = RightOnes(exercise, others)
-        judge(exercise, Here(function, right_ones), seconds=_CALLS_SECONDS)
+        judge(exercise, LocalFunction(function, right_ones), seconds=_CALLS_SECONDS)
         return right_ones.called
 
     def _not_in_the_notebook(self, files):
@@ -220,7 +221,7 @@ class Check:
 
 
 def _is_right(exercise, function):
-    return callable(function) and review(exercise, Here(function)).state == RIGHT
+    return callable(function) and review(exercise, LocalFunction(function)).state == RIGHT
 
 
 def _files_not_handed_in(function):

@@ -12,10 +12,10 @@ import numpy as np
 
 from course_lib.checks.tolerances import EXACT
 
-_MOST_WHOLE = 4  # cases repeated with whole numbers in their arrays
-_MOST_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
+_MAX_WHOLE = 4  # cases repeated with whole numbers in their arrays
+_MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
-_LARGEST_WHOLE = 1e6
+_MAX_WHOLE_NUMBER = 1e6
 
 # From 0.3 down to the rounding of numbers near 1. Between two neighbours a right answer's error
 # changes by no more than a factor of about 3, so no wrong branch fits between them.
@@ -89,7 +89,7 @@ def made_cases(cases, names, sweeps, angles, rng):
     negative_zeros = [_with_negative_zeros(case) for case in cases]
     several = [beyond_a_revolution(max(cases, key=_variety), names, angles)] if angles else []
     with_zeros = [case for case in negative_zeros if case is not None]
-    made = [*swept, *whole[:_MOST_WHOLE], *with_zeros[:_MOST_ZEROS], *several]
+    made = [*swept, *whole[:_MAX_WHOLE], *with_zeros[:_MAX_ZEROS], *several]
     return [MadeCase(case) for case in made]
 
 
@@ -100,7 +100,7 @@ def _is_floats(argument):
 def _is_whole(argument):
     if not _is_floats(argument) or not np.isfinite(argument).all():
         return False
-    small = np.abs(argument).max() < _LARGEST_WHOLE
+    small = np.abs(argument).max() < _MAX_WHOLE_NUMBER
     return bool(small and np.abs(argument - np.rint(argument)).max() < _ROUNDING)
 
 

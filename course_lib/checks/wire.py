@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
+_MAX_DEPTH = 12  # how deep lists may be nested; this also stops at a list that contains itself
 _MAX_ENTRIES = 2_000_000  # of an array
-_MOST_BITS = 10_000  # of a whole number: Python writes no number of more than 4,300 digits
+_MAX_BITS = 10_000  # of a whole number: Python writes no number of more than 4,300 digits
 _WRITTEN_AS_THEY_ARE = frozenset({"<f8", "<i8", "|b1", "<c16"})  # the types of nearly all arrays
 
 
@@ -90,12 +90,12 @@ def to_json(value, depth=0):
     NotPlain
         If the value is, or holds, anything else.
     """
-    if depth > _DEPTH:
+    if depth > _MAX_DEPTH:
         raise NotPlain("lists nested too deeply")
     if isinstance(value, np.ndarray | np.generic):
         return _array_to_json(value)
-    if isinstance(value, int) and int.bit_length(value) > _MOST_BITS:
-        raise NotPlain(f"a whole number of more than {int(_MOST_BITS * math.log10(2))} digits")
+    if isinstance(value, int) and int.bit_length(value) > _MAX_BITS:
+        raise NotPlain(f"a whole number of more than {int(_MAX_BITS * math.log10(2))} digits")
     if value is None or isinstance(value, bool | int | float | str):
         return value
     if isinstance(value, Seed):
@@ -146,7 +146,7 @@ def from_json(node, depth=0):
     ValueError, TypeError or LookupError
         For anything else.
     """
-    if depth > _DEPTH:
+    if depth > _MAX_DEPTH:
         raise NotPlain("lists nested too deeply")
     if node is None or isinstance(node, bool | int | float | str):
         return node
@@ -171,7 +171,7 @@ def from_json(node, depth=0):
 def _array_from_json(node):
     dtype = np.dtype(str(node["array"]))
     shape = [int(n) for n in node["shape"]]
-    if len(shape) > _DEPTH or max(shape, default=0) > _MAX_ENTRIES:
+    if len(shape) > _MAX_DEPTH or max(shape, default=0) > _MAX_ENTRIES:
         raise NotPlain("an array too large to be an answer")
     data = base64.b64decode(node["bytes"], validate=True)
     if (

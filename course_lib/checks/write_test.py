@@ -116,9 +116,9 @@ class WriteTest(Exercise):
         for (case,), answer in zip(cases, answers, strict=True):
             error = answer.get("error")
             if error and error["type"] in _ENDS_HERE:
-                return replace(no_answer(self, None, **error), case=None)
+                return replace(no_answer(self, None, error), case=None)
             if error and case.version.right:
-                verdict = no_answer(self, None, **error)
+                verdict = no_answer(self, None, error)
                 reason = (
                     f"{verdict.reason}\nYour test raised this for a right version: one "
                     f"{case.version.kind}."

@@ -32,10 +32,10 @@ from course_lib.pack.grade.zips import Refused
 from course_lib.pack.release.stubs import students_copy
 
 PASSAGE = 20  # tokens: about two lines
-MANY = 10  # students; MOSS has the same number
-LEAST = 8  # score of a pair on the page, see pairs
+MAX_STUDENTS = 10  # students; MOSS has the same number
+MIN_SCORE = 8  # score of a pair on the page, see pairs
 VERBATIM = 120  # passages of the library or a solution, names included: some 15 lines
-MOST = 100  # pairs on the page
+MAX_PAIRS = 100  # pairs on the page
 CPU_SECONDS, MEMORY = 7200, 8 * 10**9  # for the page
 
 Passages = dict[int, tuple[int, int]]  # {hash of a passage: (begin, end)}
@@ -150,8 +150,9 @@ def write_alike(
 
 
 def pairs(everyone: Sequence[Work]) -> list[tuple[float, Work, Work, set[int]]]:
-    """Return [(score, a Work, another, their passages)] of what at most MANY students of a year
-    have, highest first.
+    """Return [(score, a Work, another, their passages)], the pairs of highest score first.
+
+    Only passages that at most MAX_STUDENTS students of a year have count.
 
     Passages of the release and the library are left out. The score is the number of passages that
     the two share, where one that n students have counts 1 / (n - 1), times the share that this is
@@ -166,14 +167,14 @@ def pairs(everyone: Sequence[Work]) -> list[tuple[float, Work, Work, set[int]]]:
             for passage in _all(work.cells) - ours if work.notebook == notebook else ():
                 having[passage].append(work)
         for passage, those in having.items():
-            if max(Counter(work.year for work in those).values()) <= MANY:
+            if max(Counter(work.year for work in those).values()) <= MAX_STUDENTS:
                 rare.update(those)
                 for one, other in itertools.combinations(those, 2):
                     if not (one.year and other.year) and words(one.student) != words(other.student):
                         counts[one, other] += 1 / (len(those) - 1)
                         shared[one, other].add(passage)
     scores = {pair: count**2 / min(rare[work] for work in pair) for pair, count in counts.items()}
-    found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= LEAST]
+    found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= MIN_SCORE]
     return sorted(
         found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook)
     )
@@ -203,11 +204,11 @@ def alike_page(everyone: Sequence[Work], stamp: str = "") -> str:
     shown = [
         {"who": [_whose(one), _whose(other)], "notebook": one.notebook, "score": round(score),
          "sides": [_marked(one.cells, shared), _marked(other.cells, shared)]}
-        for score, one, other, shared in found[:MOST]
+        for score, one, other, shared in found[:MAX_PAIRS]
     ]  # fmt: skip
     about = {
         "passage": PASSAGE,
-        "many": MANY,
+        "many": MAX_STUDENTS,
         "left": len(found) - len(shown),
         "copies": copies(everyone),
     }

@@ -14,7 +14,7 @@ from course_lib.pack.grade.cells import run_cells
 from course_lib.pack.grade.judging import ask
 from course_lib.pack.grade.run import Instead, Outcome, Place, Run, time_is_up
 from course_lib.pack.grade.sandbox import Ended, TooSlow
-from course_lib.pack.grade.student import CHECK_PREFIX, MOST_CALLS, Student
+from course_lib.pack.grade.student import CHECK_PREFIX, MAX_CALLS, Student
 from course_lib.pack.grade.student_view import contents
 
 CELL_CALL_SECONDS = 10  # of the grader's own processor time for one call of check.NAME.library
@@ -110,7 +110,7 @@ class Attempt:
         name = called_name(text) or ""
         exercise = self.run.exercise(name.removeprefix(CHECK_PREFIX))
         self._calls_of_cells += 1
-        if exercise is None or not can_answer(exercise) or self._calls_of_cells > MOST_CALLS:
+        if exercise is None or not can_answer(exercise) or self._calls_of_cells > MAX_CALLS:
             return json.dumps({"error": "there is no such function"})
         if exercise.name in self.asked:
             return json.dumps({"error": f"{name}.library answers no more after its check"})

@@ -11,7 +11,7 @@ from course_lib.pack.grade.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, Watch
 
 # of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
-MOST_CALLS = 100_000
+MAX_CALLS = 100_000
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 UNREADABLE_REPLY = "What came back cannot be read"
 
@@ -78,7 +78,7 @@ class Student:
             calls = 0
             while isinstance(message.get("call"), str):
                 calls += 1
-                answer = self._answer(message["call"], consult) if calls <= MOST_CALLS else None
+                answer = self._answer(message["call"], consult) if calls <= MAX_CALLS else None
                 self._sandbox.send({"answer": answer}, watch)
                 message = self._receive(watch)
         except Ended as end:
