@@ -33,7 +33,7 @@ def messages(result):
 @pytest.mark.parametrize("name", courses())
 def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
     if name != NAME:  # a sandbox for each candidate of a test takes time: one notebook has them
-        monkeypatch.setattr(attempt, "apart", lambda run, outcome, *rest: outcome)
+        monkeypatch.setattr(attempt, "ask_separately", lambda run, outcome, *rest: outcome)
     result = grade((NOTEBOOKS / f"{name}.ipynb").read_bytes(), name, SEED)
     assert set(states(result).values()) == {"right"}, result
     assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)

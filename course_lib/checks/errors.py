@@ -185,10 +185,10 @@ def _place(error):
 def _waits(name, message):
     """Return what to write first if the function calls another exercise that is not written yet;
     else ""."""
-    found = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
-    if found is None or found[1] == name:
+    unwritten = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
+    if unwritten is None or unwritten[1] == name:
         return ""
     return (
-        f"it calls {found[1]}, which is not written yet. Write {found[1]} first, then run this "
-        "check again."
+        f"it calls {unwritten[1]}, which is not written yet. Write {unwritten[1]} first, then run "
+        "this check again."
     )

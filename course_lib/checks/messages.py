@@ -34,17 +34,21 @@ def describe(verdict):
     -------
     str
     """
-    return "\n".join(filter(None, (_said(verdict), _shown(verdict), _offer(verdict))))
+    return "\n".join(
+        filter(None, (_explanation(verdict), _failing_case(verdict), _offer_of_hint(verdict)))
+    )
 
 
 def folded(verdict):
     """Return a message in HTML whose case is folded, since it would push the hint out of view; None
     for a short one."""
     lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
-    if not _shown(verdict) or sum(map(len, lines)) <= _IN_VIEW:
+    if not _failing_case(verdict) or sum(map(len, lines)) <= _IN_VIEW:
         return None
-    said, case, offer = (html.escape(part(verdict)) for part in (_said, _shown, _offer))
-    return f"{said}<details><summary>Input and answer</summary>{case}</details>{offer}"
+    explanation, case, offer = (
+        html.escape(part(verdict)) for part in (_explanation, _failing_case, _offer_of_hint)
+    )
+    return f"{explanation}<details><summary>Input and answer</summary>{case}</details>{offer}"
 
 
 def listed(names):
@@ -55,15 +59,17 @@ def listed(names):
 # ---- its parts ----
 
 
-def _said(verdict):
+def _explanation(verdict):
     """Return what a message says, and from which line a student goes on."""
     exercise, mark = verdict.exercise, MARKS[verdict.state][0]
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""
         if verdict.instead:
             others = listed(verdict.instead)
-            each = "a right one" if len(verdict.instead) == 1 else "right ones"
-            note += f"; it calls your {others}, not right yet, and was judged with {each} instead"
+            stand_ins = "a right one" if len(verdict.instead) == 1 else "right ones"
+            note += (
+                f"; it calls your {others}, not right yet, and was judged with {stand_ins} instead"
+            )
         return f"{mark} {exercise.name}: right, {exercise.points} of {exercise.points} points{note}"
     if verdict.state == NOT_ATTEMPTED:
         return f"{mark} {exercise.name}: {verdict.reason or NOT_ATTEMPTED}"
@@ -96,7 +102,7 @@ def _said(verdict):
     return "\n".join(lines)
 
 
-def _shown(verdict):
+def _failing_case(verdict):
     """Return the arguments and the answer of the case that fails, or ""."""
     if verdict.case is None or verdict.blames:
         return ""
@@ -113,7 +119,7 @@ def _shown(verdict):
     return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
 
 
-def _offer(verdict):
+def _offer_of_hint(verdict):
     """Return how to get a hint if the message contains none, or ""."""
     named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
     return (

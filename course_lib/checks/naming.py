@@ -379,7 +379,7 @@ def common_mistakes(naming):
         )
     numbers_first = sorted(
         enumerate(exercise.arguments),
-        key=lambda each: attempt(np.ndim, naming.cases[0][each[0]]) or 0,
+        key=lambda numbered: attempt(np.ndim, naming.cases[0][numbered[0]]) or 0,
     )
     for k, argument in numbers_first:
         yield Mistake(
@@ -492,7 +492,9 @@ def _asked(right, change):
         return (
             None
             if other is None
-            else _unless_equal(*(np.asarray(right(*each), float) for each in (other, case)))
+            else _unless_equal(
+                *(np.asarray(right(*arguments), float) for arguments in (other, case))
+            )
         )
 
     return answer
@@ -570,12 +572,16 @@ def _numbers(argument):
 
 def _cut_off(value, *case):
     """Return whether an answer to lists or arrays of whole numbers is made of such."""
-    whole = any(
-        attempt(np.asarray, each).dtype.kind == "i"
-        for each in case
-        if isinstance(each, np.ndarray | list)
+    has_whole_numbers = any(
+        attempt(np.asarray, argument).dtype.kind == "i"
+        for argument in case
+        if isinstance(argument, np.ndarray | list)
     )
-    return whole and np.size(value) >= _MIN_NUMBERS and np.array_equal(value, np.trunc(value))
+    return (
+        has_whole_numbers
+        and np.size(value) >= _MIN_NUMBERS
+        and np.array_equal(value, np.trunc(value))
+    )
 
 
 def _transposed(M):

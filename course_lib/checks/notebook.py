@@ -340,7 +340,7 @@ class Progress:
         # Whoever leaves More out reads nothing of it.
         if any(v.state != NOT_ATTEMPTED for v in more):
             lines += [_bar("More", more), *(_line(v) for v in more if v.state != NOT_ATTEMPTED)]
-        choices = [each.choice for each in self.predictions if not each.prediction.more]
+        choices = [question.choice for question in self.predictions if not question.prediction.more]
         if choices:
             lines.append(
                 f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}"
@@ -359,9 +359,9 @@ class Progress:
 
 def _bar(name, verdicts):
     """Return a line with a bar for the points of some verdicts."""
-    done, of = sum(v.points for v in verdicts), sum(v.exercise.points for v in verdicts)
-    filled = round(20 * done / of)
-    return f"{'█' * filled}{'░' * (20 - filled)} {name}: {done} of {of} points"
+    points, offered = sum(v.points for v in verdicts), sum(v.exercise.points for v in verdicts)
+    filled = round(20 * points / offered)
+    return f"{'█' * filled}{'░' * (20 - filled)} {name}: {points} of {offered} points"
 
 
 def _line(verdict):

@@ -78,14 +78,14 @@ def right_ones(own: dict, stand_ins: Mapping[str, Callable]) -> Iterator[None]:
 def _definitions(own: dict, names: Mapping) -> list[tuple[str, object]]:
     """Return (name, object) of all that is, or was, called by these names at the top of the
     notebook."""
-    found = [(name, own[name]) for name in names if name in own]
-    current = {id(value) for _, value in found}
+    definitions = [(name, own[name]) for name in names if name in own]
+    current = {id(value) for _, value in definitions}
     for thing in gc.get_objects():
         if type(thing) is not types.FunctionType or thing.__globals__ is not own:
             continue
         if thing.__qualname__ in names and id(thing) not in current:
-            found.append((thing.__qualname__, thing))
-    return found
+            definitions.append((thing.__qualname__, thing))
+    return definitions
 
 
 def _replace(function, stand_in, own, entries, undo) -> None:

@@ -54,8 +54,8 @@ class Sweep:
 
     def cases(self, rng):
         """Return the cases of all values."""
-        made = [self.case(rng, value) for value in self.values]
-        return [case for case in made if case is not None]
+        cases = [self.case(rng, value) for value in self.values]
+        return [case for case in cases if case is not None]
 
 
 class MadeCase(tuple):

@@ -132,7 +132,12 @@ def other_bend(angles, tip):
     )
 
 
-# ---- comparisons; as `alike` of an exercise, they also take the arguments of the case ----
+# ---- comparisons ----
+#
+# `near` says whether an answer is right, to EXACT; `same`, in naming.py, whether it is what a
+# mistake predicts, to PREDICTED; and `difference` there how far it is from another. Those below
+# whose names begin with `same` or `distance` do so for answers of which several are right: an
+# exercise has them as `alike` and `distance`, so they also take the arguments of the case.
 
 
 def near(answer, right, *arguments):
@@ -149,32 +154,9 @@ def same_up_to_sign(value, predicted, *arguments):
     return same(value, predicted) or same(value, -np.asarray(predicted, float))
 
 
-def same_angles(value, predicted, *arguments, tolerance=PREDICTED):
-    """Return whether angles of any shape are the same up to multiples of 2 pi."""
-    return distance_of_angles(value, predicted) < tolerance
-
-
 def distance_up_to_sign(value, right, *arguments):
     """Return how far a quaternion (4,), or its negative, is from the right one."""
     return min(difference(value, right), difference(value, -np.asarray(right, float)))
-
-
-def distance_of_angles(value, right, *arguments):
-    """Return how far angles of any shape are from the right ones, up to multiples of 2 pi."""
-    return angle_gap(value, right) if np.shape(value) == np.shape(right) else np.inf
-
-
-def distance_of_lists(found, wanted, *arguments):
-    """Return how far each item of a list is from one of the other: angles, or rows, in any
-    order."""
-    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
-    if found.shape != wanted.shape or found.size == 0:
-        return np.inf
-
-    def from_nearest(items, others):
-        return max(min(angle_gap(item, other) for other in others) for item in items)
-
-    return max(from_nearest(found, wanted), from_nearest(wanted, found))
 
 
 def angle_gap(angles, wanted):
@@ -182,21 +164,46 @@ def angle_gap(angles, wanted):
     return np.abs(np.angle(np.exp(1j * (np.asarray(angles) - wanted)))).max(initial=0)
 
 
-def same_list(found, wanted, *arguments):
+def same_angles(value, predicted, *arguments, tolerance=PREDICTED):
+    """Return whether angles of any shape are the same up to multiples of 2 pi."""
+    return distance_of_angles(value, predicted) < tolerance
+
+
+def distance_of_angles(value, right, *arguments):
+    """Return how far angles of any shape are from the right ones, up to multiples of 2 pi."""
+    return angle_gap(value, right) if np.shape(value) == np.shape(right) else np.inf
+
+
+def same_list(answer, right, *arguments):
     """Return whether two lists hold the same angles, or rows of them, in any order and however
     often."""
-    found, wanted = np.asarray(found, float), np.asarray(wanted, float)
-    if len(found) == 0 or len(wanted) == 0:
-        return len(found) == len(wanted)
-    if found.shape[1:] != wanted.shape[1:]:
+    answer, right = np.asarray(answer, float), np.asarray(right, float)
+    if len(answer) == 0 or len(right) == 0:
+        return len(answer) == len(right)
+    if answer.shape[1:] != right.shape[1:]:
         return False
-    return inside(found, wanted) and inside(wanted, found)
+    return inside(answer, right) and inside(right, answer)
 
 
 def inside(some, others):
     """Return whether each of some angles, or rows of them, is among the others, up to multiples of
     2 pi."""
-    return all(any(angle_gap(a, b) < PREDICTED for b in others) for a in some)
+    return _distance_to_nearest(some, others) < PREDICTED
+
+
+def distance_of_lists(answer, right, *arguments):
+    """Return how far each item of a list is from one of the other: angles, or rows, in any
+    order."""
+    answer, right = np.asarray(answer, float), np.asarray(right, float)
+    if answer.shape != right.shape or answer.size == 0:
+        return np.inf
+    return max(_distance_to_nearest(answer, right), _distance_to_nearest(right, answer))
+
+
+def _distance_to_nearest(items, others):
+    """Return the largest distance of an item from the nearest of the others; 0 without items."""
+    nearest = [min((angle_gap(item, other) for other in others), default=np.inf) for item in items]
+    return max(nearest, default=0.0)
 
 
 def orthogonality_error(R):
@@ -253,11 +260,11 @@ def part_is(text, right, part, mistake=None):
         return np.asarray(right(*case), float)[part]
 
     def says(answer, *case):
-        right, found = wanted(*case), answer[part]
+        right, yours = wanted(*case), answer[part]
         return (
-            f"The right numbers are {compared(right, found)}."
+            f"The right numbers are {compared(right, yours)}."
             if right.ndim < 2
-            else first_off(found, right, "In this frame the {} column")
+            else first_off(yours, right, "In this frame the {} column")
         )
 
     return Property(
@@ -265,22 +272,24 @@ def part_is(text, right, part, mistake=None):
     )
 
 
-def first_off(found, wanted, what="The {} column"):
+def first_off(answer, expected, what="The {} column"):
     """Return in words which column is the first that is off; for rows, give both transposed."""
     i = int(
-        np.argmax([not near(yours, right) for yours, right in zip(found.T, wanted.T, strict=True)])
+        np.argmax(
+            [not near(yours, right) for yours, right in zip(answer.T, expected.T, strict=True)]
+        )
     )
-    return f"{what.format(ORDINALS[i])} should be {compared(wanted[:, i], found[:, i])}."
+    return f"{what.format(ORDINALS[i])} should be {compared(expected[:, i], answer[:, i])}."
 
 
-def compared(wanted, found):
+def compared(expected, answer):
     """Return in words what is wanted and what was found, and by how much it is off if the digits
     shown agree."""
-    right, yours = format_tuple(wanted), format_tuple(found)
-    if right == yours and np.abs(wanted).max(initial=0) < _TINY:  # both are shown as zeros
-        right, yours = format_tuple(wanted, rounding=0), format_tuple(found, rounding=0)
+    right, yours = format_tuple(expected), format_tuple(answer)
+    if right == yours and np.abs(expected).max(initial=0) < _TINY:  # both are shown as zeros
+        right, yours = format_tuple(expected, rounding=0), format_tuple(answer, rounding=0)
     if right == yours:
-        yours += f", off by {np.abs(found - wanted).max():.2g}"
+        yours += f", off by {np.abs(answer - expected).max():.2g}"
     return f"{right}; yours is {yours}"
 
 

@@ -154,9 +154,9 @@ class WriteTest(Exercise):
         # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one
         # input, refuses hardly more. One that always returns the same, or guesses, earns nothing.
         share = max(1 - (len(refused) / n_right + len(missed) / n_wrong) / 0.3, 0)
-        said = "your test accepts every right version and rejects every wrong one."
-        said += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
-        said += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
+        reason = "your test accepts every right version and rejects every wrong one."
+        reason += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
+        reason += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         always = self.refuses if len(refused) == n_right and not missed else always
         accepted = [version.kind for version, accepted in judged if version.right and accepted]
@@ -172,7 +172,7 @@ class WriteTest(Exercise):
         )
         failed_example = any(version.example for version in (*refused, *missed))
         credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
-        return Verdict(self, WRONG, said, always, credit=credit)
+        return Verdict(self, WRONG, reason, always, credit=credit)
 
     def _consultant(self, order):
         """Return a function that answers a call of a candidate; a student controls its argument."""

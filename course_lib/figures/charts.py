@@ -303,8 +303,8 @@ def add_line(
         "width": width,
     }
     mode = "lines+markers" if markers else "lines"
-    look = {"line": line, "mode": mode, "marker": {"size": 6}}
-    _add_series(fig, x, y, name, panel, details, place, look)
+    style = {"line": line, "mode": mode, "marker": {"size": 6}}
+    _add_series(fig, x, y, name, panel, details, place, style)
 
 
 def add_points(
@@ -499,7 +499,7 @@ def _membership(fig: Figure, name: str, place: _Place, x_name: str, y_name: str)
     }
 
 
-def _add_series(fig, x, y, name, panel, details, place, look) -> None:
+def _add_series(fig, x, y, name, panel, details, place, style) -> None:
     x = real_array(x, "x", ("n",), batched=False, gaps=True)
     y = real_array(y, "y", ("n",), batched=False, gaps=True)
     if x.shape != y.shape:
@@ -519,7 +519,7 @@ def _add_series(fig, x, y, name, panel, details, place, look) -> None:
         y=y,
         customdata=columns,
         hovertemplate="<br>".join(texts) + ("" if unified else "<extra></extra>"),
-        **look,
+        **style,
         **_membership(fig, name, place, x_name, y_name),
     )
 
@@ -528,8 +528,8 @@ def _details(details: Mapping, shape: tuple) -> tuple[list[str], list | None]:
     """Return the lines under the pointer for further values of each point, and plotly's customdata
     for them."""
     texts, columns = [], []
-    for i, (label, given) in enumerate(details.items()):
-        column = np.asarray(given)
+    for i, (label, values) in enumerate(details.items()):
+        column = np.asarray(values)
         if column.shape != shape:
             raise ValueError(
                 f"details[{label!r}] must have the shape {shape} of the points; its shape is "
@@ -731,7 +731,7 @@ def _for_each_panel(label: str | Sequence[str], name: str, count: int) -> list[s
     labels = [label] * count if isinstance(label, str) else list(label)
     if len(labels) != count:
         raise ValueError(f"{name} must be one or {count}, one for each panel; it has {len(labels)}")
-    return [_words(one, name) for one in labels]
+    return [_words(label, name) for label in labels]
 
 
 def _words(text: str, name: str, may_be_empty: bool = False) -> str:

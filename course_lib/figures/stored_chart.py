@@ -78,10 +78,10 @@ def stored(fig: Figure | dict) -> dict:
     layout.setdefault("height", 400)
     logarithmic = _logarithmic_axes(layout)
     data = [_rounded_series(series, logarithmic) for series in figure["data"]]
-    kept = {"data": data, "layout": _rounded(layout), "config": CONFIG}
+    json_of_figure = {"data": data, "layout": _rounded(layout), "config": CONFIG}
     if figure.get("frames"):
-        kept["frames"] = _rounded(figure["frames"])
-    return kept
+        json_of_figure["frames"] = _rounded(figure["frames"])
+    return json_of_figure
 
 
 def size(chart: dict) -> tuple[int, int]:
@@ -136,12 +136,12 @@ def _logarithmic_axes(layout: dict) -> set[str]:
 def _rounded_series(series: dict, logarithmic: set[str]) -> dict:
     """Return a series with rounded numbers: those on a logarithmic axis keep digits of their
     own."""
-    kept = {}
+    rounded = {}
     for key, value in series.items():
         axis = series.get(f"{key}axis", key)
         is_log = key in ("x", "y") and axis in logarithmic
-        kept[key] = _rounded(value, own_digits=is_log or key == "customdata")
-    return kept
+        rounded[key] = _rounded(value, own_digits=is_log or key == "customdata")
+    return rounded
 
 
 def _rounded(node: object, own_digits: bool = False) -> object:

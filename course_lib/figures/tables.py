@@ -24,8 +24,8 @@ def table(columns, rows):
         lines.append([name, *map(_short, values)])
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     for name, *cells in lines:
-        shown = [f"{cell:>{width}}" for cell, width in zip(cells, widths[1:], strict=True)]
-        print("  ".join([f"{name:{widths[0]}}", *shown]))
+        padded = [f"{cell:>{width}}" for cell, width in zip(cells, widths[1:], strict=True)]
+        print("  ".join([f"{name:{widths[0]}}", *padded]))
 
 
 def _short(value):

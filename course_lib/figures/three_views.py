@@ -132,24 +132,24 @@ class _View:
         hidden = _VIEWS[self.name][2]
         return vector[hidden] * _TOWARDS[self.name] > 0
 
-    def word(self, text, tip, along, **look):
+    def word(self, text, tip, along, **style):
         """Write a word beyond the tip of its arrow, or aside."""
         named = text.translate({ord(self.base): "s", ord(self.tool): "b"})
         x, y = np.sign(self.aside.get(named, along)).astype(int)
-        look = {
+        style = {
             "size": 10,
             "color": BLACK,
             "ha": ("center", "left", "right")[x],
             "va": ("center", "bottom", "top")[y],
-            **look,
+            **style,
         }
         offset = (8 * x, 8 * y)
-        written = self.ax.annotate(text, tip, offset, textcoords="offset points", **look)
+        written = self.ax.annotate(text, tip, offset, textcoords="offset points", **style)
         written.set_in_layout(False)
 
-    def arrow(self, start, end, colour, **look):
+    def arrow(self, start, end, colour, **style):
         """Draw an arrow between two points of the panel."""
-        properties = {"color": colour, "shrinkA": 0, "shrinkB": 0, **look}
+        properties = {"color": colour, "shrinkA": 0, "shrinkB": 0, **style}
         self.ax.annotate("", end, start, arrowprops=properties, zorder=4)
 
     def frame(self, origin, R, name, size):
@@ -194,10 +194,10 @@ def _draw_joint_axes(view, arm, corners):
         if along.any():
             view.arrow(at - 0.07 * along, tip, colour, arrowstyle="-|>", linewidth=1.6)
         else:
-            look = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
+            style = {"color": colour, "markeredgewidth": 1.8, "zorder": 5}
             mark = "." if view.points_at_viewer(S[:3]) else "x"
-            view.ax.plot(*at, "o", markersize=11, markerfacecolor="white", **look)
-            view.ax.plot(*at, mark, markersize=6, **look)
+            view.ax.plot(*at, "o", markersize=11, markerfacecolor="white", **style)
+            view.ax.plot(*at, mark, markersize=6, **style)
         # Joints whose arrows lie on each other share a label.
         numbers.setdefault((*tip.round(3), *along, colour), []).append(str(number))
     for (x, y, dx, dy, colour), group in numbers.items():

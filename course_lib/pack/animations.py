@@ -96,8 +96,8 @@ def write(movie: dict, path: Path) -> list[Path]:
     palette = pictures[0].quantize(method=Image.Quantize.MAXCOVERAGE)
     small = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     content = io.BytesIO()
-    look = {"duration": 1000 // RATE, "loop": 0}
-    small[0].save(content, "GIF", save_all=True, append_images=small[1:], **look)
+    timing = {"duration": 1000 // RATE, "loop": 0}
+    small[0].save(content, "GIF", save_all=True, append_images=small[1:], **timing)
     write_atomically(gif, content.getvalue(), mode=0o644)
     if shutil.which("ffmpeg") is None:
         return [gif]

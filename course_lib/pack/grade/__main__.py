@@ -14,13 +14,14 @@ from pathlib import Path
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.alike import write_alike
-from course_lib.pack.grade.by_hand import Outcome, remaining, text
+from course_lib.pack.grade.by_hand import GradedClass, remaining, text
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.collect import Submission, find
 from course_lib.pack.grade.csv_text import count_noun, listing
 from course_lib.pack.grade.deadline import FILES, Deadline, read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import Row, absent, gradebook_text, read_roster, unmatched
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.jobs import ROOT, Processes, grade_all
 from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
@@ -36,7 +37,7 @@ from course_lib.pack.grade.platforms import (
 from course_lib.pack.grade.results import points_offered
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
-from course_lib.pack.grade.tables import GradedFile, graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
 
 MAX_ASKED = 5  # files about which a question is shown before grading begins
 # Seconds of processor time that a notebook takes: six took 90 to 140 seconds, on a Xeon in 2026.
@@ -93,9 +94,13 @@ def _grade(chosen: argparse.Namespace, grade: Callable | None) -> None:
         offered = None if grade else points_offered()  # tests grade exercises of their own
         outcomes = grade_all(submissions, output / "results", seed, pool, offered)
         _write(chosen, outcomes, deadline, roster)
-        graded = [each for each, result in outcomes if "state" not in result]
-        once = list({(each.path, each.member): each for each in graded}.values())  # a group's file
-        write_alike(output / "alike.html", once, chosen.earlier, chosen.lms, chosen.students)
+        graded = [submission for submission, result in outcomes if "state" not in result]
+        without_repeats = list(
+            {(submission.path, submission.member): submission for submission in graded}.values()
+        )  # a group's file
+        write_alike(
+            output / "alike.html", without_repeats, chosen.earlier, chosen.lms, chosen.students
+        )
 
 
 def _pool(chosen: argparse.Namespace, grade: Callable | None) -> object:
@@ -118,15 +123,15 @@ def _pool(chosen: argparse.Namespace, grade: Callable | None) -> object:
 
 def _announce(submissions: Sequence[Submission], chosen: argparse.Namespace) -> None:
     """Print how much there is to grade, and how long it may take."""
-    notebooks = sum(not each.refused for each in submissions)
-    students = len({each.student for each in submissions if each.student})
-    said = f"{count_noun(notebooks, 'notebook')} of {count_noun(students, 'student')}"
+    notebooks = sum(not submission.refused for submission in submissions)
+    students = len({submission.student for submission in submissions if submission.student})
+    amount = f"{count_noun(notebooks, 'notebook')} of {count_noun(students, 'student')}"
     if chosen.cluster:
-        print(f"Grading {said} on the workers of the cluster.", flush=True)
+        print(f"Grading {amount} on the workers of the cluster.", flush=True)
         return
     jobs = chosen.jobs or os.cpu_count() or 1
     print(
-        f"Grading {said}, {jobs} at once: about {_duration(notebooks, jobs)} on an idle machine,"
+        f"Grading {amount}, {jobs} at once: about {_duration(notebooks, jobs)} on an idle machine,"
         " less for what an earlier run has graded. The bar shows the time that remains.",
         flush=True,
     )
@@ -146,21 +151,25 @@ def _submissions(chosen: argparse.Namespace) -> list[Submission]:
     if not chosen.students:
         _ask_for_the_platform(folder, chosen.lms)
     names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
-    found = find(folder, names, chosen.lms, chosen.students)
-    if not found:
+    submissions = find(folder, names, chosen.lms, chosen.students)
+    if not submissions:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(
             f"There is nothing in {folder}: put what was handed in there, as {forms}."
         )
-    questions = [f"{each.place}: {each.question}" for each in found if each.question]
+    questions = [
+        f"{submission.place}: {submission.question}"
+        for submission in submissions
+        if submission.question
+    ]
     if questions:
         shown = "\n".join(questions[:MAX_ASKED])
         left = len(questions) - MAX_ASKED
         more = f"\n... and {count_noun(left, 'other')} like these." if left > 0 else ""
         raise GradingStopped(f"Whose work is this?\n{shown}{more}")
     if chosen.deadline and not chosen.times:
-        _ask_for_times(found, named(chosen.lms))
-    return _assigned(found, names, chosen.notebooks)
+        _ask_for_times(submissions, named(chosen.lms))
+    return _assigned(submissions, names, chosen.notebooks)
 
 
 def _folder(chosen: argparse.Namespace) -> Path:
@@ -203,35 +212,41 @@ def _ask_for_the_platform(folder: Path, lms: str) -> None:
     )
 
 
-def _ask_for_times(found: Sequence[Submission], platform: Platform) -> None:
+def _ask_for_times(submissions: Sequence[Submission], platform: Platform) -> None:
     """Stop if a deadline was named and nothing says when the files were handed in."""
-    if platform.marks_late or any(each.timed for each in found):
+    if platform.marks_late or any(submission.timed for submission in submissions):
         return
     table = "a table, TIMES=times.csv"
     if platform.time_columns:
         table = f"{platform.title}'s table of times, or one of your own, TIMES=times.csv"
-    zips = [each.title for each in platforms().values() if each.asks and not each.carries_times]
+    zips = [
+        exporter.title
+        for exporter in platforms().values()
+        if exporter.asks and not exporter.carries_times
+    ]
     raise GradingStopped(
         f"DEADLINE= needs the times of submission: TIMES={FILES} if these files have kept theirs, "
         f"or {table}. The exports of {', '.join(zips)} carry no times."
     )
 
 
-def _assigned(found: Sequence[Submission], names: Sequence[str], numbers: str) -> list[Submission]:
+def _assigned(
+    submissions: Sequence[Submission], names: Sequence[str], numbers: str
+) -> list[Submission]:
     """Return the Submissions without those of notebooks that were not assigned.
 
     numbers: 01,02, or "" for all.
     """
     if not numbers:
-        return list(found)
+        return list(submissions)
     wanted = {number.zfill(2) for number in re.findall(r"\d+", numbers)}
     if not wanted or not wanted <= {name[:2] for name in names}:
         raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
     others = {name for name in names if name[:2] not in wanted}
-    assigned = [each for each in found if each.notebook not in others]
-    if len(assigned) < len(found):
+    assigned = [submission for submission in submissions if submission.notebook not in others]
+    if len(assigned) < len(submissions):
         print(
-            f"Left out: {count_noun(len(found) - len(assigned), 'file')} of notebooks that "
+            f"Left out: {count_noun(len(submissions) - len(assigned), 'file')} of notebooks that "
             "NOTEBOOKS= does not name."
         )
     return assigned
@@ -290,7 +305,7 @@ def _write(
         content, missing, shared = gradebook_text(gradebook.name, points, roster)
         write_atomically(output / f"{gradebook.name}.csv", content)
     write_feedback(output / "feedback", everything)
-    outcome = Outcome(
+    graded_class = GradedClass(
         output=output,
         shown=output,
         everything=everything,
@@ -305,10 +320,10 @@ def _write(
         shared=shared,
     )
     nothing = absent(points, roster) if roster else []
-    page = class_page(everything, nothing, remaining(outcome.on_the_page()))
+    page = class_page(everything, nothing, remaining(graded_class.on_the_page()))
     write_atomically(output / "class.html", page)
     lines = summary(everything, deadline) if deadline else []
-    print("\n".join([*lines, _states(output, everything), text(remaining(outcome))]))
+    print("\n".join([*lines, _states(output, everything), text(remaining(graded_class))]))
 
 
 def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:
@@ -324,7 +339,7 @@ def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:
     }
     order = {place: number for number, place in enumerate(models)}
     listed = [
-        (each.student, each.notebook, answer) for each in everything for answer in each.answers
+        (file.student, file.notebook, answer) for file in everything for answer in file.answers
     ]
 
     def place(line: tuple) -> tuple:
@@ -337,8 +352,8 @@ def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:
 def _states(output: Path, everything: Sequence[GradedFile]) -> str:
     """Return a sentence on how many files are graded, refused, unreadable or not graded."""
     states = Counter(
-        each.result.get("state", "unreadable" if each.unreadable else "graded")
-        for each in everything
+        file.result.get("state", "unreadable" if file.unreadable else "graded")
+        for file in everything
     )
     counts = listing((f"{count} {state}" for state, count in sorted(states.items())), 10)
     return f"{output / 'grades.csv'}: {counts}."

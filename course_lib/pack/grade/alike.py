@@ -77,15 +77,15 @@ def _all(sources: Iterable[str], names: bool = False) -> set[int]:
 
 def works(submissions: Iterable[Submission], year: str = "") -> list[Work]:
     """Return the Works in the Submissions that can be read."""
-    found = []
+    readable = []
     for submission in submissions:
         try:
             cells, _ = notebook_file.read(read(submission))
         except (Refused, Unreadable):
             continue
         if submission.student and (course := course_of(submission.notebook, cells)):
-            found.append(Work(submission.student, course.name, tuple(code(cells)), year))
-    return found
+            readable.append(Work(submission.student, course.name, tuple(code(cells)), year))
+    return readable
 
 
 def earlier_works(folder: Path, platform: str = "", students: str = EACH_ENTRY) -> list[Work]:
@@ -128,7 +128,11 @@ def write_alike(
     Lexing what students wrote may take any time, so it is done in a process of its own, within
     bounds.
     """
-    depends = [earlier, course_hash(), *(f"{each.place} {each.modified}" for each in submissions)]
+    depends = [
+        earlier,
+        course_hash(),
+        *(f"{submission.place} {submission.modified}" for submission in submissions),
+    ]
     stamp = hashlib.sha256("\n".join(depends).encode("utf-8", "backslashreplace")).hexdigest()
     if path.exists() and stamp in path.read_text(encoding="utf-8"):
         return
@@ -174,9 +178,9 @@ def pairs(everyone: Sequence[Work]) -> list[tuple[float, Work, Work, set[int]]]:
                         counts[one, other] += 1 / (len(those) - 1)
                         shared[one, other].add(passage)
     scores = {pair: count**2 / min(rare[work] for work in pair) for pair, count in counts.items()}
-    found = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= MIN_SCORE]
+    similar = [(score, *pair, shared[pair]) for pair, score in scores.items() if score >= MIN_SCORE]
     return sorted(
-        found, key=lambda each: (-each[0], each[1].student, each[2].student, each[1].notebook)
+        similar, key=lambda pair: (-pair[0], pair[1].student, pair[2].student, pair[1].notebook)
     )
 
 
@@ -184,15 +188,15 @@ def copies(everyone: Sequence[Work]) -> list[tuple[str, str, str, int]]:
     """Return [(student, notebook, what it is copied from, how many passages)], names included, of
     this class."""
     library, given = _ours() if everyone else ({}, [])
-    released, found = _all(given, names=True), []
+    released, copied = _all(given, names=True), []
     sources = {name: _all(texts, names=True) - released for name, texts in library.items()}
     for work in (work for work in everyone if not work.year):
         own = _all(work.cells, names=True)
         counts = {name: len(own & source) for name, source in sources.items()}
-        found += [
+        copied += [
             (work.student, work.notebook, name, n) for name, n in counts.items() if n >= VERBATIM
         ]
-    return sorted(found, key=lambda each: (-each[3], each))
+    return sorted(copied, key=lambda line: (-line[3], line))
 
 
 def alike_page(everyone: Sequence[Work], stamp: str = "") -> str:
@@ -200,16 +204,16 @@ def alike_page(everyone: Sequence[Work], stamp: str = "") -> str:
 
     everyone: Works. stamp: a comment on the page.
     """
-    found = pairs(everyone)
+    similar = pairs(everyone)
     shown = [
         {"who": [_whose(one), _whose(other)], "notebook": one.notebook, "score": round(score),
          "sides": [_marked(one.cells, shared), _marked(other.cells, shared)]}
-        for score, one, other, shared in found[:MAX_PAIRS]
+        for score, one, other, shared in similar[:MAX_PAIRS]
     ]  # fmt: skip
     about = {
         "passage": PASSAGE,
         "many": MAX_STUDENTS,
-        "left": len(found) - len(shown),
+        "left": len(similar) - len(shown),
         "copies": copies(everyone),
     }
     return rendered("alike.html", title="Alike", pairs=shown, stamp=stamp, **about)

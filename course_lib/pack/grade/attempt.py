@@ -71,7 +71,8 @@ class Attempt:
             place, end = self._once()
             if end is None:
                 return {
-                    name: apart(self.run, outcome, self) for name, outcome in self.outcomes.items()
+                    name: ask_separately(self.run, outcome, self)
+                    for name, outcome in self.outcomes.items()
                 }
             reason = str(end)
             if place is None:
@@ -168,17 +169,17 @@ def sandbox_files(forbidden: frozenset[str]) -> dict[str, bytes]:
 # ---- tests, which are asked about each candidate apart ----
 
 
-def apart(run: Run, outcome: Outcome, attempted: Attempt) -> Outcome:
+def ask_separately(run: Run, outcome: Outcome, attempted: Attempt) -> Outcome:
     """Return the Outcome itself, or for a test that distinguished candidates one in which it could
     not compare them."""
-    if not outcome.apart or not outcome.verdict.points:
+    if not outcome.is_test or not outcome.verdict.points:
         return outcome
-    student = EachApart(attempted, outcome.verdict.exercise, outcome.at)
+    student = SeparateCandidates(attempted, outcome.verdict.exercise, outcome.at)
     again = ask(run, student, attempted.left_out, outcome.at, seed=(run.seed, 1))
     return replace(again, hindered=False, whole=attempted.whole)
 
 
-class EachApart(Student):
+class SeparateCandidates(Student):
     """Asks a student's test about each candidate in a sandbox of its own, in which that candidate
     alone answers.
 

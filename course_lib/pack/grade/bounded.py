@@ -66,17 +66,17 @@ class Bounded:
             -signal.SIGXCPU: f"grading it took more than {cpu_seconds} seconds of computing",
             -signal.SIGALRM: f"grading it was not done after {clock_seconds} seconds",
         }
-        self.pipe, there = FORK.Pipe(duplex=False)
+        self.pipe, pipe_of_work = FORK.Pipe(duplex=False)
         bounds = cpu_seconds, memory, clock_seconds
         self._process = FORK.Process(
-            target=_work, args=(there, function, arguments, *bounds), daemon=True
+            target=_work, args=(pipe_of_work, function, arguments, *bounds), daemon=True
         )
         with warnings.catch_warnings():
             # Python 3.12 warns of forks in a process with threads. The child only computes, and
             # needs none of their locks.
             warnings.simplefilter("ignore", DeprecationWarning)
             self._process.start()
-        there.close()
+        pipe_of_work.close()
 
     def result(self) -> object:
         """Wait for the end of the work and return what the function returned, plain data.

@@ -10,10 +10,11 @@ from pathlib import Path
 from course_lib.pack.grade.csv_text import count_noun, words
 from course_lib.pack.grade.deadline import Deadline, without_time
 from course_lib.pack.grade.gradebook import Row, absent
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer
 from course_lib.pack.grade.notebook_file import NOT_CODE
 from course_lib.pack.grade.platforms import Platform
-from course_lib.pack.grade.tables import GradedFile, Totals
+from course_lib.pack.grade.tables import Totals
 
 MAX_SHOWN = 10  # lines of one entry on the terminal; the page of the class has all
 # Settings that change how a class is graded and no point of it; the seed is kept beside the grades.
@@ -34,7 +35,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class GradedClass:
     """What a run gave, and by which settings.
 
     output: the folder that is written. shown: how its name stands before the files in it.
@@ -58,7 +59,7 @@ class Outcome:
     nearest: dict[str, list[str]] = field(default_factory=dict)
     shared: Sequence[Sequence[str]] = ()
 
-    def on_the_page(self) -> "Outcome":
+    def on_the_page(self) -> "GradedClass":
         """Return the same as the page of the class has it: in equal bytes, wherever it was
         graded."""
         settings = {name: v for name, v in self.settings.items() if name not in OF_ONE_RUN}
@@ -74,16 +75,16 @@ class Outcome:
         )
 
 
-def remaining(outcome: Outcome) -> list[Entry]:
+def remaining(graded_class: GradedClass) -> list[Entry]:
     """Return what the instructor has to do by hand, in the order in which it is best done."""
     return [
-        *_files(outcome),
-        *_owners(outcome),
-        *_cells(outcome),
-        *_releases(outcome),
-        *_times(outcome),
-        *_marks(outcome),
-        *_gradebook(outcome),
+        *_files(graded_class),
+        *_owners(graded_class),
+        *_cells(graded_class),
+        *_releases(graded_class),
+        *_times(graded_class),
+        *_marks(graded_class),
+        *_gradebook(graded_class),
     ]
 
 
@@ -106,39 +107,39 @@ def text(entries: Sequence[Entry]) -> str:
 # ---- files, and whose they are ----
 
 
-def _files(outcome: Outcome) -> Iterable[Entry]:
+def _files(graded_class: GradedClass) -> Iterable[Entry]:
     troubled = [
-        each
-        for each in outcome.everything
-        if each.unreadable or each.result.get("state") == "refused"
+        file
+        for file in graded_class.everything
+        if file.unreadable or file.result.get("state") == "refused"
     ]
     if troubled:
         yield Entry(
             f"{count_noun(len(troubled), 'file')} could not be graded: correct the place or the "
             "name, or ask the student for another file.",
-            tuple(f"{each.submission.place}: {each.result['problems'][0]}" for each in troubled),
-            outcome.command(),
+            tuple(f"{file.submission.place}: {file.result['problems'][0]}" for file in troubled),
+            graded_class.command(),
         )
-    failed = [each for each in outcome.everything if each.result.get("state") == "not graded"]
+    failed = [file for file in graded_class.everything if file.result.get("state") == "not graded"]
     if failed:
         yield Entry(
             f"The grader failed on {count_noun(len(failed), 'file')}: the same command tries"
             " again.",
-            tuple(f"{each.submission.place}: {each.result['problems'][0]}" for each in failed),
-            outcome.command(),
+            tuple(f"{file.submission.place}: {file.result['problems'][0]}" for file in failed),
+            graded_class.command(),
         )
 
 
-def _owners(outcome: Outcome) -> Iterable[Entry]:
+def _owners(graded_class: GradedClass) -> Iterable[Entry]:
     remarks = [
-        f"{each.submission.place}: {each.submission.remark}"
-        for each in outcome.everything
-        if each.submission.remark
+        f"{file.submission.place}: {file.submission.remark}"
+        for file in graded_class.everything
+        if file.submission.remark
     ]
     if remarks:
-        yield Entry("Say whose these are by their names.", tuple(remarks), outcome.command())
+        yield Entry("Say whose these are by their names.", tuple(remarks), graded_class.command())
     names = defaultdict(list)
-    for student in outcome.totals.students:
+    for student in graded_class.totals.students:
         names[words(student)].append(student)
     alike = [several for name, several in sorted(names.items()) if name and len(several) > 1]
     if alike:
@@ -146,16 +147,16 @@ def _owners(outcome: Outcome) -> Iterable[Entry]:
             "These names differ only in capitals, accents or the order of their words, and are "
             "taken for different students. If they are one, give the files one name.",
             tuple("; ".join(several) for several in alike),
-            outcome.command(),
+            graded_class.command(),
         )
 
 
-def _cells(outcome: Outcome) -> Iterable[Entry]:
+def _cells(graded_class: GradedClass) -> Iterable[Entry]:
     lost = [
-        f"{each.student}, {each.notebook}: {problem}"
-        for each in outcome.everything
-        if each.graded and not each.superseded_by
-        for problem in each.result["problems"]
+        f"{file.student}, {file.notebook}: {problem}"
+        for file in graded_class.everything
+        if file.graded and not file.superseded_by
+        for problem in file.result["problems"]
         if NOT_CODE in problem
     ]
     if lost:
@@ -163,118 +164,124 @@ def _cells(outcome: Outcome) -> Iterable[Entry]:
             "Answers stand in cells that are not of code, so they were not run and earn nothing. "
             "If you accept them, set the cells to Code in JupyterLab.",
             tuple(lost),
-            outcome.command(),
+            graded_class.command(),
         )
 
 
-def _releases(outcome: Outcome) -> Iterable[Entry]:
-    graded = [each for each in outcome.everything if each.graded and not each.unreadable]
-    counts = Counter(each.result["release"] for each in graded)
+def _releases(graded_class: GradedClass) -> Iterable[Entry]:
+    graded = [file for file in graded_class.everything if file.graded and not file.unreadable]
+    counts = Counter(file.result["release"] for file in graded)
     if len(counts) < 2:
         return
     most = max(counts, key=lambda name: (bool(name), counts[name]))
-    others = [each for each in graded if each.result["release"] != most]
+    others = [file for file in graded if file.result["release"] != most]
     yield Entry(
         f"The notebooks are not all of one release: {counts[most]} of {len(graded)} are of "
         f"{most}, those below of another or of none. All are graded by the tasks of this version: "
         "compare the tasks that have changed since. No release is named if another program saved "
         "the file, or if it is from the instructors' folder.",
         tuple(
-            f"{each.student or each.submission.place}: {each.notebook}, "
-            f"{'release ' + each.result['release'] if each.result['release'] else 'no release'}"
-            for each in others
+            f"{file.student or file.submission.place}: {file.notebook}, "
+            f"{'release ' + file.result['release'] if file.result['release'] else 'no release'}"
+            for file in others
         ),
-        outcome.command(),
+        graded_class.command(),
     )
 
 
 # ---- times and marks ----
 
 
-def _times(outcome: Outcome) -> Iterable[Entry]:
-    if not outcome.deadline:
+def _times(graded_class: GradedClass) -> Iterable[Entry]:
+    if not graded_class.deadline:
         return
-    unknown = without_time(outcome.everything, outcome.deadline)
+    unknown = without_time(graded_class.everything, graded_class.deadline)
     if unknown:
         yield Entry(
             f"The time of submission of {count_noun(len(unknown), 'notebook')} is not known: write "
             "it into a table with the columns student, notebook and time. Until then a mark LATE "
             "counts as one day, and no mark as in time.",
             tuple(
-                f"{each.student}: {each.notebook}{', marked LATE' if each.submission.late else ''}"
-                for each in unknown
+                f"{file.student}: {file.notebook}{', marked LATE' if file.submission.late else ''}"
+                for file in unknown
             ),
-            outcome.command(TIMES=outcome.settings.get("TIMES") or "times.csv"),
+            graded_class.command(TIMES=graded_class.settings.get("TIMES") or "times.csv"),
         )
 
 
-def _marks(outcome: Outcome) -> Iterable[Entry]:
-    table = outcome.shown / "questions.csv"
-    waiting = Counter(notebook for _, notebook, answer in outcome.listed if answer.points is None)
+def _marks(graded_class: GradedClass) -> Iterable[Entry]:
+    table = graded_class.shown / "questions.csv"
+    waiting = Counter(
+        notebook for _, notebook, answer in graded_class.listed if answer.points is None
+    )
     if waiting:
         yield Entry(
             f"{count_noun(waiting.total(), 'written answer')} to be read: type marks into {table}, "
             "where the rubric and a model answer stand beside each.",
             tuple(f"{notebook}: {count}" for notebook, count in sorted(waiting.items())),
-            outcome.command(),
+            graded_class.command(),
         )
     wrong = [
         f"{student}: {notebook}, {answer.question}: {answer.wrong}"
-        for student, notebook, answer in outcome.listed
+        for student, notebook, answer in graded_class.listed
         if answer.wrong
     ]
     if wrong:
         yield Entry(
             f"{count_noun(len(wrong), 'invalid mark')} in {table}: the column `state` says why.",
             tuple(wrong),
-            outcome.command(),
+            graded_class.command(),
         )
 
 
 # ---- the gradebook ----
 
 
-def _gradebook(outcome: Outcome) -> Iterable[Entry]:
-    if outcome.roster:
-        missing = absent(outcome.totals, outcome.roster)
+def _gradebook(graded_class: GradedClass) -> Iterable[Entry]:
+    if graded_class.roster:
+        missing = absent(graded_class.totals, graded_class.roster)
         if missing:
             yield Entry(
                 f"{count_noun(len(missing), 'student')} of the roster handed in nothing: ask them, "
                 "and put later files into the same folder.",
                 tuple(missing),
-                outcome.command(),
+                graded_class.command(),
             )
-    name = outcome.gradebook.name
+    name = graded_class.gradebook.name
     if not name:
         return
-    path = outcome.shown / f"{name}.csv"
-    if outcome.missing:
-        yield Entry(*_missing(outcome, path))
-    for students in outcome.shared:
+    path = graded_class.shown / f"{name}.csv"
+    if graded_class.missing:
+        yield Entry(*_missing(graded_class, path))
+    for students in graded_class.shared:
         yield Entry(
             "One student of the roster, whose better points of each notebook count: "
             f"{', '.join(students)}. Rename the files of one if they are two.",
             (),
-            outcome.command(),
+            graded_class.command(),
         )
-    first = " Try it in a copy of the course first." if outcome.gradebook.takes_tables else ""
-    yield Entry(f"The points are in {path}. {outcome.gradebook.imports}{first}")
-    if (outcome.output / "feedback" / name).is_dir():
-        zips = outcome.shown / "feedback" / name
+    first = " Try it in a copy of the course first." if graded_class.gradebook.takes_tables else ""
+    yield Entry(f"The points are in {path}. {graded_class.gradebook.imports}{first}")
+    if (graded_class.output / "feedback" / name).is_dir():
+        zips = graded_class.shown / "feedback" / name
         yield Entry(f"Upload the zips in {zips} as feedback files, one for each notebook.")
 
 
-def _missing(outcome: Outcome, path: Path) -> tuple[str, tuple[str, ...], str]:
+def _missing(graded_class: GradedClass, path: Path) -> tuple[str, tuple[str, ...], str]:
     """Return the entry about students who are not in the gradebook's file."""
-    shown = list(outcome.missing[:MAX_SHOWN])
-    if len(outcome.missing) > MAX_SHOWN:
-        shown.append(f"... and {len(outcome.missing) - MAX_SHOWN} more")
+    shown = list(graded_class.missing[:MAX_SHOWN])
+    if len(graded_class.missing) > MAX_SHOWN:
+        shown.append(f"... and {len(graded_class.missing) - MAX_SHOWN} more")
     task = (
         f"Not in {path}, because no line of the roster fits, or several: {', '.join(shown)}. "
         "Write each name into the column `student` of the right line."
     )
     about = tuple(
         f"{student}: {'nearest in the roster: ' + '; '.join(names) if names else 'no near name'}"
-        for student, names in outcome.nearest.items()
+        for student, names in graded_class.nearest.items()
     )
-    return task, about, outcome.command(ROSTER=outcome.settings.get("ROSTER") or "roster.csv")
+    return (
+        task,
+        about,
+        graded_class.command(ROSTER=graded_class.settings.get("ROSTER") or "roster.csv"),
+    )

@@ -15,8 +15,9 @@ from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, W
 from course_lib.pack.grade.by_hand import Entry
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import READ
-from course_lib.pack.grade.tables import GradedFile, totals
+from course_lib.pack.grade.tables import totals
 
 STATES = {RIGHT: ("right", "#3a9d6a"), WRONG: ("wrong", "#d9792f"), ERROR: ("error", "#b8475c")}
 STATES |= {NOT_ATTEMPTED: ("not attempted", "#8c8c8c")}
@@ -43,32 +44,32 @@ def class_page(
     everything: GradedFiles. absent: names of those who handed in nothing. by_hand: what remains for
     the instructor.
     """
-    found = totals(everything)
+    class_totals = totals(everything)
     counting = [
-        each for each in everything if not each.superseded_by and each.student and each.notebook
+        file for file in everything if not file.superseded_by and file.student and file.notebook
     ]
-    graded = [each for each in counting if each.graded and not each.unreadable]
-    said = (
-        f"{count_noun(len(found.students), 'student')}, {count_noun(len(graded), 'notebook')} "
-        f"graded"
+    graded = [file for file in counting if file.graded and not file.unreadable]
+    summary = (
+        f"{count_noun(len(class_totals.students), 'student')}, "
+        f"{count_noun(len(graded), 'notebook')} graded"
     )
     if missed := len(counting) - len(graded):
-        said += f", {missed} more handed in but refused or unreadable (not in the means below)"
+        summary += f", {missed} more handed in but refused or unreadable (not in the means below)"
     if counting and counting[0].weight < 1:
-        said += f", points of More count {counting[0].weight:g} times"
-    left = sum(found.waiting.values())
-    said += (
-        f", {count_noun(left, 'written answer')} still to be read, for no points yet."
-        if left
+        summary += f", points of More count {counting[0].weight:g} times"
+    unread = sum(class_totals.waiting.values())
+    summary += (
+        f", {count_noun(unread, 'written answer')} still to be read, for no points yet."
+        if unread
         else "."
     )
-    sections = [_notebooks(found.of, counting, graded, found.students)]
-    sections += [_distribution(found.of, graded, found.students), _hardest(graded)]
+    sections = [_notebooks(class_totals.of, counting, graded, class_totals.students)]
+    sections += [_distribution(class_totals.of, graded, class_totals.students), _hardest(graded)]
     sections += [_written(graded), _mistakes(graded)]
     return rendered(
         "class.html",
         title="The class",
-        said=said,
+        summary=summary,
         sections=sections,
         absent=absent,
         by_hand=by_hand,
@@ -82,7 +83,7 @@ def _notebooks(
     be graded."""
     rows = []
     for notebook, most in of.items():
-        handed_in = len({each.student for each in counting if each.notebook == notebook})
+        handed_in = len({file.student for file in counting if file.notebook == notebook})
         points = [
             students[student][notebook]
             for student in {e.student for e in graded if e.notebook == notebook}
@@ -98,8 +99,8 @@ def _notebooks(
 
 def _distribution(of: dict, graded: list[GradedFile], students: dict) -> Section:
     counts, pairs = [0] * 10, {}
-    for each in graded:
-        pairs.setdefault(each.student, set()).add(each.notebook)
+    for file in graded:
+        pairs.setdefault(file.student, set()).add(file.notebook)
     for student, notebooks in pairs.items():
         if most := sum(of.get(notebook, 0) for notebook in notebooks):
             share = sum(students[student][notebook] for notebook in notebooks) / most
@@ -119,12 +120,12 @@ def _distribution(of: dict, graded: list[GradedFile], students: dict) -> Section
 
 def _hardest(graded: list[GradedFile]) -> Section:
     states, points = {}, _points(graded)
-    for each in graded:
-        for exercise in each.result["exercises"]:
+    for file in graded:
+        for exercise in file.result["exercises"]:
             state = NOT_ATTEMPTED if exercise["state"] == UNCHANGED else exercise["state"]
             if state in STATES:  # skips files that could not be read
                 states.setdefault(
-                    (each.notebook, exercise["exercise"], exercise["more"]), Counter()
+                    (file.notebook, exercise["exercise"], exercise["more"]), Counter()
                 )[state] += 1
     order = sorted(states, key=lambda it: (it[2], states[it][RIGHT] / states[it].total(), it))
     rows = []
@@ -137,7 +138,7 @@ def _hardest(graded: list[GradedFile]) -> Section:
         rows.append(
             (_short(f"{it[0]}: {it[1]}") + " (More)" * it[2], *counts, *points[it[:2]], bar)
         )
-    columns = ("exercise", *(said for said, _ in STATES.values()), *POINTS, "")
+    columns = ("exercise", *(heading for heading, _ in STATES.values()), *POINTS, "")
     caption = (
         "The exercises by the share of students who solved them, of the notebooks that could be "
         "read. "
@@ -147,8 +148,8 @@ def _hardest(graded: list[GradedFile]) -> Section:
 
 def _written(graded: list[GradedFile]) -> Section:
     points, asked = _points(graded), Counter()
-    for each in graded:
-        asked.update((each.notebook, a.question) for a in each.answers if a.state == READ)
+    for file in graded:
+        asked.update((file.notebook, a.question) for a in file.answers if a.state == READ)
     rows = [(_short(f"{it[0]}: {it[1]}"), asked[it], *points[it]) for it in sorted(asked)]
     return (
         "Written answers",
@@ -161,32 +162,32 @@ def _written(graded: list[GradedFile]) -> Section:
 def _points(graded: list[GradedFile]) -> dict[tuple[str, str], tuple[str, str]]:
     """Return {(notebook, exercise or question): (mean points in percent, item-rest correlation)} as
     texts."""
-    items, found = {}, {}
-    for each in graded:
-        its = [(e["exercise"], e["points"], e["of"]) for e in each.result["exercises"]]
-        its += [(a.question, a.points, a.of) for a in each.answers]
-        total = sum(points or 0 for _, points, _ in its)
-        for name, points, of in its:
+    items, difficulties = {}, {}
+    for file in graded:
+        entries = [(e["exercise"], e["points"], e["of"]) for e in file.result["exercises"]]
+        entries += [(a.question, a.points, a.of) for a in file.answers]
+        total = sum(points or 0 for _, points, _ in entries)
+        for name, points, of in entries:
             if points is not None and of:
-                items.setdefault((each.notebook, name), []).append((points / of, total - points))
+                items.setdefault((file.notebook, name), []).append((points / of, total - points))
     for it, pairs in items.items():
         shares, rests = zip(*pairs, strict=True)
-        found[it] = f"{100 * statistics.mean(shares):.0f}", ""
+        difficulties[it] = f"{100 * statistics.mean(shares):.0f}", ""
         if len(pairs) >= MIN_STUDENTS and min(map(len, (set(shares), set(rests)))) > 1:
             correlation = pearsonr(shares, rests)
             bounds = correlation.confidence_interval()
-            found[it] = (
-                found[it][0],
+            difficulties[it] = (
+                difficulties[it][0],
                 f"{correlation.statistic:.2f} ({bounds.low:.2f} to {bounds.high:.2f})",
             )
-    return found
+    return difficulties
 
 
 def _mistakes(graded: list[GradedFile]) -> Section:
     named = (
         (e["exercise"], e["mistake"])
-        for each in graded
-        for e in each.result["exercises"]
+        for file in graded
+        for e in file.result["exercises"]
         if e["mistake"]
     )
     counts = Counter(_short(f"{exercise}: {mistake}") for exercise, mistake in named)

@@ -313,10 +313,15 @@ def carry_out(order: bytes) -> str:
     """Return the outcome of an Order as JSON text, see carried_out; "null" if the process that
     graded it ended."""
     if not hasattr(PLACE, "pipe"):
-        PLACE.pipe, there = Pipe()
-        command = [sys.executable, "-m", "course_lib.pack.grade.cluster", str(there.fileno())]
-        PLACE.process = subprocess.Popen(command, pass_fds=[there.fileno()])
-        there.close()
+        PLACE.pipe, pipe_of_process = Pipe()
+        command = [
+            sys.executable,
+            "-m",
+            "course_lib.pack.grade.cluster",
+            str(pipe_of_process.fileno()),
+        ]
+        PLACE.process = subprocess.Popen(command, pass_fds=[pipe_of_process.fileno()])
+        pipe_of_process.close()
     try:
         PLACE.pipe.send_bytes(order)
         number = json.loads(order.partition(b"\n")[0])["number"]

@@ -99,35 +99,38 @@ def find(
     not been said, so that what may be several students' is refused with a question.
     """
     exporter = named(platform)
-    found = []
+    submissions = []
     for holder in holders_in(folder, exporter, students):
         try:
-            found += _of_holder(holder, folder, notebooks, exporter, students)
+            submissions += _of_holder(holder, folder, notebooks, exporter, students)
         except Exception as problem:  # any problem of one file must not affect the others
             reason = getattr(problem, "strerror", None)
             reason = reason or f"{type(problem).__name__}: {problem}"[:200]
             for hand_in in holder.hand_ins or [HandIn("")]:
                 whole = _submission(hand_in, holder.path, folder)
-                found.append(replace(whole, refused=f"It cannot be read: {reason}."))
-    found = [
-        each
-        for each in found
-        if not (each.refused and exporter.is_typed_text(Path(each.place).stem))
+                submissions.append(replace(whole, refused=f"It cannot be read: {reason}."))
+    submissions = [
+        submission
+        for submission in submissions
+        if not (submission.refused and exporter.is_typed_text(Path(submission.place).stem))
     ]
-    found = [each if each.timed else replace(each, modified=_modified(each.path)) for each in found]
-    found = _apart(_one_name_each(found))
-    return _within_bounds(sorted(found, key=lambda submission: submission.place))
+    submissions = [
+        submission if submission.timed else replace(submission, modified=_modified(submission.path))
+        for submission in submissions
+    ]
+    submissions = _separate_sections(_one_name_each(submissions))
+    return _within_bounds(sorted(submissions, key=lambda submission: submission.place))
 
 
-def _within_bounds(found: list[Submission]) -> list[Submission]:
+def _within_bounds(submissions: list[Submission]) -> list[Submission]:
     """Return the Submissions; of each student, those beyond MAX_GRADED are refused."""
     counts: collections.Counter = collections.Counter()
-    for number, each in enumerate(found):
-        counts[each.student] += not each.refused
-        if counts[each.student] > MAX_GRADED and not each.refused:
+    for number, submission in enumerate(submissions):
+        counts[submission.student] += not submission.refused
+        if counts[submission.student] > MAX_GRADED and not submission.refused:
             reason = f"Only {MAX_GRADED} notebooks of a student are graded."
-            found[number] = replace(each, refused=reason)
-    return found
+            submissions[number] = replace(submission, refused=reason)
+    return submissions
 
 
 def platform_of(folder: Path) -> str:
@@ -166,29 +169,33 @@ def _of_holder(
         return [replace(whole, refused=holder.outside)]
     if not is_folder(holder.path):
         whole = replace(whole, in_folder=False)
-        found = _flat(whole, holder, notebooks, students)
+        submissions = _flat(whole, holder, notebooks, students)
     else:
         known = bool(holder.hand_ins)
         whole = replace(whole, student=plain_name(holder.path))
-        found = _in_folder(whole, notebooks, "" if known else exporter.name, known, students)
+        submissions = _in_folder(whole, notebooks, "" if known else exporter.name, known, students)
         if holder.hand_ins:
-            found = [_of_student(each, hand_in) for hand_in in holder.hand_ins for each in found]
+            submissions = [
+                _of_student(submission, hand_in)
+                for hand_in in holder.hand_ins
+                for submission in submissions
+            ]
     if holder.parent:
-        found = [replace(each, section=holder.parent) for each in found]
-    return found
+        submissions = [replace(submission, section=holder.parent) for submission in submissions]
+    return submissions
 
 
-def _of_student(each: Submission, hand_in: HandIn) -> Submission:
+def _of_student(submission: Submission, hand_in: HandIn) -> Submission:
     """Return a Submission with what a platform says of the student."""
-    about = _submission(hand_in, each.path, each.path)
+    about = _submission(hand_in, submission.path, submission.path)
     return replace(
         about,
-        notebook=each.notebook,
-        place=each.place,
-        member=each.member,
-        refused=each.refused,
-        question=each.question,
-        in_folder=each.in_folder,
+        notebook=submission.notebook,
+        place=submission.place,
+        member=submission.member,
+        refused=submission.refused,
+        question=submission.question,
+        in_folder=submission.in_folder,
     )
 
 
@@ -247,23 +254,23 @@ def _in_folder(
         problems.append(
             f"It holds {len(files)} notebooks and links: only {MAX_LISTED} were looked at."
         )
-    found = []
+    submissions = []
     for path in files[:MAX_LISTED]:
         place = f"{whole.place}/{printable(path.relative_to(top))}"
-        each = replace(whole, place=place, path=path)
+        submission = replace(whole, place=place, path=path)
         ending, stem = path.suffix.lower(), printable(path.stem)
         if ending == ".zip" and not path.is_symlink():
-            found += _in_zip(each, notebooks, students)
+            submissions += _in_zip(submission, notebooks, students)
         else:
             notebook = (split(stem, notebooks)[1] or stem) if ending == ".ipynb" else ""
             refused = LINK if path.is_symlink() else ""
-            found.append(replace(each, notebook=notebook, refused=refused))
-    if not found and not problems:
+            submissions.append(replace(submission, notebook=notebook, refused=refused))
+    if not submissions and not problems:
         holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
         problems.append(f"There is not a notebook in the folder: {holds}.")
     if problems:
-        found.append(replace(whole, refused=" ".join(problems)))
-    return found
+        submissions.append(replace(whole, refused=" ".join(problems)))
+    return submissions
 
 
 def _question(
@@ -298,7 +305,9 @@ def is_of_a_class(names: Sequence[str], platform: str) -> bool:
     platform: the name of the one that exported; "" if it is to be guessed.
     """
     paths = [name.removesuffix(".ipynb").split("/") for name in names]
-    candidates = [each for each in platforms().values() if not each.vague]
+    candidates = [
+        known_platform for known_platform in platforms().values() if not known_platform.vague
+    ]
     if platform:
         candidates = [named(platform)]
     for parts in ([path[0] for path in paths], [path[-1] for path in paths]):
@@ -308,7 +317,11 @@ def is_of_a_class(names: Sequence[str], platform: str) -> bool:
                 students = {h.student.removesuffix(f"_{h.number}") for h in hand_ins if h}
                 if len(students) > 1:
                     return True
-    folders = [each.export_folder for each in platforms().values() if each.export_folder]
+    folders = [
+        known_platform.export_folder
+        for known_platform in platforms().values()
+        if known_platform.export_folder
+    ]
     return any(pattern.fullmatch(part) for pattern in folders for path in paths for part in path)
 
 
@@ -331,17 +344,17 @@ def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[
             return [whole.asked(f"{question} A class must be unpacked first.")]
     if not names:
         return [replace(whole, refused="There is not a notebook in the zip.")]
-    found = []
+    submissions = []
     for name in names[:MAX_LISTED]:
         stem = printable(name.rpartition("/")[2]).removesuffix(".ipynb")
         of_zip = whole.notebook if whole.notebook in notebooks else stem
         notebook = split(stem, notebooks)[1] or of_zip
         place = f"{whole.place}/{printable(name)}"
-        found.append(replace(whole, notebook=notebook, place=place, member=name))
+        submissions.append(replace(whole, notebook=notebook, place=place, member=name))
     if len(names) > MAX_LISTED:
         reason = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
-        found.append(replace(whole, refused=reason))
-    return found
+        submissions.append(replace(whole, refused=reason))
+    return submissions
 
 
 def _modified(path: Path) -> float | None:
@@ -384,38 +397,38 @@ def _walk(top: Path) -> tuple[list[Path], list[str], list[str]]:
     return sorted(files), others, sorted(problems)
 
 
-def _one_name_each(found: list[Submission]) -> list[Submission]:
+def _one_name_each(submissions: list[Submission]) -> list[Submission]:
     """Add the platform's number to the names of students who have the same name."""
     numbers = collections.defaultdict(set)
-    for each in found:
-        if each.platform_id:
-            numbers[each.student, each.notebook].add(each.platform_id)
+    for submission in submissions:
+        if submission.platform_id:
+            numbers[submission.student, submission.notebook].add(submission.platform_id)
     double = {student for (student, _), several in numbers.items() if len(several) > 1}
     return [
-        replace(each, student=f"{each.student} {each.platform_id}")
-        if each.student in double and each.platform_id
-        else each
-        for each in found
+        replace(submission, student=f"{submission.student} {submission.platform_id}")
+        if submission.student in double and submission.platform_id
+        else submission
+        for submission in submissions
     ]
 
 
-def _apart(found: list[Submission]) -> list[Submission]:
+def _separate_sections(submissions: list[Submission]) -> list[Submission]:
     """Keep apart students of one name who have the same notebook in several sections, and say
     so."""
     sections = collections.defaultdict(set)
-    for each in found:
-        sections[each.student, each.notebook].add(each.section)
+    for submission in submissions:
+        sections[submission.student, submission.notebook].add(submission.section)
     double = {student for (student, _), several in sections.items() if len(several) > 1}
     separated = []
-    for each in found:
-        if each.student in double and each.section:
+    for submission in submissions:
+        if submission.student in double and submission.section:
             remark = (
-                f"{each.student} has the same notebook in another folder too. They are taken for "
-                "two students: if they are one, put all files into one folder."
+                f"{submission.student} has the same notebook in another folder too. They are taken "
+                "for two students: if they are one, put all files into one folder."
             )
-            name = f"{each.student} ({each.section})"
-            each = replace(each, student=name, remark=remark)
-        separated.append(each)
+            name = f"{submission.student} ({submission.section})"
+            submission = replace(submission, student=name, remark=remark)
+        separated.append(submission)
     return separated
 
 

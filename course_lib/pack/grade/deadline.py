@@ -13,14 +13,11 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.csv_text import count_noun, read_table, words
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.platforms import Platform, platforms
-
-if TYPE_CHECKING:
-    from course_lib.pack.grade.tables import GradedFile
 
 HOUR, DAY = 3600, 86_400
 FILES = "files"  # TIMES=files: the files' own times are those of submission
@@ -41,28 +38,28 @@ class Deadline:
     others: dict = field(default_factory=dict)
     times: str | dict = field(default_factory=dict)
 
-    def time(self, each: "GradedFile") -> float | None:
+    def time(self, file: GradedFile) -> float | None:
         """Return when a GradedFile was handed in, None if that is not known."""
         if self.times == FILES:
-            return each.submission.modified
-        by_platform = each.submission.modified if each.submission.timed else None
-        return _entry(self.times, each, by_platform)
+            return file.submission.modified
+        by_platform = file.submission.modified if file.submission.timed else None
+        return _entry(self.times, file, by_platform)
 
-    def late(self, each: "GradedFile") -> float | None:
+    def late(self, file: GradedFile) -> float | None:
         """Return how many seconds late a GradedFile is; None if a mark of the platform is all that
         is known."""
-        time = self.time(each)
+        time = self.time(file)
         if time is not None:
-            return max(0.0, time - _entry(self.others, each, self.when))
+            return max(0.0, time - _entry(self.others, file, self.when))
         # The mark is about the platform's own deadline, so it says nothing of a student who has
         # another one here.
-        marked = each.submission.late and not self.extended(each)
+        marked = file.submission.late and not self.extended(file)
         return None if marked else 0.0
 
-    def extended(self, each: "GradedFile") -> bool:
+    def extended(self, file: GradedFile) -> bool:
         """Return whether the student of a GradedFile has a deadline of their own for it."""
         return any(
-            self.others.keys() & {(name, each.notebook), (name, "")} for name in _names(each)
+            self.others.keys() & {(name, file.notebook), (name, "")} for name in _names(file)
         )
 
     def share_left(self, late: float | None) -> float:
@@ -84,52 +81,52 @@ def begun_days(late: float | None) -> int:
     return 1 if late is None else math.ceil(late / DAY)
 
 
-def _names(each: "GradedFile") -> list[str]:
+def _names(file: GradedFile) -> list[str]:
     """Return what a table may call the student of a GradedFile."""
-    submission = each.submission
+    submission = file.submission
     numbers = [submission.platform_id, submission.user_id, submission.student_number]
     logins = [words(submission.login), words(submission.address)]
-    return [name for name in (*numbers, *logins, words(each.student)) if name]
+    return [name for name in (*numbers, *logins, words(file.student)) if name]
 
 
-def _entry(table: dict, each: "GradedFile", default: float | None = None) -> float | None:
-    found = ((name, notebook) for name in (*_names(each), "") for notebook in (each.notebook, ""))
-    return next((table[key] for key in found if key in table), default)
+def _entry(table: dict, file: GradedFile, default: float | None = None) -> float | None:
+    keys = ((name, notebook) for name in (*_names(file), "") for notebook in (file.notebook, ""))
+    return next((table[key] for key in keys if key in table), default)
 
 
-def without_time(everything: Iterable["GradedFile"], deadline: Deadline) -> list["GradedFile"]:
+def without_time(everything: Iterable[GradedFile], deadline: Deadline) -> list[GradedFile]:
     """Return the GradedFiles that count and whose time of submission nobody knows."""
-    return [each for each in _counting(everything) if deadline.time(each) is None]
+    return [file for file in _counting(everything) if deadline.time(file) is None]
 
 
-def _counting(everything: Iterable["GradedFile"]) -> list["GradedFile"]:
-    return [each for each in everything if each.student and each.graded and not each.superseded_by]
+def _counting(everything: Iterable[GradedFile]) -> list[GradedFile]:
+    return [file for file in everything if file.student and file.graded and not file.superseded_by]
 
 
-def summary(everything: Sequence["GradedFile"], deadline: Deadline) -> list[str]:
+def summary(everything: Sequence[GradedFile], deadline: Deadline) -> list[str]:
     """Return sentences on how many GradedFiles are late and by how much, and on what the tables
     leave open."""
     counting = _counting(everything)
-    late = sorted(each.late for each in counting if each.late)
+    late = sorted(file.late for file in counting if file.late)
     sizes = Counter("an hour" if t <= HOUR else count_noun(begun_days(t), "day") for t in late)
     by = "".join(f", {number} by up to {size}" for size, number in sizes.items())
     lines = [f"Late: {len(late)} of {count_noun(len(counting), 'notebook')}{by}."]
-    if marks := sum(each.late is None for each in counting):
+    if marks := sum(file.late is None for file in counting):
         lines.append(
             f"Marked LATE by the platform: {marks}, which count as one day late, because no time "
             f"is known."
         )
     unknown = without_time(everything, deadline)
     if deadline.times and unknown:
-        some = ", ".join(sorted({each.student for each in unknown})[:5])
+        some = ", ".join(sorted({file.student for file in unknown})[:5])
         lines.append(
             f"Without a time in TIMES=: {count_noun(len(unknown), 'notebook')}, for example of "
             f"{some}."
         )
-    extended = [each for each in counting if deadline.extended(each)]
+    extended = [file for file in counting if deadline.extended(file)]
     if extended:
         lines.append(_about_extensions(extended, unknown))
-    known = {name for each in everything for name in _names(each)}
+    known = {name for file in everything for name in _names(file)}
     if strangers := sorted({name for name, _ in deadline.others} - known - {""}):
         lines.append(
             f"Nobody of this name, whom EXTENSIONS= names, handed in: {', '.join(strangers)}."
@@ -137,13 +134,13 @@ def summary(everything: Sequence["GradedFile"], deadline: Deadline) -> list[str]
     return lines
 
 
-def _about_extensions(extended: list["GradedFile"], unknown: list["GradedFile"]) -> str:
-    said = f"With an extension: {count_noun(len(extended), 'notebook')}."
-    marked = {each.student for each in unknown if each.submission.late and each in extended}
+def _about_extensions(extended: list[GradedFile], unknown: list[GradedFile]) -> str:
+    sentence = f"With an extension: {count_noun(len(extended), 'notebook')}."
+    marked = {file.student for file in unknown if file.submission.late and file in extended}
     if not marked:
-        return said
+        return sentence
     names = ", ".join(sorted(marked))
-    return f"{said} Their marks LATE do not count, because no time is known: {names}."
+    return f"{sentence} Their marks LATE do not count, because no time is known: {names}."
 
 
 # ---- what was typed ----
@@ -190,10 +187,10 @@ def _times(typed: str) -> dict:
     if not typed:
         return {}
     paths = sorted(Path(typed).glob("*.csv")) if Path(typed).is_dir() else [Path(typed)]
-    found = {}
+    times = {}
     for path in paths:
-        found |= _table(path, "time", _time)
-    return found
+        times |= _table(path, "time", _time)
+    return times
 
 
 def _due(typed: str) -> float | None:
@@ -222,7 +219,7 @@ def _table(path: Path, column: str, read: Callable[[str], float | None]) -> dict
     known = {"student", "notebook", column}
     for platform in exporters:
         known |= {*platform.time_columns}
-    found = {}
+    times = {}
     for row in read_table(path, known):
         exporter = None
         columns = ("student", column)
@@ -240,20 +237,22 @@ def _table(path: Path, column: str, read: Callable[[str], float | None]) -> dict
                 f"{path}: {typed}, for {student or 'all'}, is not a time: write 2026-11-30 18:00."
             )
         name = words(exporter.read_student(student) if exporter else student)
-        found[name, row.get("notebook", "").strip()] = time
-    return found
+        times[name, row.get("notebook", "").strip()] = time
+    return times
 
 
 def _exporter(row: dict, exporters: Sequence[Platform]) -> Platform | None:
     """Return the platform whose table of times has such rows."""
-    return next((each for each in exporters if row.keys() >= {*each.time_columns}), None)
+    return next(
+        (platform for platform in exporters if row.keys() >= {*platform.time_columns}), None
+    )
 
 
 def _unknown_columns(path: Path, column: str, exporters: Sequence[Platform]) -> str:
     """Return what to say about a table of times whose columns nobody knows."""
     tables = [
-        f"`{each.time_columns[0]}` and `{each.time_columns[1]}` ({each.title})"
-        for each in exporters
+        f"`{platform.time_columns[0]}` and `{platform.time_columns[1]}` ({platform.title})"
+        for platform in exporters
     ]
     return (
         f"{path} has neither the columns `student` and `{column}` nor those of a learning "

@@ -15,10 +15,11 @@ from markupsafe import Markup
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.csv_text import clean, count_noun
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer
 from course_lib.pack.grade.names import file_names
 from course_lib.pack.grade.platforms import Platform, platforms
-from course_lib.pack.grade.tables import GradedFile, final_message, final_state, lateness
+from course_lib.pack.grade.tables import final_message, final_state, lateness
 
 MAX_TEXT = 100_000  # characters of one message or answer
 MARKS = {
@@ -47,29 +48,29 @@ def rendered(name: str, **values: object) -> str:
     return TEMPLATES.get_template(name).render(values)
 
 
-def feedback_page(each: GradedFile) -> str:
+def feedback_page(file: GradedFile) -> str:
     """Return the HTML page of one GradedFile."""
-    entries = [*map(_exercise, each.result["exercises"]), *map(_answer, each.answers)]
+    entries = [*map(_exercise, file.result["exercises"]), *map(_answer, file.answers)]
     for entry in entries:
         entry["mark"], entry["colour"] = MARKS.get(entry["state"], ("·", "none"))
     groups = [
-        (_subtotal(each, more), [it for it in entries if it["more"] == more])
+        (_subtotal(file, more), [it for it in entries if it["more"] == more])
         for more in (False, True)
     ]
-    left = f", {count_noun(each.unread, 'written answer')} still to be read" if each.unread else ""
-    about = {"title": f"{each.notebook}, {each.student}", "late": lateness(each), "left": left}
+    left = f", {count_noun(file.unread, 'written answer')} still to be read" if file.unread else ""
+    about = {"title": f"{file.notebook}, {file.student}", "late": lateness(file), "left": left}
     details = [it for it in entries if it["text"] or "task" in it]
-    return rendered("feedback.html", each=each, groups=groups, details=details, **about)
+    return rendered("feedback.html", file=file, groups=groups, details=details, **about)
 
 
-def _subtotal(each: GradedFile, more: bool) -> str:
-    points, of = each.part(more)
-    said = f"{'More' if more else 'Core'}: {points:g} of {of:g} points"
-    if not more or each.weight == 1:
-        return said
+def _subtotal(file: GradedFile, more: bool) -> str:
+    points, of = file.part(more)
+    subtotal = f"{'More' if more else 'Core'}: {points:g} of {of:g} points"
+    if not more or file.weight == 1:
+        return subtotal
     return (
-        f"{said}, which count {each.weight:g} times: {points * each.weight:.4g} of "
-        f"{of * each.weight:.4g}"
+        f"{subtotal}, which count {file.weight:g} times: {points * file.weight:.4g} of "
+        f"{of * file.weight:.4g}"
     )
 
 
@@ -104,17 +105,17 @@ def _answer(answer: MarkedAnswer) -> dict:
 def write_feedback(folder: Path, everything: Iterable[GradedFile]) -> None:
     """Write <student>/<notebook>.html for each file that counts; delete the pages of students not
     in this run."""
-    counting = [each for each in everything if not each.superseded_by and each.student]
-    students = file_names({each.student for each in counting})
+    counting = [file for file in everything if not file.superseded_by and file.student]
+    students = file_names({file.student for file in counting})
     pages = {}
-    for each in counting:
-        pages.setdefault(each.student, {}).setdefault(each.notebook or each.submission.place, each)
+    for file in counting:
+        pages.setdefault(file.student, {}).setdefault(file.notebook or file.submission.place, file)
     written = set()
-    for student, its in pages.items():
-        names = file_names(set(its))
-        for notebook, each in its.items():
+    for student, files in pages.items():
+        names = file_names(set(files))
+        for notebook, file in files.items():
             path = folder / students[student] / f"{names[notebook]}.html"
-            write_atomically(path, feedback_page(each))
+            write_atomically(path, feedback_page(file))
             written.add(path)
     for platform in platforms().values():
         for notebook, content in _uploads(counting, platform).items():
@@ -133,16 +134,16 @@ def _uploads(counting: list[GradedFile], platform: Platform) -> dict[str, bytes]
     """Return {notebook: a zip of all its feedback, as a platform takes it}, empty if nothing came
     from it."""
     contents: dict[str, io.BytesIO] = {}
-    for each in counting:
-        submission = each.submission
-        folder = platform.feedback_folder(submission.place, each.student, submission.platform_id)
+    for file in counting:
+        submission = file.submission
+        folder = platform.feedback_folder(submission.place, file.student, submission.platform_id)
         if not folder:
             continue
-        name = each.notebook or "other files"
+        name = file.notebook or "other files"
         content = contents.setdefault(name, io.BytesIO())
         with zipfile.ZipFile(content, "a", zipfile.ZIP_DEFLATED) as archive:
             # Dated 1980: equal pages, equal bytes.
             about = zipfile.ZipInfo(f"{folder}/feedback_{name}.html")
-            archive.writestr(about, feedback_page(each), zipfile.ZIP_DEFLATED)
+            archive.writestr(about, feedback_page(file), zipfile.ZIP_DEFLATED)
     names = file_names(set(contents))
     return {names[notebook]: content.getvalue() for notebook, content in contents.items()}

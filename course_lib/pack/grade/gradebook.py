@@ -149,9 +149,9 @@ class Roster:
         self._spellings = [(id(row), _spellings(row), full_name(row)) for row in rows]
 
     def _add(self, field: str, key: str, row: Row) -> None:
-        there = self._rows[field][key]
-        if key and not any(row is other for other in there):
-            there.append(row)
+        rows = self._rows[field][key]
+        if key and not any(row is other for other in rows):
+            rows.append(row)
 
     def find(self, student: str, user_id: str = "", identity: dict | None = None) -> list[Row]:
         """Return the rows that fit, of which only a single one is certain.
@@ -180,8 +180,8 @@ class Roster:
         for field in KEYS[1:]:
             if identity.get(field):
                 # A roster of no platform may call the number ID, which is Canvas's own in its.
-                there = self._rows[field] or (self._rows["id"] if field == "number" else {})
-                yield there.get(_key(identity[field]), [])
+                rows_of_field = self._rows[field] or (self._rows["id"] if field == "number" else {})
+                yield rows_of_field.get(_key(identity[field]), [])
         for field in (ALIAS, *KEYS):
             yield self._rows[field].get(_key(student), [])
         yield self._rows["name"].get(words(student), [])
@@ -327,9 +327,9 @@ def unmatched(totals: Totals, roster: Sequence[Row]) -> dict[str, list[str]]:
     student}."""
     finder = Roster(roster)
     taken = matched(totals, finder)
-    found = {}
+    nearest = {}
     for student in totals.students:
         known = totals.identities.get(student, {})
         if not finder.find(student, totals.user_ids.get(student, ""), known):
-            found[student] = finder.nearest(student, taken)
-    return found
+            nearest[student] = finder.nearest(student, taken)
+    return nearest

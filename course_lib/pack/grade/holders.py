@@ -40,7 +40,7 @@ def holders_in(folder: Path, exporter: Platform, students: str) -> list[Holder]:
     """Return what holds the students' work in a folder."""
     if students not in ("", EACH_ENTRY):
         return _by_pattern(folder, students, exporter)
-    always = [each for each in platforms().values() if not each.asks]
+    always = [platform for platform in platforms().values() if not platform.asks]
     holders = {}
     for platform in [*always, exporter]:
         for path, hand_ins in platform.hand_ins(folder).items():
@@ -62,15 +62,15 @@ def _beside(top: Path, holders: Iterable[Path]) -> list[Path]:
     """Return the notebooks, zips and folders below a folder that are outside of all holders."""
     holders = set(holders)
     above = {parent for path in holders for parent in path.parents}
-    found = []
+    outside = []
     for path in entries_inside(top):
         if path in holders:
             continue
         if path in above:
-            found += _beside(path, holders)
+            outside += _beside(path, holders)
         elif is_folder(path) or path.suffix.lower() in READ:
-            found.append(path)
-    return found
+            outside.append(path)
+    return outside
 
 
 def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:

@@ -91,12 +91,12 @@ def _tried() -> str:
             )
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)
-    said = done.stderr.decode(errors="replace").strip().splitlines()
+    errors = done.stderr.decode(errors="replace").strip().splitlines()
     return (
         ""
         if done.stdout == b"fine\n"
-        else said[-1]
-        if said
+        else errors[-1]
+        if errors
         else f"it ends with status {done.returncode}"
     )
 
@@ -134,7 +134,6 @@ def start_unisolated(course: Path, limits: dict) -> list[str]:
         "limits": limits | {"processes": None},
         "uid": 0,
         "packages": sys.path,
-        "apart": False,
     }
     return [sys.executable, *ALONE, str(course / "runner.py"), str(course), json.dumps(settings)]
 
@@ -153,7 +152,6 @@ def start(course: Path, limits: dict, hidden: Iterable[str] = ()) -> list[str]:
         "limits": limits | _processes(limits, uid),
         "uid": uid,
         "packages": packages(),
-        "apart": True,
     }
     rooms = [(path, limits["scratch"] // part) for path, part in WRITABLE.items()]
     shown, covered = mounts(hidden)
@@ -166,11 +164,11 @@ def environment(scratch: str = "") -> dict[str, str]:
 
     scratch: its folder if it is not isolated.
     """
-    found = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR"), scratch or "/scratch")
-    found |= {"USER": "student", "LANG": "C.UTF-8", "MPLBACKEND": "Agg"}
-    found |= {"PYTHONHASHSEED": "0"}  # a set of texts has the same order in each run
-    found |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    return found if scratch else found | {"LD_LIBRARY_PATH": LIBRARIES}
+    variables = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR"), scratch or "/scratch")
+    variables |= {"USER": "student", "LANG": "C.UTF-8", "MPLBACKEND": "Agg"}
+    variables |= {"PYTHONHASHSEED": "0"}  # a set of texts has the same order in each run
+    variables |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    return variables if scratch else variables | {"LD_LIBRARY_PATH": LIBRARIES}
 
 
 def _processes(limits: dict, uid: int) -> dict[str, int | None]:

@@ -120,7 +120,7 @@ def _results(
     offered: Mapping | None,
 ) -> Iterator[tuple[Submission, dict]]:
     """Yield each submission with its result as soon as that is there."""
-    begun = {}  # {path of a result: Begun}
+    in_progress = {}  # {path of a result: Begun}
     for submission in submissions:
         try:
             content = read(submission)
@@ -130,17 +130,17 @@ def _results(
             yield submission, ungraded_result(submission, reason, "refused")
             continue
         path = results / result_name(submission, content, seed)
-        if path in begun:
-            begun[path].waiting.append(submission)
+        if path in in_progress:
+            in_progress[path].waiting.append(submission)
         elif (kept := stored(path, offered)) is not None:
             yield submission, kept
         else:
             while not pool.room():
-                yield from _finished(pool, begun, offered)
+                yield from _finished(pool, in_progress, offered)
             pool.begin(path, content, submission.notebook, seed)
-            begun[path] = Begun(content, seed, [submission])
-    while begun:
-        yield from _finished(pool, begun, offered)
+            in_progress[path] = Begun(content, seed, [submission])
+    while in_progress:
+        yield from _finished(pool, in_progress, offered)
 
 
 @dataclass
@@ -158,7 +158,7 @@ class Begun:
 
 
 def _finished(
-    pool: object, begun: dict, offered: Mapping | None
+    pool: object, in_progress: dict, offered: Mapping | None
 ) -> Iterator[tuple[Submission, dict]]:
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
@@ -169,7 +169,7 @@ def _finished(
         try:
             result, why = _result_in(outcome, offered)
         except NotAResult as problem:
-            work, worker = begun[path], outcome.get("worker", "this machine")
+            work, worker = in_progress[path], outcome.get("worker", "this machine")
             name = work.waiting[0].place
             tqdm.write(f"{name}: {worker} returned no usable result, because {problem}.")
             work.bad += 1
@@ -179,7 +179,7 @@ def _finished(
             result, why = None, f"It could not be graded: no usable result came, because {problem}."
         if result is not None:
             write_atomically(path, json.dumps(result, sort_keys=True, indent=1))
-        for submission in begun.pop(path).waiting:
+        for submission in in_progress.pop(path).waiting:
             yield submission, result or ungraded_result(submission, why, "not graded")
 
 

@@ -31,16 +31,16 @@ def ask(
     if run.over():
         return run.not_graded(exercise)
     first, *others = [seed] if seed is not None else _seeds(run)
-    asked, verdict = first, judged(run, student, first)
+    asked, verdict = first, judge_within_bounds(run, student, first)
     for other in others:
         if verdict.state != RIGHT or student.ended or student.candidates or run.over():
             break
-        asked, verdict = other, replace(judged(run, student, other), note=verdict.note)
+        asked, verdict = other, replace(judge_within_bounds(run, student, other), note=verdict.note)
     if student.ended:
         verdict = Verdict(exercise, ERROR, student.ended)
         return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
     if verdict.case is not None and verdict.state in (WRONG, ERROR):
-        verdict = _if_it_is_repeated(verdict, judged(run, student, asked))
+        verdict = _without_what_varies(verdict, judge_within_bounds(run, student, asked))
     for (cell, _), how in left_out.items():
         is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
         if verdict.state == ERROR or is_missing:
@@ -51,7 +51,7 @@ def ask(
     return Outcome(
         verdict,
         hindered,
-        apart=student.candidates,
+        is_test=student.candidates,
         at=at,
         called=student.called,
         too_late=student.too_late,
@@ -63,7 +63,7 @@ def _seeds(run: Run) -> list[Seed]:
     return [run.seed, *((run.seed, number) for number in range(1, SETS))]
 
 
-def _if_it_is_repeated(verdict: Verdict, again: Verdict) -> Verdict:
+def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
     """Return a verdict, without what it quotes if the same questions were answered otherwise.
 
     A random answer, or one that depends on the time, would give other feedback with each run.
@@ -79,7 +79,7 @@ def _if_it_is_repeated(verdict: Verdict, again: Verdict) -> Verdict:
     return Verdict(verdict.exercise, WRONG, reason, credit=credit)
 
 
-def judged(run: Run, student: Student, seed: Seed) -> Verdict:
+def judge_within_bounds(run: Run, student: Student, seed: Seed) -> Verdict:
     """Return the Verdict on a student's answers to one set of cases, formed within bounds."""
     exercise = student.exercise
     try:

@@ -109,21 +109,21 @@ def marks_text(
     reader's entries are kept as typed. models: {(notebook, question): (rubric, model answer)}.
     """
     written, table = set(), []
-    for student, notebook, each in listed:
-        if each.state in (NOT_ATTEMPTED, UNREADABLE) or each.key in written:
+    for student, notebook, answer in listed:
+        if answer.state in (NOT_ATTEMPTED, UNREADABLE) or answer.key in written:
             continue
-        row = rows.get(each.key, {})
+        row = rows.get(answer.key, {})
         begin = [
             notebook,
-            each.question,
+            answer.question,
             student,
-            each.of,
+            answer.of,
             row.get("mark", ""),
             row.get("comment", ""),
         ]
-        model = (models or {}).get((notebook, each.question), ("", ""))
-        table.append([*begin, each.reported_state, answer_text(each.text), *model, each.key])
-        written.add(each.key)
+        model = (models or {}).get((notebook, answer.question), ("", ""))
+        table.append([*begin, answer.reported_state, answer_text(answer.text), *model, answer.key])
+        written.add(answer.key)
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):
             table.append([row[name] if name != "state" else OLDER for name in COLUMNS])

@@ -27,11 +27,11 @@ def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
     """
     for name in sorted(notebooks, key=lambda name: (-len(name), name)):
         for title in name, name.partition("_")[2]:
-            found = re.fullmatch(
+            match = re.fullmatch(
                 rf"(?:(.*)[_\s-])?{re.escape(title)}{COPY}", stem, re.IGNORECASE | re.DOTALL
             )
-            if found:
-                return _without_copy_of(found[1] or ""), name
+            if match:
+                return _without_copy_of(match[1] or ""), name
     return "", ""
 
 
@@ -45,18 +45,18 @@ def unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
     ""."""
     for name in notebooks:
         for title in (name, name.partition("_")[2]):
-            found = re.fullmatch(
+            match = re.fullmatch(
                 rf"(?:(.*?)[_\s-]+)?{re.escape(title)}[_\s.-]+(.+)", stem, re.IGNORECASE | re.DOTALL
             )
-            if found and found[1]:
+            if match and match[1]:
                 return (
-                    f"{stem} is taken for the student's name. If the file is {found[1]}'s, call it "
-                    f"{found[1]}_{name}.ipynb."
+                    f"{stem} is taken for the student's name. If the file is {match[1]}'s, call it "
+                    f"{match[1]}_{name}.ipynb."
                 )
-            if found:
+            if match:
                 return (
-                    f"{stem} is taken for the student's name. If the file is {found[2]}'s, call it "
-                    f"{found[2]}_{name}.ipynb."
+                    f"{stem} is taken for the student's name. If the file is {match[2]}'s, call it "
+                    f"{match[2]}_{name}.ipynb."
                 )
     return ""
 

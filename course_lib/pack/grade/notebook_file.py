@@ -176,7 +176,7 @@ def not_code(course: Course, cells: list[Cell]) -> list[str]:
     JupyterLab makes a cell raw or Markdown by one key, and then nothing runs it.
     """
     sources = code(cells)
-    said = []
+    sentences = []
     for exercise in course.exercises:
         if defines(sources, exercise.name):
             continue
@@ -184,12 +184,12 @@ def not_code(course: Course, cells: list[Cell]) -> list[str]:
             own = cell.kind != "code" and cell.source.strip() not in course.texts
             if own and defines([cell.source], exercise.name):
                 kind = "a Markdown cell" if cell.kind == "markdown" else f"a {cell.kind} cell"
-                said.append(
+                sentences.append(
                     f"{exercise.name} is written in cell {number}, which is {kind} and not a code "
                     f"cell, {NOT_CODE}."
                 )
                 break
-    return said
+    return sentences
 
 
 # ---- the course's notebooks ----
@@ -214,7 +214,7 @@ def course_of(name: str, cells: list[Cell]) -> Course | None:
 @functools.cache
 def courses() -> dict[str, Course]:
     """Return {name: Course} of all notebooks of the course."""
-    found = {}
+    known = {}
     for path in sorted(NOTEBOOKS.glob("[0-9][0-9]_*.ipynb")):
         package = path.stem.partition("_")[2]
         checks = importlib.import_module(f"course_lib.lessons.{package}.check").CHECKS
@@ -224,7 +224,7 @@ def courses() -> dict[str, Course]:
         given = nbformat.v4.reads_json(students_copy(text, path.stem, ""))
         named = [cell.metadata.get("nbgrader", {}).get("grade_id") for cell in book.cells]
         more = frozenset(itertools.compress(named, cells_of_more(book)))
-        found[path.stem] = Course(
+        known[path.stem] = Course(
             path.stem,
             package,
             exercises,
@@ -233,7 +233,7 @@ def courses() -> dict[str, Course]:
             frozenset(cell.source.strip() for cell in book.cells if cell.cell_type != "code"),
             frozenset(cell.source.strip() for cell in given.cells if cell.cell_type == "code"),
         )
-    return found
+    return known
 
 
 def _questions(cells: list) -> Iterator[Question]:
@@ -265,15 +265,15 @@ def answer(question: Question, cells: list[Cell]) -> str:
     numbers = range(len(cells))
     texts = [number for number in numbers if cells[number].kind != "code"]
     task, then = question.after.split(), question.then.split()
-    for found in (
+    for places in (
         [number for number in numbers if cells[number].name == question.name],
         [number for number in numbers if cells[number].id == question.id],
         [number for number in texts if number and cells[number - 1].source.split() == task][:1],
     ):
-        if found:
-            written = _written("\n\n".join(cells[number].source for number in found))
+        if places:
+            written = _written("\n\n".join(cells[number].source for number in places))
             below = itertools.takewhile(
-                lambda cell: cell.kind != "code" and not cell.name, cells[found[-1] + 1 :]
+                lambda cell: cell.kind != "code" and not cell.name, cells[places[-1] + 1 :]
             )
             new = itertools.takewhile(lambda cell: cell.source.split() != then, below)
             return written or _written("\n\n".join(cell.source for cell in new))

@@ -32,8 +32,8 @@ class Outcome:
         Whether the run may have prevented a better one, which a process of its own may give.
     answered : bool
         False if no answer came.
-    apart : bool
-        Whether it is a test, which must be asked about each candidate apart.
+    is_test : bool
+        Whether it is a test, which must be asked about each candidate in a sandbox of its own.
     at : int
         The number of the notebook's check at which it was asked, 0 after all cells.
     whole : bool
@@ -52,7 +52,7 @@ class Outcome:
     verdict: Verdict
     hindered: bool = False
     answered: bool = True
-    apart: bool = False
+    is_test: bool = False
     at: int = 0
     whole: bool = False
     called: tuple[str, ...] = ()

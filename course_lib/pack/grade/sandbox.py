@@ -23,7 +23,7 @@ import psutil
 
 from course_lib.pack.grade import isolation
 
-LEAST_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
+MIN_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
 WAIT = 0.25  # seconds between two looks
 # Processes of ours around the student's: what begins the sandbox, and its first process.
 WATCHERS = 2
@@ -91,14 +91,12 @@ class Sandbox:
     ) -> None:
         self._contents, self._limits, self._hidden = contents, limits, hidden
         self._isolated = isolation.isolated(isolate)
-        self._left, self._over, self._excess, self._ended = bytearray(), "", "", threading.Event()
-        self.looks, self.computed, self.free, self._waited, self._before = (
-            0,
-            0.0,
-            0.0,
-            0.0,
-            (0.0, 0.0),
-        )
+        self._unread = bytearray()  # what came and is no whole message yet
+        self._over = self._excess = ""  # why no message comes any more, which bound was exceeded
+        self._ended = threading.Event()
+        self.looks = 0
+        self.computed = self.free = self._waited = 0.0
+        self._before = (0.0, 0.0)  # the seconds waited, and delayed, at the last look
 
     def __enter__(self) -> "Sandbox":
         self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
@@ -216,11 +214,9 @@ class Sandbox:
                     delayed += _delay(process.pid)
         waited = self._waited
         self.free += max(waited - self._before[0] - max(delayed - self._before[1], 0), 0)
-        self.computed, self._before, self.looks = (
-            max(computed, self.computed),
-            (waited, delayed),
-            self.looks + 1,
-        )
+        self.computed = max(computed, self.computed)
+        self._before = (waited, delayed)
+        self.looks += 1
         return len(processes), memory
 
     def _taken_beside_memory(self) -> str:
@@ -246,19 +242,19 @@ class Sandbox:
     def _next(self, watch: "Watch") -> dict:
         looked_at = 0
         while True:
-            end = self._left.find(b"\n", looked_at)
+            end = self._unread.find(b"\n", looked_at)
             if end >= 0:
-                line, looked_at = bytes(self._left[:end]), 0
-                del self._left[: end + 1]
+                line, looked_at = bytes(self._unread[:end]), 0
+                del self._unread[: end + 1]
                 with contextlib.suppress(ValueError, RecursionError):
                     message = json.loads(line)
                     if isinstance(message, dict):
                         return message
                 continue
-            looked_at = len(self._left)
+            looked_at = len(self._unread)
             if looked_at > self._limits.reply + 10_000:
                 raise Ended("it wrote too much")
-            self._left += self._more(watch)
+            self._unread += self._more(watch)
 
     def _more(self, watch: "Watch") -> bytes:
         self._wait(self._process.stdout, select.POLLIN, watch)
@@ -299,20 +295,16 @@ class Watch:
     none."""
 
     def __init__(self, sandbox: Sandbox, asleep: float, cpu: float, idle: float) -> None:
-        self._sandbox, self._cpu, self._most, self._asleep, self._idle = (
-            sandbox,
-            cpu,
-            math.inf,
-            asleep,
-            idle,
-        )
+        self._sandbox = sandbox
+        self._max_cpu, self._max_asleep, self._max_idle = cpu, asleep, idle
+        self._max_together = math.inf  # seconds of processor time of all parts
         self._looks, self._slept = sandbox.looks, sandbox.asleep
         self._first = self._part = self._since = None
 
     def begin(self, cpu: float, most: float) -> None:
         """Allow so many seconds of processor time for the part that begins now, and for all parts
         together."""
-        self._cpu, self._most, self._part = cpu, most, None
+        self._max_cpu, self._max_together, self._part = cpu, most, None
 
     def look(self) -> None:
         """Raise TooSlow if a bound is exceeded."""
@@ -323,16 +315,18 @@ class Watch:
         self._first = computed if self._first is None else self._first
         self._part = computed if self._part is None else self._part
         self._since = self._since or (sandbox.free, computed)
-        if (used := computed - self._part) > self._cpu or computed - self._first > self._most:
-            raise TooSlow(
-                f"it took more than {self._cpu if used > self._cpu else self._most} seconds of "
-                f"computing"
-            )
-        if sandbox.asleep - self._slept > self._asleep:
-            raise TooSlow(f"it waited for more than {self._asleep} seconds")
-        if (free := sandbox.free - self._since[0]) > self._idle:
-            if computed - self._since[1] < LEAST_PROGRESS * free:
-                raise Idle(f"it computed nothing for {self._idle} seconds. What does it wait for?")
+        if computed - self._part > self._max_cpu:
+            raise TooSlow(f"it took more than {self._max_cpu} seconds of computing")
+        if computed - self._first > self._max_together:
+            raise TooSlow(f"it took more than {self._max_together} seconds of computing")
+        if sandbox.asleep - self._slept > self._max_asleep:
+            raise TooSlow(f"it waited for more than {self._max_asleep} seconds")
+        free = sandbox.free - self._since[0]
+        if free > self._max_idle:
+            if computed - self._since[1] < MIN_PROGRESS * free:
+                raise Idle(
+                    f"it computed nothing for {self._max_idle} seconds. What does it wait for?"
+                )
             self._since = sandbox.free, computed
 
 

@@ -49,11 +49,17 @@ class Statement:
 def statements(sources: Sequence[str]) -> list[Statement]:
     """Return the Statements of a notebook's code cells, without stubs of functions that other cells
     define."""
-    found = [
+    in_order = [
         _looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)
     ]
-    written = {name for each in found if not is_stub(each.tree) for name in each.binds}
-    return [each for each in found if not (is_stub(each.tree) and each.tree.name in written)]
+    written = {
+        name for statement in in_order if not is_stub(statement.tree) for name in statement.binds
+    }
+    return [
+        statement
+        for statement in in_order
+        if not (is_stub(statement.tree) and statement.tree.name in written)
+    ]
 
 
 def stubs_only(sources: Sequence[str]) -> set[str]:
@@ -65,29 +71,34 @@ def stubs_only(sources: Sequence[str]) -> set[str]:
     return stubs - written
 
 
-def needed(found: Sequence[Statement], names: Sequence[str]) -> list[Statement]:
+def needed(in_order: Sequence[Statement], names: Sequence[str]) -> list[Statement]:
     """Return the Statements that functions of these names need: those that affect what they read.
 
     A function reads names when it is called, so the search begins before the statement that
     mentions the function.
     """
-    imported = {name for each in found if isinstance(each.tree, IMPORTS) for name in each.binds}
-    kept, left, seen = set(), [(name, len(found)) for name in [*names, "*"]], set()
+    imported = {
+        name
+        for statement in in_order
+        if isinstance(statement.tree, IMPORTS)
+        for name in statement.binds
+    }
+    kept, left, seen = set(), [(name, len(in_order)) for name in [*names, "*"]], set()
     while left:
         name, end = left.pop()
         if (name, end) in seen:
             continue
         seen.add((name, end))
         for position in range(end - 1, -1, -1):
-            each = found[position]
-            if name not in each.binds and (name in imported or name not in each.changes):
+            statement = in_order[position]
+            if name not in statement.binds and (name in imported or name not in statement.changes):
                 continue
             kept.add(position)
-            later = end if isinstance(each.tree, FUNCTIONS) else position
-            left += [(read, later) for read in each.reads]
-            if name in each.binds and isinstance(each.tree, SIMPLE):
+            later = end if isinstance(statement.tree, FUNCTIONS) else position
+            left += [(read, later) for read in statement.reads]
+            if name in statement.binds and isinstance(statement.tree, SIMPLE):
                 break
-    return [found[position] for position in sorted(kept)]
+    return [in_order[position] for position in sorted(kept)]
 
 
 # ---- the text of a cell ----
@@ -165,23 +176,23 @@ def is_stub(tree: ast.stmt) -> bool:
 
 
 def _looked_at(number: int, tree: ast.stmt) -> Statement:
-    found = Statement(number, tree)
-    found.reads = _read(tree)
-    _bound(tree, found.binds)
+    statement = Statement(number, tree)
+    statement.reads = _read(tree)
+    _bound(tree, statement.binds)
     for node in _outside_scopes(tree):
         if isinstance(node, ast.Subscript | ast.Attribute) and not isinstance(node.ctx, ast.Load):
-            found.changes |= _base(node)
+            statement.changes |= _base(node)
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            found.changes |= _base(node.func)
+            statement.changes |= _base(node.func)
     if (
         isinstance(tree, ast.Expr)
         and isinstance(tree.value, ast.Call)
         and not _only_shows(tree.value)
     ):
-        found.changes |= {node.id for node in tree.value.args if isinstance(node, ast.Name)}
+        statement.changes |= {node.id for node in tree.value.args if isinstance(node, ast.Name)}
     if isinstance(tree, FUNCTIONS):
-        found.changes = set()
-    return found
+        statement.changes = set()
+    return statement
 
 
 def _read(tree: ast.stmt) -> set[str]:

@@ -10,95 +10,12 @@ from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import count_noun, table_text
 from course_lib.pack.grade.deadline import Deadline, begun_days
+from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer, mark_answer
-from course_lib.pack.grade.notebook_file import UNREADABLE, courses
+from course_lib.pack.grade.notebook_file import courses
 
 GRADES = ("student", "notebook", "part", "exercise", "points", "of", "state", "message", "release")
 PART = {False: "core", True: "more"}
-
-
-@dataclass(frozen=True)
-class GradedFile:
-    """A submission with its result, as `submission.grade` returns it, and its MarkedAnswers.
-
-    superseded_by: the place of the file that counts instead of it, or "". late: by how many
-    seconds, None if only the platform says so. share: of its points that a late file keeps. weight:
-    of the points of More.
-    """
-
-    submission: Submission
-    result: dict
-    answers: tuple = ()
-    superseded_by: str = ""
-    late: float | None = 0.0
-    share: float = 1.0
-    weight: float = 1.0
-
-    @property
-    def student(self) -> str:
-        """The student's name, or ""."""
-        return self.submission.student
-
-    @property
-    def notebook(self) -> str:
-        """The name of the notebook, found in the file or else in its name."""
-        return self.result["notebook"] or self.submission.notebook
-
-    @property
-    def graded(self) -> bool:
-        """False if the file was refused or could not be graded."""
-        return "state" not in self.result
-
-    @property
-    def unreadable(self) -> bool:
-        """True if nothing in the file could be read.
-
-        It then earns nothing, and the student should be informed.
-        """
-        return any(exercise["state"] == UNREADABLE for exercise in self.result["exercises"])
-
-    @property
-    def points(self) -> float:
-        """The points of the exercises, before a deduction for lateness and without written
-        answers."""
-        return sum(
-            each["points"] * (self.weight if each["more"] else 1)
-            for each in self.result["exercises"]
-        )
-
-    def part(self, more: bool) -> tuple[float, float]:
-        """Return the points of exercises and written answers in the core or in More, and the points
-        there are.
-
-        Neither is weighted, and nothing is deducted for lateness.
-        """
-        exercises = [each for each in self.result["exercises"] if each["more"] == more]
-        answers = [each for each in self.answers if each.more == more]
-        points = sum(each["points"] for each in exercises) + sum(
-            each.points or 0 for each in answers
-        )
-        return points, sum(each["of"] for each in exercises) + sum(each.of for each in answers)
-
-    @property
-    def of_more(self) -> float:
-        """The points of More, weighted and after a deduction for lateness."""
-        return self.part(True)[0] * self.weight * self.share
-
-    @property
-    def total(self) -> float:
-        """The points of exercises and written answers, weighted and after a deduction for
-        lateness."""
-        return self.part(False)[0] * self.share + self.of_more
-
-    @property
-    def unread(self) -> int:
-        """The number of written answers that have no mark yet."""
-        return sum(answer.points is None for answer in self.answers)
-
-    @property
-    def of(self) -> float:
-        """The points that the notebook offers, weighted, written answers included."""
-        return self.part(False)[1] + self.part(True)[1] * self.weight
 
 
 def final_state(state: str) -> str:
@@ -127,13 +44,13 @@ def graded_files(
     """
     everything = [_graded_file(*outcome, rows, deadline, weight) for outcome in outcomes]
     copies = {}
-    for each in sorted(everything, key=_order):
-        copies.setdefault((each.student, each.notebook), []).append(each)
+    for file in sorted(everything, key=_order):
+        copies.setdefault((file.student, file.notebook), []).append(file)
     return sorted(itertools.chain.from_iterable(map(_one_counts, copies.values())), key=_order)
 
 
-def _order(each: GradedFile) -> tuple[str, str, str]:
-    return each.student, each.notebook, each.submission.place
+def _order(file: GradedFile) -> tuple[str, str, str]:
+    return file.student, file.notebook, file.submission.place
 
 
 def _one_counts(copies: list[GradedFile]) -> list[GradedFile]:
@@ -143,7 +60,7 @@ def _one_counts(copies: list[GradedFile]) -> list[GradedFile]:
     are all kept, so that each is read.
     """
     best = max(
-        copies, key=lambda each: (each.graded, each.points * each.share)
+        copies, key=lambda file: (file.graded, file.points * file.share)
     )  # the first of equals
     if not best.student or not best.graded:
         return copies
@@ -160,14 +77,14 @@ def _one_counts(copies: list[GradedFile]) -> list[GradedFile]:
     )
     keys = {answer.key for answer in answers}
     counted = []
-    for each in copies:
-        if each is best:
-            each = replace(each, answers=answers)
-        elif each.graded:
-            others = [a for a in each.answers if a.key not in keys and a.state != NOT_ATTEMPTED]
+    for file in copies:
+        if file is best:
+            file = replace(file, answers=answers)
+        elif file.graded:
+            others = [a for a in file.answers if a.key not in keys and a.state != NOT_ATTEMPTED]
             place = best.submission.place
-            each = replace(each, superseded_by=place, answers=tuple(others))
-        counted.append(each)
+            file = replace(file, superseded_by=place, answers=tuple(others))
+        counted.append(file)
     return counted
 
 
@@ -175,32 +92,32 @@ def _graded_file(
     submission: Submission, result: dict, rows: dict, deadline: Deadline | None, weight: float
 ) -> GradedFile:
     if submission.notebook in courses() and result["notebook"] != submission.notebook:
-        said = (
+        renamed = (
             f"It was handed in as {submission.notebook}, but it is {result['notebook']}, and is "
             f"graded as that."
         )
-        result = result | {"problems": [said, *result["problems"]]}
-    each = GradedFile(submission, result, weight=weight)
+        result = result | {"problems": [renamed, *result["problems"]]}
+    file = GradedFile(submission, result, weight=weight)
     if deadline:
-        late = deadline.late(each)
-        each = replace(each, late=late, share=deadline.share_left(late))
+        late = deadline.late(file)
+        file = replace(file, late=late, share=deadline.share_left(late))
     elif submission.late:
-        each = replace(each, late=None)
+        file = replace(file, late=None)
     read = (question for question in result["questions"] if weight or not question.get("more"))
     return replace(
-        each,
+        file,
         answers=tuple(
-            mark_answer(question, each.student, each.notebook, rows) for question in read
+            mark_answer(question, file.student, file.notebook, rows) for question in read
         ),
     )
 
 
-def lateness(each: GradedFile) -> str:
+def lateness(file: GradedFile) -> str:
     """Return a sentence on how late a file was and how many points it lost, or ""."""
-    lost = f" {100 * (1 - each.share):g} % of its points are taken off." if each.share < 1 else ""
-    if each.late:
-        return f"Handed in {count_noun(begun_days(each.late), 'day')} late.{lost}"
-    return f"The learning platform marked it as late.{lost}" if each.late is None else ""
+    lost = f" {100 * (1 - file.share):g} % of its points are taken off." if file.share < 1 else ""
+    if file.late:
+        return f"Handed in {count_noun(begun_days(file.late), 'day')} late.{lost}"
+    return f"The learning platform marked it as late.{lost}" if file.late is None else ""
 
 
 # ---- the tables ----
@@ -209,36 +126,36 @@ def lateness(each: GradedFile) -> str:
 def grades_text(everything: Iterable[GradedFile]) -> str:
     """Return the text of grades.csv: a line for each exercise. everything: GradedFiles."""
     rows = []
-    for each in everything:
+    for file in everything:
         rows += [
-            [each.student, each.notebook, *line, each.result["release"]] for line in _lines(each)
+            [file.student, file.notebook, *line, file.result["release"]] for line in _lines(file)
         ]
     return table_text(GRADES, rows)
 
 
-def _lines(each: GradedFile) -> Iterator[tuple]:
+def _lines(file: GradedFile) -> Iterator[tuple]:
     """Yield (part, exercise, points, of, state, message) for each entry of one file."""
-    if each.superseded_by:
+    if file.superseded_by:
         yield (
             "",
             "",
             "",
             "",
             "not counted",
-            f"Another file of this notebook counts: {each.superseded_by}.",
+            f"Another file of this notebook counts: {file.superseded_by}.",
         )
         return
-    if each.graded and (late := lateness(each)):
+    if file.graded and (late := lateness(file)):
         yield "", "", "", "", "late", late
-    for problem in each.result["problems"]:
-        if each.graded:
+    for problem in file.result["problems"]:
+        if file.graded:
             yield "", "", "", "", "note", problem
         else:
-            yield "", "", 0, "", each.result["state"], f"{each.submission.place}: {problem}"
-    for exercise in each.result["exercises"]:
+            yield "", "", 0, "", file.result["state"], f"{file.submission.place}: {problem}"
+    for exercise in file.result["exercises"]:
         line = PART[exercise["more"]], *(exercise[key] for key in ("exercise", "points", "of"))
         yield *line, final_state(exercise["state"]), final_message(exercise["message"])
-    for answer in each.answers:
+    for answer in file.answers:
         points = "" if answer.points is None else answer.points
         yield (
             PART[answer.more],
@@ -273,20 +190,26 @@ def totals(everything: Iterable[GradedFile]) -> Totals:
 
     everything: GradedFiles.
     """
-    of, found = {}, Totals()
-    for each in sorted(everything, key=lambda each: each.student):
-        if each.student:
-            found.waiting[each.student] = found.waiting.get(each.student, 0) + each.unread
-        if each.superseded_by or not each.student:
+    of, class_totals = {}, Totals()
+    for file in sorted(everything, key=lambda file: file.student):
+        if file.student:
+            class_totals.waiting[file.student] = (
+                class_totals.waiting.get(file.student, 0) + file.unread
+            )
+        if file.superseded_by or not file.student:
             continue
-        line = found.students.setdefault(each.student, {})
-        line[each.notebook] = line.get(each.notebook, 0) + _rounded(each.total)
-        found.more[each.student] = found.more.get(each.student, 0) + _rounded(each.of_more)
-        of[each.notebook] = max(of.get(each.notebook, 0), _rounded(each.of))
-        if each.submission.user_id:
-            found.user_ids[each.student] = each.submission.user_id
-        found.identities.setdefault(each.student, {}).update(each.submission.identity())
-    return replace(found, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]})
+        line = class_totals.students.setdefault(file.student, {})
+        line[file.notebook] = line.get(file.notebook, 0) + _rounded(file.total)
+        class_totals.more[file.student] = class_totals.more.get(file.student, 0) + _rounded(
+            file.of_more
+        )
+        of[file.notebook] = max(of.get(file.notebook, 0), _rounded(file.of))
+        if file.submission.user_id:
+            class_totals.user_ids[file.student] = file.submission.user_id
+        class_totals.identities.setdefault(file.student, {}).update(file.submission.identity())
+    return replace(
+        class_totals, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]}
+    )
 
 
 def _rounded(points: float) -> float:
@@ -294,14 +217,18 @@ def _rounded(points: float) -> float:
     return round(points, 2) if points != int(points) else int(points)
 
 
-def totals_text(found: Totals) -> str:
+def totals_text(class_totals: Totals) -> str:
     """Return the text of totals.csv: a line for each student, with an empty cell for a notebook not
     handed in."""
     rows = []
-    for student, points in found.students.items():
-        each = [points.get(notebook, "") for notebook in found.of]
-        total, more, of = sum(points.values()), found.more[student], sum(found.of.values())
+    for student, points in class_totals.students.items():
+        by_notebook = [points.get(notebook, "") for notebook in class_totals.of]
+        total, more, of = (
+            sum(points.values()),
+            class_totals.more[student],
+            sum(class_totals.of.values()),
+        )
         core = abs(round(total - more, 2))  # abs, because rounding may leave -0
-        rows.append([student, *each, core, more, total, of, found.waiting[student]])
-    columns = ["student", *found.of, "core", "more", "total", "of", "to be read"]
+        rows.append([student, *by_notebook, core, more, total, of, class_totals.waiting[student]])
+    columns = ["student", *class_totals.of, "core", "more", "total", "of", "to be read"]
     return table_text(columns, rows)

@@ -85,17 +85,17 @@ def packages() -> list[str]:
 @functools.cache
 def _python() -> dict[str, str]:
     """Return {source: target} of Python, its standard library and the folders of its packages."""
-    found = {os.path.realpath(sys.executable): PYTHON}
+    places = {os.path.realpath(sys.executable): PYTHON}
     for name in ("stdlib", "platstdlib"):
         path = sysconfig.get_path(
             name, vars={"base": sys.base_prefix, "platbase": sys.base_exec_prefix}
         )
         path = path if os.path.isdir(path) else os.path.dirname(os.__file__)
-        found[path] = f"/python/{os.path.relpath(path, sys.base_prefix)}"
+        places[path] = f"/python/{os.path.relpath(path, sys.base_prefix)}"
     folders = [
         path for path in sys.path if os.path.basename(path) in ("site-packages", "dist-packages")
     ]
-    return found | {
+    return places | {
         folder: f"/packages{number}"
         for number, folder in enumerate(folders)
         if os.path.isdir(folder)
@@ -111,11 +111,11 @@ def _libraries() -> dict[str, str]:
         str(path) for folder in _python() for path in Path(folder, "lib-dynload").glob("*.so")
     ]
     done = subprocess.run(["ldd", *loading], capture_output=True, text=True, errors="replace")
-    found = {}
+    by_target = {}
     for name, path in re.findall(r"^\t(?:(\S+) => )?(/\S+) \(0x", done.stdout, re.MULTILINE):
-        found.setdefault(f"{LIBRARIES}/{os.path.basename(name)}" if name else path, path)
-    system = os.path.dirname(found.get(f"{LIBRARIES}/libc.so.6", ""))
+        by_target.setdefault(f"{LIBRARIES}/{os.path.basename(name)}" if name else path, path)
+    system = os.path.dirname(by_target.get(f"{LIBRARIES}/libc.so.6", ""))
     for name in OF_WHEELS:
         if os.path.exists(path := os.path.join(system, name)):
-            found.setdefault(f"{LIBRARIES}/{name}", path)
-    return {path: target for target, path in found.items()}
+            by_target.setdefault(f"{LIBRARIES}/{name}", path)
+    return {path: target for target, path in by_target.items()}

@@ -240,8 +240,8 @@ def add_glossary(app, pagename, templatename, context, doctree):
         context["body"] += glossary.glossary(context["body"], own, common)
 
 
-def _in_output(found):
-    return formulas.typeset(html.unescape(found[1]))
+def _in_output(match):
+    return formulas.typeset(html.unescape(match[1]))
 
 
 def set_formulas_in_outputs(app, pagename, templatename, context, doctree):

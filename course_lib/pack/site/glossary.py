@@ -29,22 +29,22 @@ class Entry:
 @cache
 def symbols_in(mathml: str) -> tuple[str, ...]:
     """Return the symbols of a formula, each as its names, the more special one first: "k_1|k"."""
-    found = []
+    symbols = []
     formula = ElementTree.fromstring(mathml)
-    _collect(formula, found)
+    _collect(formula, symbols)
     # Brackets around one symbol make a matrix of it. Others enclose a list.
     if not re.search(r"\[[^\[\]]{1,3}\]", _text(formula)):
-        found = [name for name in found if name != "["]
-    return tuple(dict.fromkeys(found))
+        symbols = [name for name in symbols if name != "["]
+    return tuple(dict.fromkeys(symbols))
 
 
-def _collect(node: ElementTree.Element, found: list[str]) -> None:
+def _collect(node: ElementTree.Element, symbols: list[str]) -> None:
     """Append the symbols of a node of MathML to `found`, in the order of reading."""
     kind = node.tag.rpartition("}")[2]
     if kind in ("mi", "mo"):
         name = _name(node)
         if kind == "mi" or name in ("[", "‖"):
-            found.append(name)
+            symbols.append(name)
         return
     parts = list(node)
     if kind in ("msub", "msubsup"):
@@ -53,21 +53,21 @@ def _collect(node: ElementTree.Element, found: list[str]) -> None:
         if len(base) == 1:
             special = f"{letter}_{subscript}"
             is_another = letter in WITH_SUBSCRIPT_ANOTHER
-            found.append(special if is_another else f"{special}|{letter}")
+            symbols.append(special if is_another else f"{special}|{letter}")
         else:
-            _collect(parts[0], found)
+            _collect(parts[0], symbols)
         parts = parts[2:]
     elif kind == "msup":
         # The base of natural logarithms is no error e.
         if _text(parts[0]) == "e":
-            found.append("exp")
+            symbols.append("exp")
         else:
-            _collect(parts[0], found)
+            _collect(parts[0], symbols)
         parts = parts[1:]
     if kind in ("msup", "msubsup") and _text(parts[0]) in NOT_MULTIPLIED:
         return
     for part in parts:
-        _collect(part, found)
+        _collect(part, symbols)
 
 
 def _text(node: ElementTree.Element) -> str:

@@ -23,7 +23,7 @@ def platforms() -> dict[str, Platform]:
 
     Raises GradingStopped if a file of the folder cannot be loaded.
     """
-    found = {}
+    by_name = {}
     for module in pkgutil.iter_modules(__path__):
         try:
             loaded = importlib.import_module(f"{__name__}.{module.name}")
@@ -34,8 +34,8 @@ def platforms() -> dict[str, Platform]:
             ) from error
         for value in vars(loaded).values():
             if isinstance(value, type) and issubclass(value, Platform) and value.name:
-                found[value.name] = value()
-    return dict(sorted(found.items()))
+                by_name[value.name] = value()
+    return dict(sorted(by_name.items()))
 
 
 def named(name: str) -> Platform:
@@ -55,19 +55,21 @@ def named(name: str) -> Platform:
 
 def fitting(folder: Path) -> list[Platform]:
     """Return the platforms that may have exported all that a folder holds."""
-    return [each for each in platforms().values() if each.asks and each.fits(folder)]
+    return [
+        platform for platform in platforms().values() if platform.asks and platform.fits(folder)
+    ]
 
 
 def mostly_fitting(folder: Path) -> dict[Platform, tuple[int, int]]:
     """Return {platform: (how many files and folders fit, of how many)} of those that most of a
     folder fits."""
     holders = {path for path in entries(folder) if is_folder(path) or path.suffix.lower() in READ}
-    found = {}
+    shares = {}
     for platform in platforms().values():
         if platform.asks and not platform.vague:
             hand_ins = platform.hand_ins(folder)
             tops = {folder / path.relative_to(folder).parts[0] for path in hand_ins}
             fit = len(tops & holders)
             if 2 * fit > len(holders):
-                found[platform] = fit, len(holders)
-    return found
+                shares[platform] = fit, len(holders)
+    return shares

@@ -115,7 +115,7 @@ class Platform:
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
         """Return {file or folder: [a HandIn for each student whose it is]} of what it exported to a
         folder."""
-        found = {}
+        exported = {}
         for path in entries(folder):
             if is_folder(path) and not self.folders:
                 continue
@@ -123,8 +123,8 @@ class Platform:
                 continue
             hand_in = self.read_name(plain_name(path))
             if hand_in:
-                found[path] = [hand_in]
-        return found
+                exported[path] = [hand_in]
+        return exported
 
     def fits(self, folder: Path) -> bool:
         """Return whether all notebooks, zips and folders directly in a folder may be its export."""

@@ -41,36 +41,36 @@ class Blackboard(Platform):
     carries_times = True
 
     def read_name(self, name: str) -> HandIn | None:
-        found = NAME.fullmatch(name)
-        if not found:
+        match = NAME.fullmatch(name)
+        if not match:
             return None
-        time = seconds(found["time"], "%Y-%m-%d-%H-%M-%S")
-        return HandIn(found["login"], found["rest"] or "", login=found["login"], time=time)
+        time = seconds(match["time"], "%Y-%m-%d-%H-%M-%S")
+        return HandIn(match["login"], match["rest"] or "", login=match["login"], time=time)
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
         """Return what it exported; a username with underscores is known by its receipt, if it is
         there."""
-        found = super().hand_ins(folder)
+        exported = super().hand_ins(folder)
         logins = {}
-        for path in found:
+        for path in exported:
             match = NAME.fullmatch(path.stem)
             if match and match["rest"] is None and path.suffix.lower() == ".txt":
                 logins[match["head"]] = _login(path)
-        for path, (hand_in,) in found.items():
+        for path, (hand_in,) in exported.items():
             match = NAME.fullmatch(path.stem)
             login = logins.get(match["head"]) if match else ""
             if login and match["head"].endswith(f"_{login}"):
-                found[path] = [replace(hand_in, student=login, login=login)]
-        return found
+                exported[path] = [replace(hand_in, student=login, login=login)]
+        return exported
 
     def is_typed_text(self, name: str) -> bool:
-        found = NAME.fullmatch(name)
-        return bool(found) and found["rest"] is None
+        match = NAME.fullmatch(name)
+        return bool(match) and match["rest"] is None
 
     def heading(self, notebook: str, points: float, present: Iterable[str]) -> str:
         for name in present:
-            found = TITLE.fullmatch(name)
-            if found and found["notebook"] == notebook:
+            match = TITLE.fullmatch(name)
+            if match and match["notebook"] == notebook:
                 return name
         return f"{notebook} [Total Pts: {points:g} Score]"
 
@@ -80,7 +80,7 @@ def _login(path: Path) -> str:
     try:
         flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
         with os.fdopen(os.open(path, flags), encoding="utf-8-sig", errors="replace") as file:
-            found = RECEIPT.fullmatch(file.readline(MAX_LINE))
+            match = RECEIPT.fullmatch(file.readline(MAX_LINE))
     except OSError:
         return ""
-    return found["login"] if found else ""
+    return match["login"] if match else ""

@@ -34,13 +34,13 @@ class Brightspace(Platform):
     carries_times = True
 
     def read_name(self, name: str) -> HandIn | None:
-        found = NAME.fullmatch(name)
-        if not found:
+        match = NAME.fullmatch(name)
+        if not match:
             return None
-        text = found["time"].replace(",", "").replace(".", "")
+        text = match["time"].replace(",", "").replace(".", "")
         *date, clock, half = text.split()
         time = seconds(" ".join([*date, clock.zfill(4), half]), *TIMES)
-        return HandIn(found["name"], found["rest"] or "", found["number"], time=time)
+        return HandIn(match["name"], match["rest"] or "", match["number"], time=time)
 
     def ignores(self, path: Path) -> bool:
         return path.name == "index.html"

@@ -45,14 +45,14 @@ class Canvas(Platform):
 
     def read_name(self, name: str) -> HandIn | None:
         # The platform's part comes first, so a student cannot imitate it by the file's own name.
-        found = NAME.fullmatch(name)
-        if not found:
+        match = NAME.fullmatch(name)
+        if not match:
             return None
-        if found["anonymous"]:
-            late = bool(found["late1"])
-            return HandIn(found["anonymous"], found["rest1"], found["anonymous"], late=late)
-        student = f"{found['name']}_{found['id']}"
-        return HandIn(student, found["rest"], found["id"], found["id"], late=bool(found["late"]))
+        if match["anonymous"]:
+            late = bool(match["late1"])
+            return HandIn(match["anonymous"], match["rest1"], match["anonymous"], late=late)
+        student = f"{match['name']}_{match['id']}"
+        return HandIn(student, match["rest"], match["id"], match["id"], late=bool(match["late"]))
 
     def is_typed_text(self, name: str) -> bool:
         return bool(TYPED.fullmatch(name))

@@ -40,7 +40,7 @@ class GitHubClassroom(Platform):
     time_columns = ("github_username", "submission_timestamp")
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        found = {}
+        exported = {}
         for place in [folder, *entries(folder)]:
             name = plain_name(place)
             if not (is_folder(place) and name.endswith(SUBMISSIONS)):
@@ -49,15 +49,17 @@ class GitHubClassroom(Platform):
             for path in entries_inside(place):
                 login = plain_name(path).removeprefix(prefix)
                 if is_folder(path) and login and plain_name(path).startswith(prefix):
-                    found[path] = [HandIn(login, login=login)]
-        return found
+                    exported[path] = [HandIn(login, login=login)]
+        return exported
 
     def fits(self, folder: Path) -> bool:
-        found = self.hand_ins(folder)
-        places = {path.parent for path in found}
+        exported = self.hand_ins(folder)
+        places = {path.parent for path in exported}
         holders = [path for place in places for path in entries_inside(place) if is_folder(path)]
         others = [path for path in entries(folder) if is_folder(path) and path not in places]
-        return bool(found) and set(holders) == found.keys() and (folder in places or not others)
+        return (
+            bool(exported) and set(holders) == exported.keys() and (folder in places or not others)
+        )
 
     def read_time(self, typed: str) -> float | None:
         try:

@@ -31,32 +31,36 @@ class GoogleClassroom(Platform):
     vague = True
 
     def read_name(self, name: str) -> HandIn | None:
-        found = NAME.fullmatch(name)
-        return HandIn(found["name"], found["rest"]) if found else None
+        match = NAME.fullmatch(name)
+        return HandIn(match["name"], match["rest"]) if match else None
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        found = {}
+        exported = {}
         for path in notebooks_below(folder):
             hand_in = self.read_name(printable(path.stem))
-            found[path] = [hand_in] if hand_in else []
-        return found
+            exported[path] = [hand_in] if hand_in else []
+        return exported
 
     def fits(self, folder: Path) -> bool:
         """Return whether all notebooks have a name before them, and lie in a folder of an
         assignment."""
-        found = self.hand_ins(folder)
-        return bool(found) and all(found.values()) and all(path.parent != folder for path in found)
+        exported = self.hand_ins(folder)
+        return (
+            bool(exported)
+            and all(exported.values())
+            and all(path.parent != folder for path in exported)
+        )
 
 
 def notebooks_below(folder: Path) -> list[Path]:
     """Return the notebooks and zips below a folder, sorted; links are not entered."""
-    found = []
+    notebooks = []
     for place, folders, names in os.walk(folder):
         depth = len(Path(place).relative_to(folder).parts)
         folders[:] = [name for name in folders if not is_clutter(name) and depth < MAX_DEPTH]
-        found += [
+        notebooks += [
             Path(place, name)
             for name in names
             if name.lower().endswith(READ) and not is_clutter(name)
         ]
-    return sorted(found)
+    return sorted(notebooks)

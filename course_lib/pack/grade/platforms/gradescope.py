@@ -47,18 +47,18 @@ class Gradescope(Platform):
     carries_times = True
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        found = {}
+        exported = {}
         places = [folder]
         places += [
             path for path in entries(folder) if is_folder(path) and EXPORT.fullmatch(path.name)
         ]
         for place in places:
             if place != folder:
-                found |= {path: [] for path in entries_inside(place) if path.name != LIST}
+                exported |= {path: [] for path in entries_inside(place) if path.name != LIST}
             if (place / LIST).is_file():
                 text = (place / LIST).read_text("utf-8", "replace")
-                found |= {place / name: students for name, students in read_list(text).items()}
-        return {path: students for path, students in found.items() if path.exists()}
+                exported |= {place / name: students for name, students in read_list(text).items()}
+        return {path: students for path, students in exported.items() if path.exists()}
 
     def ignores(self, path: Path) -> bool:
         return path.name == LIST or (is_folder(path) and bool(EXPORT.fullmatch(path.name)))
@@ -70,20 +70,20 @@ def read_list(text: str) -> dict[str, list[HandIn]]:
     It is YAML as Ruby writes it: `submission_1:`, then indented `:submitters:` with `- :name:`,
     `:sid:` and `:email:`, and `:created_at:`. All text that students control is indented further.
     """
-    found: dict[str, list[HandIn]] = {}
+    submitters: dict[str, list[HandIn]] = {}
     times: dict[str, float] = {}
     folder = ""
     for line in text.splitlines():
         if head := HEAD.fullmatch(line):
             folder = head[1]
-            found[folder] = []
+            submitters[folder] = []
             continue
         entry = LINE.fullmatch(line) if folder else None
         if not entry:
             continue
         key = entry[1] + entry[2]
         value = entry[3].strip("'\"").replace("''", "'")
-        students = found[folder]
+        students = submitters[folder]
         if key == "- name":
             students.append(HandIn(value))
         elif key == "  sid" and students:
@@ -96,5 +96,5 @@ def read_list(text: str) -> dict[str, list[HandIn]]:
                 times[folder] = moment.timestamp()
     return {
         name: [replace(student, time=times.get(name)) for student in students]
-        for name, students in found.items()
+        for name, students in submitters.items()
     }

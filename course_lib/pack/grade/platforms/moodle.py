@@ -41,13 +41,13 @@ class Moodle(Platform):
     time_columns = ("Identifier", "Last modified (submission)")
 
     def read_name(self, name: str) -> HandIn | None:
-        found = NAME.fullmatch(name)
-        if not found:
+        match = NAME.fullmatch(name)
+        if not match:
             return None
-        number = found["id"] or ""
-        if number and found["name"] == ANONYMOUS:
-            return HandIn(f"{ANONYMOUS} {number}", found["rest"], number)
-        return HandIn(found["name"], found["rest"], number)
+        number = match["id"] or ""
+        if number and match["name"] == ANONYMOUS:
+            return HandIn(f"{ANONYMOUS} {number}", match["rest"], number)
+        return HandIn(match["name"], match["rest"], number)
 
     def is_typed_text(self, name: str) -> bool:
         return bool(TYPED.fullmatch(name))
@@ -58,8 +58,8 @@ class Moodle(Platform):
         moodle/moodle, mod/assign/feedback/file/importziplib.php, is_valid_filename_for_import. The
         number belongs to one assignment.
         """
-        found = NAME.fullmatch(place.partition("/")[0])
-        if not found or not found["id"]:
+        match = NAME.fullmatch(place.partition("/")[0])
+        if not match or not match["id"]:
             return ""
         return f"{student.replace('_', ' ')}_{number}_assignsubmission_file"
 

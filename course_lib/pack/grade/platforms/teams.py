@@ -34,19 +34,19 @@ class Teams(Platform):
     files = False
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
-        found = {}
+        exported = {}
         for place in _places(folder, MAX_DEPTH):
             for path in entries_inside(place):
                 if is_folder(path):
-                    found[path] = [HandIn(printable(path.name))]
-        return found
+                    exported[path] = [HandIn(printable(path.name))]
+        return exported
 
     def fits(self, folder: Path) -> bool:
-        found = self.hand_ins(folder)
-        tops = {folder / path.relative_to(folder).parts[0] for path in found}
+        exported = self.hand_ins(folder)
+        tops = {folder / path.relative_to(folder).parts[0] for path in exported}
         others = [path for path in entries(folder) if is_folder(path) and not self.ignores(path)]
         inside = SUBMITTED.fullmatch(plain_name(folder))
-        return bool(found) and (bool(inside) or set(others) <= tops)
+        return bool(exported) and (bool(inside) or set(others) <= tops)
 
     def ignores(self, path: Path) -> bool:
         return bool(WORKING.fullmatch(plain_name(path)))
