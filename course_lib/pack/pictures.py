@@ -21,8 +21,8 @@ import nbformat
 from PIL import Image, ImageSequence
 
 from course_lib.pack.animations import FOLDER as FILMS
+from course_lib.pack.cover import cover_of
 from course_lib.pack.files import write_atomically
-from course_lib.pack.site import COVER
 
 FOLDER = Path(".github/pictures")
 COVER_SIZE = (264, 176)  # three of them fit beside each other in a repository's web view
@@ -63,10 +63,10 @@ def cover(notebook: Path) -> bytes:
 
     It is the picture of the cell that is tagged for it, or else the notebook's first picture.
     """
-    still = _cover_picture(nbformat.read(notebook, as_version=4))
-    if still is None:
+    output, kind = cover_of(nbformat.read(notebook, as_version=4), ["image/png"])
+    if output is None:
         return b""
-    picture = Image.open(io.BytesIO(still)).convert("RGBA")
+    picture = Image.open(io.BytesIO(base64.b64decode(output.data[kind]))).convert("RGBA")
     picture.thumbnail(COVER_SIZE, Image.Resampling.LANCZOS)
     sheet = Image.new("RGBA", COVER_SIZE, "white")
     left = (COVER_SIZE[0] - picture.width) // 2
@@ -76,16 +76,6 @@ def cover(notebook: Path) -> bytes:
     content = io.BytesIO()
     few_colours.save(content, "PNG", optimize=True)
     return content.getvalue()
-
-
-def _cover_picture(notebook: nbformat.NotebookNode) -> bytes | None:
-    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    cells.sort(key=lambda cell: COVER not in cell.metadata.get("tags", []))
-    for cell in cells:
-        for output in cell.outputs:
-            if "image/png" in output.get("data", {}):
-                return base64.b64decode(output.data["image/png"])
-    return None
 
 
 def small_film(gif: bytes) -> bytes:

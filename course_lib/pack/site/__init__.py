@@ -1,6 +1,5 @@
 """The executed notebooks as a static site that opens from a folder with the network off."""
 
-COVER = "cover"  # the tag of the cell whose picture is on the notebook's card
 HOME = "home"  # the tag of the cell whose toy is on the home page
 
 

@@ -9,9 +9,10 @@ import re
 from nbformat import NotebookNode
 from nbformat.v4 import new_output
 
+from course_lib.pack.cover import COVER
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.stubs import take_answer
-from course_lib.pack.site import COVER, HOME, SiteError
+from course_lib.pack.site import HOME, SiteError
 
 # A printed line that says how many points, or how many cases, an answer got. What an answer
 # computes is no verdict, whomever the line addresses: numbers and truth values stay.

@@ -12,7 +12,8 @@ from nbformat import NotebookNode
 
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rotations import check
-from course_lib.pack.site import COVER, HOME
+from course_lib.pack.cover import cover_of
+from course_lib.pack.site import HOME
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
 NUMBERS = [
@@ -313,23 +314,14 @@ def duration(book: NotebookNode) -> str:
 
 
 def _cover(book, name: str, pages: Path) -> str:
-    """Return the picture of a notebook for the home page, as an element.
-
-    It is that of the cell that is tagged for it, or else the notebook's first.
-    """
-    cells = [cell for cell in book.cells if cell.cell_type == "code"]
-    for cell in sorted(cells, key=lambda cell: COVER not in cell.metadata.get("tags", [])):
-        for output in cell.outputs:
-            kind = next((kind for kind in IMAGES if kind in output.get("data", {})), None)
-            if kind:
-                # The card shows a still, even if the notebook's figure moves.
-                alt = re.sub(
-                    r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] ",
-                    "",
-                    alternative(output, name),
-                )
-                return picture(output, kind, "picture cover", alt, pages)
-    return ""
+    """Return the cover of a notebook for the home page, as an element, or ""."""
+    output, kind = cover_of(book, IMAGES)
+    if output is None:
+        return ""
+    # The card shows a still, even if the notebook's figure moves.
+    moves = r"^Moving picture(?:, [\d.]+ (?:s|seconds))?[:.] "
+    alt = re.sub(moves, "", alternative(output, name))
+    return picture(output, kind, "picture cover", alt, pages)
 
 
 def _toy(book, name: str, pages: Path) -> str:
