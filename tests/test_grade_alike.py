@@ -59,7 +59,7 @@ def test_what_many_students_have_comes_from_the_task(monkeypatch):
     assert named(*everyone) == []
 
 
-def test_code_of_the_release_and_the_library_makes_no_pair_and_copies_of_it_are_named():
+def test_copies_of_the_course_s_own_code_are_named_and_make_no_pair():
     given = json.loads((ROOT / f"notebooks/{NOTEBOOK}.ipynb").read_text())["cells"]
     cells = ["".join(cell["source"]) for cell in given if cell["cell_type"] == "code"]
     library = (ROOT / "course_lib/rotations.py").read_text()

@@ -143,7 +143,7 @@ def test_feedback_shows_points_messages_marks_and_comments():
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
-def test_feedback_has_a_group_for_the_core_and_one_for_more_with_subtotals_and_the_weight():
+def test_feedback_groups_core_and_more_under_their_weighted_subtotals():
     its = of("zoe", [2, 2, 0], ["because"], more=["exercise_1", "exercise_2"])
     for weight, words in [
         (1, ("4 of 8 points", "Core: 2 of 4 points", "More: 2 of 4 points")),

@@ -466,7 +466,7 @@ def test_a_number_that_the_platform_says_comes_before_the_name(roster, number):
     assert row["Student"] == "Lee, Ana"
 
 
-def test_login_and_address_come_after_the_number_and_before_the_name(roster):
+def test_after_the_number_login_and_address_are_asked(roster):
     rows = roster(
         "First name,Last name,Username,ID number,Email address\n"
         "Ana,Lee,alee,1,a@x\nBo,Ray,bray,2,b@x\nCy,Ode,code,3,c@x\n"

@@ -135,7 +135,7 @@ def test_calls_that_hold_uncounted_memory_or_are_unknown_are_refused(found):
     assert str(["EPERM"] * 12 + ["ENOSYS"] * 3 + ["works"] * 4) in found[CALLS]
 
 
-def test_threads_and_processes_can_still_be_started_and_nobody_is_root(found):
+def test_a_submission_that_is_not_root_can_start_threads_and_processes(found):
     assert "['a thread', 7, False, False]" in found[STARTS]
 
 

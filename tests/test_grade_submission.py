@@ -434,17 +434,22 @@ def test_a_cell_that_assigns_to_the_name_of_the_checks_costs_nothing(few):
     assert points(result) == FULL
 
 
-def test_metadata_and_stored_outputs_earn_no_points_and_what_is_not_python_is_an_error(few):
+def test_metadata_and_stored_outputs_earn_no_points(few):
     about = {"nbgrader": {"grade_id": "nearest_so", "points": 100, "grade": True, "solution": True}}
-    said = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]
-    broken = answer(few, "nearest_se").replace("return ", "return @", 1)
-    cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=said), cell(broken)]
+    outputs = [{"output_type": "stream", "text": "✓ nearest_so: right, 3 of 3 points"}]
+    cells = [cell("def nearest_so(M):\n    return M", metadata=about, outputs=outputs)]
     rows = {row["exercise"]: row for row in grade(book(cells=cells), NAME, SEED)["exercises"]}
     row = rows["nearest_so"]
     assert (row["points"], row["of"], row["state"]) == (0, 3, "wrong")
-    assert rows["nearest_se"]["state"] == "error in your code"
-    said = rows["nearest_se"]["message"]
-    assert re.search(r"Code cell \d+ is not Python: invalid syntax, in line \d+, `return @", said)
+
+
+def test_a_cell_that_is_not_python_is_an_error(few):
+    broken = answer(few, "nearest_se").replace("return ", "return @", 1)
+    rows = {row["exercise"]: row for row in grade(book(broken), NAME, SEED)["exercises"]}
+    row = rows["nearest_se"]
+    assert row["state"] == "error in your code"
+    reason = r"Code cell \d+ is not Python: invalid syntax, in line \d+, `return @"
+    assert re.search(reason, row["message"])
 
 
 def test_the_seed_chooses_the_cases_and_the_same_seed_gives_the_same_grade(few):

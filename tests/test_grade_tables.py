@@ -222,7 +222,7 @@ def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
 @pytest.mark.parametrize(
     ("weight", "sums"), [(1, ["4", "3", "7", "10"]), (0.25, ["4", "0.75", "4.75", "7"])]
 )
-def test_core_and_more_are_told_apart_and_more_is_weighted_in_the_totals(path, weight, sums):
+def test_the_totals_separate_core_and_more_by_its_weight(path, weight, sums):
     more = outcome("zoe", [2, 2, 2], ["because", "so"], more=["exercise_2", "explain_1"])
     Class(path, more, weight=weight).questions()
     rows = read_table(path.read_text())

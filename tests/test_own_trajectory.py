@@ -103,9 +103,7 @@ def test_the_notebook_runs_with_another_trajectory_and_tells_of_that_one(made, t
     assert not any("smallest velocity" in caption for _, caption in told)
 
 
-def test_positions_and_velocities_of_two_files_and_a_time_step_that_does_not_fit_is_said(
-    tmp_path, capsys
-):
+def test_a_time_step_that_does_not_fit_two_files_is_reported(tmp_path, capsys):
     motion = trajectory.load(NOTEBOOK.parent / "data/iiwa_trajectory.csv")
     files = [tmp_path / f"{name}.csv" for name in ("positions", "velocities")]
     for file, table in zip(files, (motion.q, motion.qd), strict=True):

@@ -67,7 +67,7 @@ def with_broken_answers(cells):
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
-def test_every_cell_runs_and_checks_say_not_attempted_yet_and_later_what_is_wrong(unpacked, name):
+def test_every_cell_of_a_release_runs_and_its_checks_judge_later_answers(unpacked, name):
     notebook = nbformat.read(unpacked / "notebooks" / name, 4)
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     for cell in cells:

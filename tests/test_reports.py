@@ -179,7 +179,7 @@ def test_the_two_bases_of_the_public_cases_follow_from_the_data():
         np.testing.assert_allclose(found, [*base, 0, 0, -0.037], atol=1.5e-3)
 
 
-def test_published_poses_and_jacobians_follow_from_a_product_of_exponentials_and_finite_differences():
+def test_published_poses_and_jacobians_follow_from_a_second_computation():
     """A second way, without DH parameters and cross products: screws from the arm, columns from
     differences."""
     table = np.genfromtxt(

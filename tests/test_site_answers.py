@@ -117,7 +117,7 @@ def site(notebooks):
     return {True: copy, False: folder}
 
 
-def test_only_numbered_notebooks_and_the_pages_that_they_name_are_pages_and_none_of_before_stays(
+def test_the_pages_are_those_of_this_build_alone(
     site,
 ):
     assert {page.name for page in site[False].glob("*.html")} == PAGES
@@ -132,7 +132,7 @@ def visit(site, browser):
 
 
 @pytest.mark.parametrize("name", ANSWERS)
-def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(visit, name):
+def test_mouse_and_keyboard_unfold_an_answer(visit, name):
     line = visit.page.locator("summary").filter(has_text=name)
     inside = visit.page.locator("article").get_by_text(ANSWERS[name])
     expect(inside).not_to_be_visible()
@@ -150,7 +150,7 @@ def test_an_answer_opens_and_shuts_by_mouse_and_by_keyboard(visit, name):
     expect(inside).not_to_be_visible()
 
 
-def test_imports_and_what_only_draws_are_folded_and_nothing_else(site):
+def test_only_imports_and_lines_that_draw_are_folded(site):
     soup = BeautifulSoup((site[True] / "01.html").read_text(encoding="utf-8"), "html.parser")
     assert not soup.select("summary[aria-label]"), "a screen reader reads the line that is shown"
     folds = {

@@ -299,7 +299,7 @@ def asked(figure, f, **question):
     return figures.alive(figure, f).answer(question)
 
 
-def test_one_solution_and_several_and_none_reach_the_figure():
+def test_any_number_of_solutions_reaches_the_figure():
     arm, target = ur5e(), ur5e().fk(Q[:6])
     figure = figures.reach(
         arm, target, q=Q[:6], says=lambda T, found: f"{len(found)} at {T[0, 3]:.3f}"
@@ -374,7 +374,7 @@ def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
     )
 
 
-def test_pixels_and_depths_of_both_pictures_reach_the_function_and_its_pose_the_figure():
+def test_the_function_gets_what_is_clicked_and_the_figure_its_pose():
     figure, seen = click(*VIEWS), []
     pixels, depths = figure.model["clicks"], np.ones((2, 7)).tolist()
     found = asked(figure, lambda *case: seen.append(case) or VIEWS[3], pixels=pixels, depths=depths)

@@ -86,14 +86,30 @@ def test_the_motion_between_two_poses_is_the_librarys(js, rng):
 # ---- rotations ----
 
 
-def test_rotation_and_quaternion_are_those_of_axis_and_angle_and_one_changes_sign_after_a_revolution(
-    js, rng
-):
+@pytest.fixture(scope="module")
+def turns():
+    """Unit axes and angles, special ones among them."""
+    rng = np.random.default_rng(0)
     few = [0.0, 1e-12, 1e-8, 1e-4, 1e-3, np.pi, np.pi - 1e-9, -np.pi, 2 * np.pi]
-    axes, angles = unit_axes(rng), np.r_[few, rng.uniform(-7, 7, N - len(few))]
-    R, q = (np.array(js(name, axes, angles)) for name in ("rotation", "quaternion"))
+    return unit_axes(rng), np.r_[few, rng.uniform(-7, 7, N - len(few))]
+
+
+def test_a_rotation_is_that_of_its_axis_and_angle(js, turns):
+    axes, angles = turns
+    R = np.array(js("rotation", axes, angles))
     assert_allclose(R, rotations.exp_so3(angles[:, None] * axes), **CLOSE)
+
+
+def test_a_quaternion_is_that_of_its_axis_and_angle(js, turns):
+    axes, angles = turns
+    q = np.array(js("quaternion", axes, angles))
+    R = rotations.exp_so3(angles[:, None] * axes)
     assert_allclose(rotations.quaternion_to_matrix(q), R, **CLOSE)
+
+
+def test_a_quaternion_changes_its_sign_after_a_revolution(js, turns):
+    axes, angles = turns
+    q = np.array(js("quaternion", axes, angles))
     assert_allclose(js("quaternion", axes, angles + 2 * np.pi), -q, **CLOSE)
 
 

@@ -157,7 +157,7 @@ def wait_for_another_picture(visit, box, before):
 
 
 @pytest.mark.parametrize("name", TOYS)
-def test_every_range_has_a_name_and_a_value_in_words_and_moves_the_picture_by_keyboard(visit, name):
+def test_every_range_is_named_and_moves_the_picture_by_keyboard(visit, name):
     box = figure_of(visit, name)
     box.evaluate("box => box.querySelectorAll('details').forEach((part) => (part.open = true))")
     ranges = box.locator("input[type=range]:enabled").all()
@@ -344,9 +344,7 @@ def test_all_toys_share_one_context_and_survive_its_loss(visit):
     visit.page.wait_for_function("!gl.isContextLost()")
 
 
-def test_without_webgl_words_and_plane_toys_stay_and_what_failed_is_drawn_when_it_comes_near_again(
-    page, browser
-):
+def test_what_failed_without_webgl_is_drawn_when_it_comes_near_again(page, browser):
     with Visit(browser, None, java_script_enabled=True) as visit:
         visit.page.add_init_script(KEPT)
         visit.page.goto(page.as_uri() + "#none")
@@ -630,7 +628,7 @@ def test_the_ranks_of_queries_fall_with_their_errors(visit):
     assert found == sorted(found, reverse=True)
 
 
-def test_a_robot_is_driven_by_keys_and_by_buttons_and_its_dead_reckoning_follows(visit):
+def test_the_dead_reckoning_follows_a_robot_that_keys_and_buttons_drive(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
     put(box, "Step dt", -0.3)  # half a second
