@@ -8,7 +8,8 @@ import matplotlib.figure
 import nbformat
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
-from course_lib.figures import circles_toy, two_poses_toy
+from course_lib.lessons.rigid_motion.toys import two_poses_toy
+from course_lib.lessons.subproblems_damped_ik.toys import circles_toy
 
 TEXT = r"""# Rotations
 

@@ -6,12 +6,17 @@ from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, planar_arm, ur5e
 from course_lib.ik import damped_path
 from course_lib.lessons.decomposition_ik import figures as nb6
+from course_lib.lessons.decomposition_ik.toys import cells_toy, table
 from course_lib.lessons.panda_dh_ik import figures as nb5
-from course_lib.lessons.panda_dh_ik.toys import click
+from course_lib.lessons.panda_dh_ik.toys import click, panda_toy
 from course_lib.lessons.poe_kuka_iiwa import figures as nb4
+from course_lib.lessons.poe_kuka_iiwa.toys import build_up_toy, iiwa_toy
 from course_lib.lessons.rigid_motion.figures import wheels
+from course_lib.lessons.rigid_motion.toys import drive, two_poses_toy
+from course_lib.lessons.rotations.toys import fly, orientation_toy
 from course_lib.lessons.subproblems_damped_ik import figures as nb3
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import ARM, all_solutions
+from course_lib.lessons.subproblems_damped_ik.toys import circles_toy, planar_arm_toy
 
 # A round trip of a vacuum cleaner: ((vx, vy, omega), seconds), in m/s and rad/s.
 ROUND = (
@@ -25,7 +30,7 @@ Q6, Q7 = [0.3, -1.2, 1.5, -1.8, -1.5, 0.2], [0.3, 0.5, -0.4, -1.1, 0.2, 0.9, 0.1
 READY = [0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4]
 AT = ARM.fk([0.3, 0.4, -0.5, 0.6, 0.7, -0.8])
 MODES = ("axis", "gimbals", "order", "velocity", "belt")
-PLAIN = ("iiwa_toy", "two_poses_toy", "circles_toy", "planar_arm_toy", "cells_toy")
+PLAIN = (iiwa_toy, two_poses_toy, circles_toy, planar_arm_toy, cells_toy)
 T_WM = rigid.transform(
     rotations.rot_z(0.7), [0.3, -0.05, 0.6]
 )  # a mug, and two cameras that see it
@@ -66,19 +71,19 @@ def step_map():
     return nb3.step_map(alphas, epsilons, errors, 3.2, [(0.2, 2)], q, target, 30)
 
 
-TOYS = {name: getattr(figures, name) for name in PLAIN}
-TOYS |= {mode: lambda mode=mode: figures.orientation_toy(mode) for mode in MODES}
+TOYS = {toy.__name__: toy for toy in PLAIN}
+TOYS |= {mode: lambda mode=mode: orientation_toy(mode) for mode in MODES}
 TOYS |= {
-    "panda_toy": lambda: figures.panda_toy(READY),
+    "panda_toy": lambda: panda_toy(READY),
     "jog": lambda: figures.jog(iiwa14(), q=Q7),
-    "product": lambda: figures.build_up_toy(iiwa14(), q=Q7),
+    "product": lambda: build_up_toy(iiwa14(), q=Q7),
     "reach": lambda: figures.alive(figures.reach(ur5e(), ur5e().fk(Q6), q=Q6)),
     "eight": lambda: figures.alive(figures.reach(ARM, AT, q=all_solutions(AT))),
-    "fly": lambda: figures.alive(figures.fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
+    "fly": lambda: figures.alive(fly(rotations.rot_z(0.5), rotations.rot_x(1.2))),
     "table": lambda: figures.alive(
-        figures.table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]
+        table([0.9, 0.7]), lambda p: [np.arctan2(p[1], p[0]) - 0.5, 1.0]
     ),
-    "drive": lambda: figures.alive(figures.drive(ROUND)),
+    "drive": lambda: figures.alive(drive(ROUND)),
     "wheels": lambda: wheels(0.2, 0.4, 0.2),
     "gains": lambda: nb3.gains([0.5, 2, 8], {"s1": 3.2, "s2": 1.1}),
     "step_map": step_map,

@@ -28,7 +28,9 @@ PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
 SOURCES = (
     (
         "import numpy as np\nfrom course_lib import figures\nfrom course_lib.arms import iiwa14\n"
-        "from course_lib.rigid import exp_se3\nfigures.planar_arm_toy()"
+        "from course_lib.lessons.decomposition_ik.toys import table\n"
+        "from course_lib.lessons.subproblems_damped_ik.toys import planar_arm_toy\n"
+        "from course_lib.rigid import exp_se3\nplanar_arm_toy()"
     ),
     (
         "def reversed_order(screws, M, theta):\n    T = np.eye(4)\n    for S, angle in zip(screws, "
@@ -40,7 +42,7 @@ SOURCES = (
     (
         "import time\nfrom pathlib import Path\nasked = []\n\n\ndef slow(p):\n    asked.append(p)\n"
         "    while Path('held').exists():\n        time.sleep(0.05)\n    return np.log([p[0], 1 / 0"
-        " if p[1] < 0 else 2])\n\n\nfigures.alive(figures.table(at=(1, 0.5)), slow)"
+        " if p[1] < 0 else 2])\n\n\nfigures.alive(table(at=(1, 0.5)), slow)"
     ),
     "len(asked)",
 )

@@ -167,7 +167,11 @@ def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_
 def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(
     write, monkeypatch, capsys, browser, said
 ):
-    path = write(new_code_cell("from course_lib.figures import circles_toy\ncircles_toy()"))
+    path = write(
+        new_code_cell(
+            "from course_lib.lessons.subproblems_damped_ik.toys import circles_toy\ncircles_toy()"
+        )
+    )
     monkeypatch.setenv("BROWSER_PATH", browser)
     assert notebooks.main([str(path)]) == 0
     assert f"figures without a still: 1 ({said}" in capsys.readouterr().out.replace(
@@ -245,7 +249,7 @@ def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves
 @pytest.mark.tools("browser")
 def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_controls(tmp_path):
     path = tmp_path / "toy.ipynb"
-    source = "from course_lib.figures import circles_toy\ncircles_toy()"
+    source = "from course_lib.lessons.subproblems_damped_ik.toys import circles_toy\ncircles_toy()"
     nbformat.write(
         nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source, id="toy")]), path
     )

@@ -20,7 +20,11 @@ from course_lib.figures.solids.model import AMBER
 from course_lib.figures.stills import TOY, stored_stills
 from course_lib.figures.toys.film import film, flat_film, still
 from course_lib.figures.toys.toy import ELSEWHERE, PARTS, SCRIPTS, is_live, script_names
-from course_lib.lessons.panda_dh_ik.toys import click
+from course_lib.lessons.decomposition_ik.toys import table
+from course_lib.lessons.panda_dh_ik.toys import click, panda_toy
+from course_lib.lessons.rigid_motion.toys import drive
+from course_lib.lessons.rotations.toys import fly, orientation_toy
+from course_lib.lessons.subproblems_damped_ik.toys import planar_arm_toy
 from course_lib.pack.notebooks import run, tidy
 from course_lib.planar import propagate_body
 
@@ -114,9 +118,10 @@ def test_the_caption_of_a_picture_that_only_turns_says_nothing_of_motion(monkeyp
 def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path, monkeypatch):
     monkeypatch.setenv("JPY_SESSION_NAME", "as if make ran in a notebook of JupyterLab")
     sources = [
-        "from course_lib import figures",
-        "figures.planar_arm_toy()",
-        "figures.orientation_toy('belt')",
+        "from course_lib.lessons.rotations.toys import orientation_toy\n"
+        "from course_lib.lessons.subproblems_damped_ik.toys import planar_arm_toy",
+        "planar_arm_toy()",
+        "orientation_toy('belt')",
     ]
     book = new_notebook(
         cells=[new_code_cell(source, id=f"c{i}") for i, source in enumerate(sources)]
@@ -129,26 +134,26 @@ def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path
 
 
 @pytest.mark.parametrize(
-    ("name", "arguments", "named"),
+    ("toy", "arguments", "named"),
     [
-        ("orientation_toy", {"mode": "gimbal"}, "mode"),
-        ("planar_arm_toy", {"q": [0.1]}, "q"),
-        ("planar_arm_toy", {"step": 7}, "step"),
-        ("panda_toy", {"q": "up"}, "q"),
-        ("jog", {"arm": iiwa14(), "q": Q, "fk": np.eye(4)}, "fk"),
-        ("jog", {"arm": iiwa14(), "q": Q, "names": "sb"}, "names"),
-        ("jog", {"arm": iiwa14(), "q": Q, "names": ("0", "")}, "names"),
-        ("reach", {"arm": iiwa14(), "q": Q, "target": [1]}, "target"),
-        ("fly", {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
-        ("table", {"at": [1, 1, 1]}, "at"),
-        ("drive", {"plan": [((1, 2), 3)]}, "plan"),
-        ("alive", {"figure": "reach"}, "figure"),
-        ("alive", {"figure": figures.table([1, 1]), "f": 3}, "f"),
+        (orientation_toy, {"mode": "gimbal"}, "mode"),
+        (planar_arm_toy, {"q": [0.1]}, "q"),
+        (planar_arm_toy, {"step": 7}, "step"),
+        (panda_toy, {"q": "up"}, "q"),
+        (figures.jog, {"arm": iiwa14(), "q": Q, "fk": np.eye(4)}, "fk"),
+        (figures.jog, {"arm": iiwa14(), "q": Q, "names": "sb"}, "names"),
+        (figures.jog, {"arm": iiwa14(), "q": Q, "names": ("0", "")}, "names"),
+        (figures.reach, {"arm": iiwa14(), "q": Q, "target": [1]}, "target"),
+        (fly, {"start": np.eye(3), "goal": 2 * np.eye(3)}, "goal"),
+        (table, {"at": [1, 1, 1]}, "at"),
+        (drive, {"plan": [((1, 2), 3)]}, "plan"),
+        (figures.alive, {"figure": "reach"}, "figure"),
+        (figures.alive, {"figure": table([1, 1]), "f": 3}, "f"),
     ],
 )
-def test_a_wrong_argument_is_named(name, arguments, named):
+def test_a_wrong_argument_is_named(toy, arguments, named):
     with pytest.raises(ValueError, match=rf"^{named}\b"):
-        getattr(figures, name)(**arguments)
+        toy(**arguments)
 
 
 def test_a_wrong_pose_of_the_mug_is_named():
@@ -331,7 +336,7 @@ def test_a_motion_between_two_orientations_is_sampled(quaternions):
         R = A @ rotations.exp_so3(s * rotations.log_so3(A.T @ B))
         return rotations.matrix_to_quaternion(R) if quaternions else R
 
-    figure = figures.fly(start, goal, quaternions=quaternions)
+    figure = fly(start, goal, quaternions=quaternions)
     found = np.array(asked(figure, shortest, ends=[start.tolist(), goal.tolist()])["value"])
     assert_allclose(found[[0, -1]], [start, goal], atol=1e-12)
     assert rotations.is_so(found).all()
@@ -345,7 +350,7 @@ def test_a_motion_between_two_orientations_is_sampled(quaternions):
 
 
 def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answers():
-    toy = figures.alive(figures.table([1, 1]), lambda p: p if p[0] > 0 else None)
+    toy = figures.alive(table([1, 1]), lambda p: p if p[0] > 0 else None)
     at, q = (np.array(toy.meta["stored"][name], float).T for name in ("at", "q"))
     assert (np.linalg.norm(at, axis=1) <= 2 + 1e-3).all()
     assert_allclose(q, np.where(at[:, :1] > 0, at, np.nan))
@@ -354,7 +359,7 @@ def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answe
         def broken(p, error=error):
             raise error
 
-        toy = figures.alive(figures.table([1, 1]), broken)
+        toy = figures.alive(table([1, 1]), broken)
         assert not np.isfinite(np.array(toy.meta["stored"]["q"], float)).any()
         assert toy.answer({"at": [1, 1]})["problem"].startswith(
             f"Your function: {error.__name__}: "
@@ -362,7 +367,7 @@ def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answe
 
 
 def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
-    figure, log, seen = figures.drive(ROUND), [[[0.5, 0.0, 0.9], 0.7]], []
+    figure, log, seen = drive(ROUND), [[[0.5, 0.0, 0.9], 0.7]], []
     found = asked(figure, propagate_body, plan=log, dt=0.5)["value"]
     assert_allclose(found, propagate_body([0] * 3, log, 0.5), atol=1e-5)
     asked(figure, lambda *case: seen.append(case), plan=log, dt=0.5)

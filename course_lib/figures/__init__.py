@@ -1,7 +1,8 @@
-"""Every picture of the course. Each function returns a figure; show puts it into the notebook.
+"""The kit of every picture of the course, and the figures that two notebooks use.
 
-The toys, which are interactive figures, show themselves as the last line of a cell. They are
-imported when first used.
+Each function returns a figure; show puts it into the notebook. The toys, which are interactive
+figures, show themselves as the last line of a cell. They are imported when first used. Toys of one
+notebook are in its lesson.
 """
 
 import itertools
@@ -11,10 +12,8 @@ from course_lib.figures.display import show
 from course_lib.figures.plots import lines
 
 _TOYS = {  # by the module of course_lib.figures.toys in which they are
-    "alive": ("alive", "drive", "fly", "reach", "table"),
-    "arms": ("build_up_toy", "iiwa_toy", "jog", "panda_toy"),
-    "orientation": ("circles_toy", "orientation_toy"),
-    "plane": ("cells_toy", "planar_arm_toy", "two_poses_toy"),
+    "alive": ("alive", "reach"),
+    "arms": ("jog",),
 }
 
 __all__ = ["lines", "show"]

@@ -1,85 +1,14 @@
-"""The toys of notebooks 4 and 5: the iiwa, the Panda, and any arm.
-
-The student's own forward kinematics can move the arm.
-"""
+"""An arm as a solid body with a slider for each joint, moved by the student's own forward
+kinematics."""
 
 import inspect
 
 import numpy as np
 
 from course_lib.arguments import real_array
-from course_lib.arms import PANDA_ROWS, iiwa14, panda
 from course_lib.figures.solids import Model, link_poses, shell
 from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
-
-_IIWA_START = np.deg2rad([20, 30, 0, -80, 0, 60, 0])
-
-
-def iiwa_toy():
-    """Return a toy: the KUKA iiwa with sliders for its joints, and its ellipsoids.
-
-    It shows the screw axes, the velocity ellipsoid and the force ellipsoid. A further slider
-    stretches the arm through a singularity of its elbow.
-
-    Returns
-    -------
-    Toy
-    """
-    alt = (
-        "The KUKA iiwa as a solid body, moved by seven sliders for its joints. Its screw axes are "
-        "dashed lines; ellipsoids at the end-effector show how fast it moves and how hard it "
-        "pushes in each direction. One more slider drives the arm through its stretched, singular "
-        "configuration."
-    )
-    caption = (
-        "Where the velocity ellipsoid is flat, the force ellipsoid is long, because in a lost "
-        "direction the arm bears any load without torque at the joints."
-    )
-    model = arm_view(iiwa14(), _IIWA_START, "The KUKA iiwa and its joints")
-    model["parts"] = ["axes", "ellipsoids", "singularity"]
-    return Toy("arm", model, alt, caption=caption)
-
-
-def panda_toy(q):
-    """Return a toy: the Franka Panda with its joints, its DH frames and its elbow.
-
-    Sliders move the joints, and show the frames of its Denavit-Hartenberg table one by one.
-    The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within
-    their limits.
-
-    Parameters
-    ----------
-    q : array_like, shape (7,)
-        Joint angles at the start, in radians.
-
-    Returns
-    -------
-    Toy
-
-    Raises
-    ------
-    ValueError
-        If `q` does not hold seven angles.
-    """
-    alt = (
-        "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows "
-        "the frames of its Denavit-Hartenberg table one by one; another swings the elbow while "
-        "the flange keeps its pose."
-    )
-    names = [f"{{{i}}}" for i in range(1, 8)] + ["{f}"]
-    caption = (
-        "The flange can stay where it is while the elbow swings, because the arm has seven joints "
-        "and a pose needs only six numbers."
-    )
-    model = arm_view(panda(), q, "The Franka Panda and its joints")
-    model |= {
-        "parts": ["frames", "elbow"],
-        "names": names,
-        "rows": [list(row) for row in PANDA_ROWS],
-    }
-    model["frameNames"] = ["0", "f"]
-    return Toy("arm", model, alt, caption=caption)
 
 
 def jog(arm, fk=None, *, q, base=None, names=None):
@@ -145,37 +74,6 @@ def jog(arm, fk=None, *, q, base=None, names=None):
 def _are_two_names(names):
     is_pair = isinstance(names, list | tuple) and len(names) == 2
     return is_pair and all(isinstance(name, str) and name.strip() for name in names)
-
-
-def build_up_toy(arm, *, q):
-    """Return a toy that builds an arm's product of exponentials up, factor by factor.
-
-    It shows the columns of the Jacobian too.
-
-    Parameters
-    ----------
-    arm : SerialArm
-    q : array_like, shape (n,)
-        Joint angles, in radians.
-
-    Returns
-    -------
-    Toy
-
-    Raises
-    ------
-    ValueError
-        If `q` does not hold an angle for each joint.
-    """
-    model = arm_view(arm, q, f"An arm with {arm.n} joints, factor by factor", np.zeros((1, arm.n)))
-    model["start"] = min(4, arm.n)
-    alt = (
-        "An arm as a translucent body, whose product of exponentials is built up factor by "
-        "factor. Each screw axis is drawn where it was, dashed, and where it is now; the column "
-        "of the Jacobian that belongs to it stands out."
-    )
-    caption = "A factor moves everything after it; the axes before it stay where they are."
-    return Toy("build_up", model, alt, caption=caption)
 
 
 def _positional(function):

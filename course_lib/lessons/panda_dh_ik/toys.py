@@ -1,11 +1,13 @@
-"""The figure of notebook 5 in which clicks on two pictures of a mug give its pose."""
+"""The toys of notebook 5: the Panda, and two pictures of a mug whose clicks give its pose."""
 
 import numpy as np
 
 from course_lib.arguments import real_array
+from course_lib.arms import PANDA_ROWS, panda
 from course_lib.figures.solids import Model, Part, meshes
 from course_lib.figures.toys.alive import Figure
-from course_lib.figures.toys.toy import numbers, solid
+from course_lib.figures.toys.arms import arm_view
+from course_lib.figures.toys.toy import Toy, numbers, solid
 from course_lib.lessons.panda_dh_ik.pick import IN_MUG
 from course_lib.rigid import inverse, is_se
 
@@ -21,6 +23,47 @@ SPOTS = np.array(
         [0.0609, -0.004, 0.0633],
     ]
 )
+
+
+def panda_toy(q):
+    """Return a toy: the Franka Panda with its joints, its DH frames and its elbow.
+
+    Sliders move the joints, and show the frames of its Denavit-Hartenberg table one by one.
+    The elbow's slider moves along the null space: the flange keeps its pose, all joints stay within
+    their limits.
+
+    Parameters
+    ----------
+    q : array_like, shape (7,)
+        Joint angles at the start, in radians.
+
+    Returns
+    -------
+    Toy
+
+    Raises
+    ------
+    ValueError
+        If `q` does not hold seven angles.
+    """
+    alt = (
+        "The Franka Panda as a solid body, moved by seven sliders for its joints. A slider shows "
+        "the frames of its Denavit-Hartenberg table one by one; another swings the elbow while "
+        "the flange keeps its pose."
+    )
+    names = [f"{{{i}}}" for i in range(1, 8)] + ["{f}"]
+    caption = (
+        "The flange can stay where it is while the elbow swings, because the arm has seven joints "
+        "and a pose needs only six numbers."
+    )
+    model = arm_view(panda(), q, "The Franka Panda and its joints")
+    model |= {
+        "parts": ["frames", "elbow"],
+        "names": names,
+        "rows": [list(row) for row in PANDA_ROWS],
+    }
+    model["frameNames"] = ["0", "f"]
+    return Toy("arm", model, alt, caption=caption)
 
 
 def click(K, T_mc, T_wc, T_wm):

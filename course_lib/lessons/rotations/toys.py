@@ -1,7 +1,14 @@
-"""The toys of rotations: those of notebook 1, and the two circles of notebook 3's subproblems."""
+"""The toys of notebook 1: orientations to move, and a motion between two of them."""
 
-from course_lib.figures.toys.toy import Toy
+import numpy as np
 
+from course_lib.arguments import real_array
+from course_lib.figures.toys.alive import Figure
+from course_lib.figures.toys.toy import Toy, numbers
+from course_lib.rotations import is_quaternion, is_so, matrix_to_quaternion, quaternion_to_matrix
+
+_SAMPLES = 41  # of a motion between two orientations
+_TOLERANCE = 1e-3  # of rotations that are drawn
 # What each mode shows, and what to notice in it.
 MODES = {
     "axis": (
@@ -66,18 +73,56 @@ def orientation_toy(mode):
     return Toy("orientation", {"mode": mode}, alt, caption=caption)
 
 
-def circles_toy():
-    """Return a toy: the circles of p1 about k1 and of p2 about k2, which meet, touch or miss.
+def fly(start, goal, *, quaternions=False):
+    """Return a figure for `alive`: two orientations to drag, and a flight between them.
+
+    f(start, goal, s) flies from one to the other.
+
+    Parameters
+    ----------
+    start, goal : array_like, shape (3, 3)
+        Rotation matrices.
+    quaternions : bool, optional
+        If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation
+        matrices.
 
     Returns
     -------
-    Toy
+    Figure
+
+    Raises
+    ------
+    ValueError
+        If `start` or `goal` is no rotation matrix.
     """
+    ends = [real_array(start, "start", (3, 3)), real_array(goal, "goal", (3, 3))]
+    for R, name in zip(ends, ("start", "goal"), strict=True):
+        if R.shape != (3, 3) or not is_so(R):
+            raise ValueError(f"{name} must be a rotation matrix (3, 3)")
+
+    def ask(f, question):
+        first, last = np.array(question["ends"])
+        if quaternions:
+            first = matrix_to_quaternion(first)
+            last = matrix_to_quaternion(last)
+        shares = np.linspace(0, 1, _SAMPLES)
+        flown = np.array(
+            [numbers(f(first.copy(), last.copy(), s), "an array", *first.shape) for s in shares]
+        )
+        kind = "unit quaternion" if quaternions else "rotation matrix"
+        rotates = is_quaternion(flown, _TOLERANCE) if quaternions else is_so(flown, _TOLERANCE)
+        if not rotates.all():
+            raise ValueError(f"the answer at s = {shares[rotates.argmin()]:g} is not a {kind}")
+        return {"value": (quaternion_to_matrix(flown) if quaternions else flown).tolist()}
+
     alt = (
-        "A sphere with two circles: of the point p1 about the axis k1 and of the point p2 about "
-        "the axis k2. Sliders move the axes, the points can be dragged; at the start the circles "
-        "meet."
+        "Two aircraft whose orientations can be dragged by nose and wing tip, and a third one "
+        "that flies from the first orientation to the second, with the paths of its nose and of a "
+        "wing tip."
     )
-    caption = "Each point moves on a circle about its own axis; both circles lie on the sphere."
-    angles = {"between": 70, "p1": 50, "p2": 45, "around1": -80, "around2": -160}
-    return Toy("circles", {"angles": angles}, alt, caption=caption)
+    model = {
+        "figure": "fly",
+        "title": "Two orientations and the motion between them",
+        "ends": [R.tolist() for R in ends],
+    }
+    return Figure(model, alt, "Drag a nose or a wing tip, then fly.", ask)

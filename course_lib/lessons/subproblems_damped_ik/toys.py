@@ -1,26 +1,24 @@
-"""The toys in the plane, of notebooks 2, 3 and 6: poses, a planar arm, cells."""
+"""The toys of notebook 3: two circles on a sphere, and a planar arm that follows a target."""
 
 from course_lib.arguments import real_array
 from course_lib.figures.toys.toy import Toy
 
 
-def two_poses_toy():
-    """Return a toy: two planar poses to drag, and two motions between them.
-
-    The motions are the straight one and the screw motion, whose pole is drawn.
+def circles_toy():
+    """Return a toy: the circles of p1 about k1 and of p2 about k2, which meet, touch or miss.
 
     Returns
     -------
     Toy
     """
     alt = (
-        "Two poses of a body in the plane, which can be dragged and rotated by pointer or arrow "
-        "keys, with the straight motion and the screw motion between them, and the pole of the "
-        "screw motion."
+        "A sphere with two circles: of the point p1 about the axis k1 and of the point p2 about "
+        "the axis k2. Sliders move the axes, the points can be dragged; at the start the circles "
+        "meet."
     )
-    caption = "The dot is the pole, the point about which the red arc rotates."
-    model = {"start": [-3.0, -1.5, 0.2], "goal": [2.5, 1.5, 2.0], "half": 5.0}
-    return Toy("two_poses", model, alt, caption=caption)
+    caption = "Each point moves on a circle about its own axis; both circles lie on the sphere."
+    angles = {"between": 70, "p1": 50, "p2": 45, "around1": -80, "around2": -160}
+    return Toy("circles", {"angles": angles}, alt, caption=caption)
 
 
 def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping=0.05):
@@ -68,25 +66,3 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
     )
     caption = "The longer the ellipse in a direction, the faster the joints can move the tip there."
     return Toy("planar_arm", model, alt, caption=caption)
-
-
-def cells_toy():
-    """Return a toy: a two-link arm's workspace in cells whose size a slider sets.
-
-    It shows the two planes of one cell.
-
-    Returns
-    -------
-    Toy
-    """
-    alt = (
-        "The workspace of a two-link arm cut into square cells of 0.5 m, coloured by the error of "
-        "each cell's two planes. A slider sets the size; the cell under the query, which starts "
-        "at (0.9, 0.7) m, shows its planes over x and y."
-    )
-    caption = (
-        "The colour of a cell shows the error of its planes. Where is the error largest, and what "
-        "do smaller cells change there?"
-    )
-    model = {"lengths": [1.0, 1.0], "size": 0.5, "at": [0.9, 0.7]}
-    return Toy("cells", model, alt, caption=caption)
