@@ -23,6 +23,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from course_lib.checks.comparisons import attempt, predict
 from course_lib.checks.exercise import (
     ERROR,
     PUBLIC_SEED,
@@ -33,7 +34,6 @@ from course_lib.checks.exercise import (
     review,
 )
 from course_lib.checks.messages import describe
-from course_lib.checks.naming import attempt, predict
 
 LESSONS = Path(__file__).parent / "lessons"
 FILES = sorted(

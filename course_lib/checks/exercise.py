@@ -10,9 +10,10 @@ import numpy as np
 
 from course_lib.checks import call_student
 from course_lib.checks.call_student import CPU_SECONDS
+from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
 from course_lib.checks.mistake import Mistake, Mistakes
-from course_lib.checks.naming import Naming, attempt, difference, predict, same
+from course_lib.checks.naming import Naming
 from course_lib.checks.special_cases import Sweep, made_cases
 from course_lib.checks.wire import NotPlain, from_json, write
 

@@ -6,8 +6,8 @@ import textwrap
 
 import numpy as np
 
+from course_lib.checks.comparisons import attempt, predict, same
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
-from course_lib.checks.naming import attempt, predict, same
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit
 # light and dark themes.

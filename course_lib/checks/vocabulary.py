@@ -5,9 +5,9 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Property, same
+from course_lib.checks.comparisons import difference, same
+from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
-from course_lib.checks.naming import difference
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.rotations import exp_so3
 
@@ -134,7 +134,7 @@ def other_bend(angles, tip):
 
 # ---- comparisons ----
 #
-# `near` says whether an answer is right, to EXACT; `same`, in naming.py, whether it is what a
+# `near` says whether an answer is right, to EXACT; `same`, in comparisons.py, whether it is what a
 # mistake predicts, to PREDICTED; and `difference` there how far it is from another. Those below
 # whose names begin with `same` or `distance` do so for answers of which several are right: an
 # exercise has them as `alike` and `distance`, so they also take the arguments of the case.

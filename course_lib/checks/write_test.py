@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from course_lib.checks.answer_types import boolean
+from course_lib.checks.comparisons import attempt
 from course_lib.checks.exercise import (
     ERROR,
     FORGOTTEN_RETURN,
@@ -27,7 +28,6 @@ from course_lib.checks.exercise import (
     Verdict,
     no_answer,
 )
-from course_lib.checks.naming import attempt
 from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
