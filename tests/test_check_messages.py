@@ -58,7 +58,7 @@ def test_of_a_long_array_the_first_wrong_item_is_shown(shown):
     )
     Check(exercise)(lambda n: _rows(n) + (np.arange(n) == 4)[:, None])
     assert re.search(
-        r"an array of shape \(9, 6\) whose item 4 is\n +\[5 5 5 5 5 5\]", words(shown[0])
+        r"an array of shape \(9, 6\) whose item \[4\] is\n +\[5 5 5 5 5 5\]", words(shown[0])
     )
 
 

@@ -160,11 +160,11 @@ def into_a_copy(x):
 def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
     cases = lambda rng: [(np.array([1.5, 0.25]),), (np.array([3.0, 5.0]),)]  # noqa: E731
     mistake = judge(replace(HALF, cases=cases), LocalFunction(into_a_copy)).mistake
-    assert mistake.name.startswith("the answer is wrong for whole numbers only")
+    assert mistake.name.startswith("the answer is wrong for arrays of integers only")
     wrong_for_all = judge(
         replace(HALF, cases=cases), LocalFunction(lambda x: into_a_copy(x) + 0.3)
     ).mistake
-    assert wrong_for_all is None or "whole numbers only" not in wrong_for_all.name
+    assert wrong_for_all is None or "arrays of integers only" not in wrong_for_all.name
 
 
 TINY_ROTATIONS = replace(

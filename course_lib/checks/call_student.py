@@ -59,9 +59,10 @@ def reply(
         JSON text of {"answers": a list with a dict for each case, "refused": [names of functions
         that are not allowed and were called in this process, in the cells too]}. The keys of an
         answer are among "value" (what came back, see wire.py), "changed" (positions of the
-        arguments changed in place), "warning" (the text of the first one), and "error" ({"type",
-        "message", "line", "source", "cell"}; the line is one of the student's own code, "cell"
-        names the function in whose cell it stands, if not in this function's).
+        arguments changed in place), "change" (in words, of the first of these), "warning" (the text
+        of the first one), and "error" ({"type", "message", "line", "source", "cell"}; the line is
+        one of the student's own code, "cell" names the function in whose cell it stands, if not in
+        this function's).
 
     Examples
     --------
@@ -106,7 +107,12 @@ def _answer(function, case, through, names, consult):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("default")
             value = through(function, names, arguments)
-        answer = {"value": to_json(value), "changed": _changed(case, arguments)}
+        changed = _changed(case, arguments)
+        answer = {"value": to_json(value), "changed": changed}
+        if changed:
+            first = changed[0]
+            with contextlib.suppress(Exception):  # a student may have put anything into a list
+                answer["change"] = _first_change(case[first], arguments[first])
         return answer | ({"warning": str(caught[0].message)[:_MAX_WARNING]} if caught else {})
     except NotPlain as kind:
         return _error("NotPlain", str(kind))
@@ -162,6 +168,32 @@ def _as_it_was(before, argument):
         except NotPlain:
             return False
     return True  # numbers, texts and stand-ins cannot change
+
+
+def _first_change(before, after, place=""):
+    """Return in words which entry of an argument was changed in place, from what to what.
+
+    place: the index of this part of the argument, as Python writes it.
+    """
+    if isinstance(before, np.ndarray):
+        if after.shape != before.shape:
+            shapes = f"{before.shape} before the call and has {after.shape} after it"
+            return f"{place} had the shape {shapes}"
+        for index in np.ndindex(before.shape):
+            if repr(before[index].item()) != repr(after[index].item()):
+                entry = f"{place}{list(index)}" if index else place
+                return _first_change(before[index].item(), after[index].item(), entry)
+        return ""  # another type of numbers, for example
+    if isinstance(before, list | tuple) and isinstance(after, list | tuple):
+        if len(after) != len(before):
+            return f"{place} had {len(before)} items before the call and has {len(after)} after it"
+        for k, (old, new) in enumerate(zip(before, after, strict=True)):
+            if repr(old) != repr(new):
+                return _first_change(old, new, f"{place}[{k}]")
+    old, new = (f"{x:.6g}" if isinstance(x, float) else repr(x) for x in (before, after))
+    if old == new:  # in digits that these do not show
+        old, new = repr(before), repr(after)
+    return f"{place} was {old} before the call and is {new} after it"
 
 
 def _students_line(raised, function):

@@ -165,14 +165,14 @@ def _folded(right):
     of the circle."""
     n = np.shape(right)[-1] if np.ndim(right) else 0
     columns = [..., *((..., j) for j in range(n if n <= _MAX_LINES else 0))]
-    for index, (name, fold) in itertools.product(columns, _FOLDS):
+    for index, (name, hint, fold) in itertools.product(columns, _FOLDS):
 
         def folded(x, index=index, fold=fold):
             x = np.array(x)
             x[index] = fold(x[index])
             return x
 
-        yield name, _HALF, folded
+        yield name, hint, folded
 
 
 def _from(k, change):
@@ -285,7 +285,10 @@ def _of_dimension(x, n):
 # ---- hints ----
 
 _ALWAYS = "Print each comparison for the case above, and return what it gives."
-_ORDER = "Compare the order of the arguments with the task."
+_ORDER = (
+    "Your answer is the right one for these two arguments exchanged. Where does your function use "
+    "the one, and where the other?"
+)
 _RETURN = "Return the result."
 _SAME = "Where does your function use its arguments?"
 _RADIANS = "Angles are in radians throughout."
@@ -296,24 +299,37 @@ _UNIT = "In which unit does the task ask for the answer?"
 _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
-_HALF = "np.arctan2(y, x) takes sine and cosine separately, and finds angles on the whole circle."
+_NEXT_TO_A_COSINE = (
+    "arccos gives angles from 0 to pi only. Which second number, beside the cosine, tells the sign "
+    "of the angle?"
+)
+_NEXT_TO_A_SINE = (
+    "arcsin gives angles from -pi/2 to pi/2 only. Which second number, beside the sine, tells in "
+    "which half of the circle the angle lies?"
+)
+_QUOTIENT = (
+    "arctan gives angles from -pi/2 to pi/2 only, since a quotient is the same for opposite "
+    "directions. Which two numbers does the quotient lose the signs of?"
+)
 _COPIES = (
     "An array that changes in place changes wherever it stands: does a list hold it more than once?"
 )
 CUT_OFF = (
     "digits after the point are cut off",
     (
-        "np.zeros_like(a) and a.copy() hold whole numbers only if a does. np.zeros(np.shape(a)) has"
-        " room for digits."
+        "Which line makes integers of your numbers: int(...), //, or an array made from an array "
+        "of integers, which holds integers, too?"
     ),
+)
+_INTEGERS = (
+    "An array made from an array of integers, by np.array, copy or np.zeros_like, holds integers. "
+    "What becomes of the digits after the point that you write into such an array?"
 )
 CUT_OFF_OF_WHOLE_NUMBERS = (
-    "the answer is wrong for whole numbers only: digits after the point are cut off",
-    (
-        "np.array(a), a.copy() and np.zeros_like(a) hold whole numbers only if a does. What becomes"
-        " of the digits that you write into such an array?"
-    ),
+    "the answer is wrong for arrays of integers only: digits after the point are cut off",
+    _INTEGERS,
 )
+WRONG_FOR_INTEGERS = ("the answer is wrong for arrays of integers only", _INTEGERS)
 USE_FLOAT64 = (
     "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told"
     " otherwise."
@@ -353,11 +369,17 @@ _OF_THE_ANSWER = (
 _FOLDS = (
     (
         "an angle comes from arcsin, which knows half of the circle only",
+        _NEXT_TO_A_SINE,
         lambda x: np.arcsin(np.sin(x)),
     ),
-    ("a sign is lost, as that of an angle by arccos", lambda x: np.arccos(np.cos(x))),
+    (
+        "a sign is lost, as that of an angle by arccos",
+        _NEXT_TO_A_COSINE,
+        lambda x: np.arccos(np.cos(x)),
+    ),
     (
         "an angle comes from arctan, which knows half of the circle only",
+        _QUOTIENT,
         lambda x: np.arctan(np.tan(x)),
     ),
 )

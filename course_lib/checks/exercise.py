@@ -215,7 +215,7 @@ class Exercise:
             return Verdict(self, UNCHANGED)
         for case, answer, value in zip(cases, answers, values, strict=True):
             if answer["changed"]:
-                return _changed(self, answer["changed"][0], case, value)
+                return _changed(self, answer["changed"][0], answer.get("change", ""), case, value)
             if value is None:
                 return Verdict(
                     self, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None
@@ -505,6 +505,7 @@ def _claim(answer, arguments):
     return {
         "value": from_json(answer["value"]),
         "changed": changed,
+        "change": str(answer.get("change", ""))[:300],
         "warning": str(answer.get("warning", ""))[:300],
     }
 
@@ -535,9 +536,13 @@ def _in_words(warning):
     return f"{'numpy' if of_numpy else 'Python'} warned: {warning}"
 
 
-def _changed(exercise, name, case, value):
+def _changed(exercise, name, change, case, value):
     mistake = Mistake(
         f"{name} is changed in place",
-        f"The caller still needs its {name}. Work on a copy: {name} = np.array({name}).",
+        "Which line of your code writes into an array or a list that is still the caller's "
+        f"{name}?",
     )
-    return Verdict(exercise, WRONG, f"your function leaves {name} as it was.", mistake, case, value)
+    reason = f"your function leaves {name} as it was."
+    if change:
+        reason += f" {name}{change}."
+    return Verdict(exercise, WRONG, reason, mistake, case, value)

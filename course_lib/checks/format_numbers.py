@@ -30,7 +30,7 @@ def format_tuple(numbers, rounding=1e-12):
 
 
 def format_array(numbers, digits=4):
-    """Return an array in numpy's form on one line.
+    """Return an array on one line, its entries in the form in which messages show arrays.
 
     Parameters
     ----------
@@ -45,7 +45,11 @@ def format_array(numbers, digits=4):
     Examples
     --------
     >>> format_array([0.1, -2, 1 / 3], digits=2)
-    '[ 0.1  -2.    0.33]'
+    '[0.1 -2 0.33]'
     """
-    array = np.asarray(numbers) + 0.0  # no -0
-    return np.array2string(array, precision=digits, suppress_small=True).replace("\n", "")
+    array = np.asarray(numbers, float)
+
+    def entry(number):
+        return f"{round(number, digits) + 0.0:.6g}"  # + 0.0: no -0
+
+    return np.array2string(array, formatter={"float_kind": entry}).replace("\n", "")

@@ -166,7 +166,7 @@ def _labelled(before, label, value, item=0):
     if hasattr(value, "number"):
         text = f"numpy.random.default_rng({value.number})"
     elif isinstance(value, np.ndarray) and value.size > _LONG:
-        which = f"whose item {item} is" if item else "that begins with"
+        which = f"whose item [{item}] is" if item else "that begins with"
         return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
             "    ", "", value[item]
         )
@@ -198,7 +198,7 @@ def _side_by_side(blocks):
     rows = []
     for block in blocks:
         both = [block]
-        if rows:
+        if rows and not rows[-1][0].endswith((" that begins with", "] is")):
             width = 3 + max(map(len, rows[-1]))
             pairs = itertools.zip_longest(rows[-1], block, fillvalue="")
             both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]

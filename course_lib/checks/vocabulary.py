@@ -218,7 +218,7 @@ def is_rotation(R):
 
 def _no_rotation(R):
     if orthogonality_error(R) < EXACT:
-        return f"The determinant of yours is {np.linalg.det(R):.4g}."
+        return f"The determinant of your R is {np.linalg.det(R):.4g}."
     return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
 
 
@@ -249,23 +249,23 @@ LAST_ROW = Property(  # of a pose, or of each in an array of them
 )
 
 
-def part_is(text, right, part, mistake=None):
+def part_is(text, right, part, mistake=None, what="The {} column"):
     """Return the Property that a part of the answer, given by its index, is that of
     right(*arguments).
 
-    mistake: as of a Property.
+    mistake: as of a Property. what: a column of the part, if it is a matrix; see first_off.
     """
 
     def wanted(*case):
         return np.asarray(right(*case), float)[part]
 
     def says(answer, *case):
-        right, yours = wanted(*case), answer[part]
-        return (
-            f"The right numbers are {compared(right, yours)}."
-            if right.ndim < 2
-            else first_off(yours, right, "In this frame the {} column")
-        )
+        expected, yours = wanted(*case), answer[part]
+        if expected.size == 1:
+            return f"The right number is {compared(expected, yours)}."
+        if expected.ndim < 2:
+            return f"The right numbers are {compared(expected, yours, verb='are')}."
+        return first_off(yours, expected, what)
 
     return Property(
         text, lambda answer, *case: near(answer[part], wanted(*case)), says, mistake=mistake
@@ -273,24 +273,31 @@ def part_is(text, right, part, mistake=None):
 
 
 def first_off(answer, expected, what="The {} column"):
-    """Return in words which column is the first that is off; for rows, give both transposed."""
+    """Return in words which column is the first that is off; for rows, give both transposed.
+
+    what: the column, with {} for "first" and {number} for 1.
+    """
     i = int(
         np.argmax(
             [not near(yours, right) for yours, right in zip(answer.T, expected.T, strict=True)]
         )
     )
-    return f"{what.format(ORDINALS[i])} should be {compared(expected[:, i], answer[:, i])}."
+    column = what.format(ORDINALS[i], number=i + 1)
+    return f"{column} should be {compared(expected[:, i], answer[:, i])}."
 
 
-def compared(expected, answer):
+def compared(expected, answer, verb="is"):
     """Return in words what is wanted and what was found, and by how much it is off if the digits
-    shown agree."""
+    shown agree.
+
+    verb: "are" where the numbers are spoken of, and not a column or a point.
+    """
     right, yours = format_tuple(expected), format_tuple(answer)
     if right == yours and np.abs(expected).max(initial=0) < _TINY:  # both are shown as zeros
         right, yours = format_tuple(expected, rounding=0), format_tuple(answer, rounding=0)
     if right == yours:
         yours += f", off by {np.abs(answer - expected).max():.2g}"
-    return f"{right}; yours is {yours}"
+    return f"{right}; yours {verb} {yours}"
 
 
 def _first_otherwise(values, cases):

@@ -30,6 +30,7 @@ from course_lib.checks.exercise import (
 )
 from course_lib.checks.wire import Candidate, from_json, to_json
 
+_MAX_KINDS = 4  # of versions, which a message lists all
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
 _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
 
@@ -41,11 +42,8 @@ ALWAYS_TRUE = Mistake(
 )
 ALWAYS_FALSE = Mistake(
     "your test rejects everything",
-    "A right version passes too. Compare with a tolerance (np.allclose). Does your test ask for "
-    "one of two right "
-    "answers, as at an angle of exactly pi (either sign is right)? Does it compare NaN with a "
-    "number, which is never "
-    "equal?",
+    "A right version must pass. Right versions differ from each other in their last digits. Which "
+    "of your comparisons do their answers fail, and by how much?",
 )
 
 
@@ -153,7 +151,7 @@ class WriteTest(Exercise):
             )
         # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one
         # input, refuses hardly more. One that always returns the same, or guesses, earns nothing.
-        share = max(1 - (len(refused) / n_right + len(missed) / n_wrong) / 0.3, 0)
+        share = max(1 - len(missed) / n_wrong / 0.3, 0)
         reason = "your test accepts every right version and rejects every wrong one."
         reason += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
         reason += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
@@ -171,7 +169,9 @@ class WriteTest(Exercise):
             always,
         )
         failed_example = any(version.example for version in (*refused, *missed))
-        credit = 0 if failed_example else min(int(share * self.points + 1e-9), self.points - 1)
+        # The tasks give points only to a test that accepts every right version.
+        nothing = refused or failed_example
+        credit = 0 if nothing else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, reason, always, credit=credit)
 
     def _consultant(self, order):
@@ -229,8 +229,11 @@ class _Case(Candidate):
 
 
 def _kinds(versions):
-    """Return the kinds of at most three versions, in brackets; without their names."""
+    """Return the kinds of the versions, in brackets, of more than four only three; without their
+    names."""
     kinds = list(dict.fromkeys(version.kind for version in versions))
     if not kinds:
         return ""
-    return f" (one {'; one '.join(kinds[:3])}{'; and others' if len(kinds) > 3 else ''})"
+    shown = kinds if len(kinds) <= _MAX_KINDS else kinds[:3]
+    others = f"; and {len(kinds) - len(shown)} others" if len(kinds) > len(shown) else ""
+    return f" (one {'; one '.join(shown)}{others})"

@@ -8,6 +8,8 @@ from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, part_is
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
 
+_MAX_ROUNDED = 0.01  # error of numbers that are rounded to two digits
+
 _NUMPY_USED = Mistake(
     "a function of numpy or math is called with symbols",
     "SymPy has functions and matrices of the same names, which accept symbols and numbers.",
@@ -61,9 +63,19 @@ def dh_symbolic(a, alpha, d, theta):
 
 _COLUMN = Mistake(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
-    "Multiply the four matrices on paper, and compare this column with yours, entry by entry. "
-    "Numbers must stay as they are, without rounding.",
+    "Multiply the four matrices on paper, and compare the column named below with yours, entry by "
+    "entry.",
 )
+_ROUNDED = Mistake(
+    "the numbers in the matrix are rounded, or replaced by simple fractions",
+    "Numbers must stay as they are. Which line of your code changes them?",
+)
+
+
+def _column(T, *case):
+    """Return the Mistake of a wrong column: small differences come from rounding."""
+    return _ROUNDED if np.abs(T - _right(*case)).max() < _MAX_ROUNDED else _COLUMN
+
 
 EXERCISE = Exercise(
     name="dh_symbolic",
@@ -76,25 +88,25 @@ EXERCISE = Exercise(
     properties=(
         LAST_ROW,
         part_is(
-            "the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _COLUMN
+            "the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _column
         ),
         part_is(
             "the z axis, the third column, is rotated by alpha about x, then by theta about z",
             _right,
             COLUMNS[2],
-            _COLUMN,
+            _column,
         ),
         part_is(
             "the y axis, the second column, is the cross product of the z axis and the x axis",
             _right,
             COLUMNS[1],
-            _COLUMN,
+            _column,
         ),
         part_is(
             "the origin, the last column, is d up the old z, and then a along the new x",
             _right,
             COLUMNS[3],
-            _COLUMN,
+            _column,
         ),
     ),
     hints=(

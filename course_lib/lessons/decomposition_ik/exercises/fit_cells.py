@@ -122,6 +122,22 @@ def _tell(index, models, xy, q, cell, count):
     )
 
 
+def _tell_fit(index, models, xy, q, cell, count):
+    """Return in words what _tell does, and how well the row fits the cluster's samples."""
+    c, k, j, _ = index
+    own = np.flatnonzero(cell == c)
+    chosen = own[np.asarray(split_branches(q[own]), int) == k]
+    least_squares = fit_cells(xy, q, cell, count)[c, k, j]
+    A = with_one(xy[chosen])[:, [1, 2, 0]]
+    yours, least = (
+        np.sum((A @ row - q[chosen, j]) ** 2) for row in (models[c, k, j], least_squares)
+    )
+    return (
+        f"{_tell(index, models, xy, q, cell, count)} The sum of the squares of its residuals is "
+        f"{yours - least:.3g} larger than the least one, {least:.3g}."
+    )
+
+
 def _far_off(models, right):
     return off(models, right, HALF_THE_DIGITS)
 
@@ -164,7 +180,7 @@ EXERCISE = Exercise(
             _far_off,
             "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples",
             fit_cells,
-            _tell,
+            _tell_fit,
             Mistake(
                 "a model is not that of its own samples",
                 "Which samples are fitted for the cluster named below, and which numbers stand "
@@ -191,14 +207,30 @@ EXERCISE.mistake(_EMPTY, raises=("ValueError", "Found array with 0 sample"))
 
 
 @EXERCISE.mistake(
+    "the coefficients of y in q1 and of x in q2 have changed places",
+    "Does a row of your model belong to an angle or to a coordinate?",
+)
+def coefficients_transposed(*case):
+    def fit(xy, q):
+        row_by_row = _least_squares(xy, q)
+        return np.column_stack([row_by_row[:, :2].T, row_by_row[:, 2]])
+
+    return fit_cells(*case, fit=fit)
+
+
+@EXERCISE.mistake(
+    "the coefficients of x and of y have changed places",
+    "Which coordinate does the first entry of each row multiply?",
+)
+def coefficients_of_y_first(*case):
+    return fit_cells(*case, fit=lambda xy, q: _least_squares(xy[:, ::-1], q))
+
+
+@EXERCISE.mistake(
     "the coefficients stand in another order",
     "Which row belongs to q1, which column to x, which is the intercept?",
     fit=(
-        lambda xy, q: np.column_stack(
-            [_least_squares(xy, q)[:, :2].T, _least_squares(xy, q)[:, 2]]
-        ),
         lambda xy, q: _least_squares(xy, q).T.reshape(2, 3),
-        lambda xy, q: _least_squares(xy[:, ::-1], q),
         lambda xy, q: _least_squares(xy, q)[:, [2, 0, 1]],
     ),
 )

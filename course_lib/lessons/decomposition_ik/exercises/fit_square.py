@@ -59,13 +59,15 @@ EXERCISE = Exercise(
     returns=numbers(lambda terms, q: (2, terms.shape[1] + 1)),
     library=fit_square,
     properties=(
-        Property("row 1, times the terms, fits the square of q2 with the least squares", _row(1)),
+        Property(
+            "row 1, times the terms, fits the square of q2 with the least sum of squares", _row(1)
+        ),
         Property(
             "the last entry of row 1 is 0: the square of q2 is fitted by the terms alone",
             lambda model, *case: abs(model[1, -1]) < 1e-12,
         ),
         Property(
-            "row 0, times the terms and q2, fits q1 with the least squares",
+            "row 0, times the terms and q2, fits q1 with the least sum of squares",
             _row(0),
             mistake=Mistake(
                 "row 0 is not the least-squares fit of q1 by the terms and q2 together",

@@ -9,6 +9,8 @@ from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, near, two_link_tip
 
+_SHOWN = 0.01  # m: a difference that three digits show
+
 _FIRST_ROWS = Mistake(
     "q[0] and q[1] are taken for the two angles: in a batch they are its first two rows",
     "Along which axis do the two angles of a pair lie? The dots in q[..., 0] stand for all axes "
@@ -66,11 +68,12 @@ def _tell_distance(found, q):
     """The pair whose tip has the distance from the elbow that is farthest from 1 m."""
     gaps = np.ravel(_elbow_distance(found, q) - 1)
     k = int(np.argmax(np.abs(gaps)))
+    distance = f"is {1 + gaps[k]:.3g} m"
+    if abs(gaps[k]) < _SHOWN:
+        distance = f"differs from 1 m by {gaps[k]:.2g} m"
     return (
         f"For q = {format_tuple(np.reshape(q, (-1, 2))[k])} your tip is at "
-        f"{format_tuple(found.reshape(-1, 2)[k])}, and its distance from the elbow differs from "
-        f"1 m "
-        f"by {gaps[k]:.3g} m."
+        f"{format_tuple(found.reshape(-1, 2)[k])}, and its distance from the elbow {distance}."
     )
 
 

@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from course_lib.checks.exercise import Mistake
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import two_link_angles
-from course_lib.checks.write_test import Version, WriteTest
+from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 
 _REACH = 2 + EXACT
 _EITHER = 2 + SIX_DIGITS  # metres: from the edge up to here, the task accepts either answer
@@ -64,6 +65,11 @@ EXERCISE = WriteTest(
         "nan; and slightly nearer than 2 m, where both rows lead to xy.",
     ),
     shapes=((2,),),
+    refuses=Mistake(
+        ALWAYS_FALSE.name,
+        "A right version must pass. Its answer is NaN beyond 2 m: what do your comparisons give "
+        "for NaN? And by how much may a right answer be off?",
+    ),
     versions=(
         _right("that is as in the text", closed_form, example=True),
         _right("whose q1 may differ by a full revolution", _by_circles),
@@ -84,9 +90,9 @@ EXERCISE = WriteTest(
         ),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
         Version("that is right to four digits only", _changed(lambda q, xy: np.round(q, 4))),
-        Version("that answers out of reach", two_link_angles),
+        Version("that answers beyond 2 m", two_link_angles),
         Version(
-            "that answers out of reach",
+            "that answers beyond 2 m",
             lambda xy: (
                 closed_form(xy)
                 if np.linalg.norm(xy) < _REACH
@@ -94,11 +100,11 @@ EXERCISE = WriteTest(
             ),
         ),
         Version(
-            "that has no answer on the edge",
+            "that has no answer at exactly 2 m",
             _changed(lambda q, xy: q if np.linalg.norm(xy) < 2 - 1e-12 else q * np.nan),
         ),
         Version(
-            "that is wrong only near the edge",
+            "that is wrong only in the last two centimetres before 2 m",
             _changed(lambda q, xy: q if np.linalg.norm(xy) < 1.98 else q * [1, 0]),
         ),
     ),

@@ -93,9 +93,9 @@ EXERCISE = Exercise(
             Mistake(
                 "an axis is not that of its joint",
                 "Which column of which frame is the axis of the joint named below, along the "
-                "world's "
-                "axes?",
+                "world's axes?",
             ),
+            "The lower half of the column of joint {number}",
         ),
         part_is(
             "the upper half of each column is the velocity of the flange's origin if its joint "
@@ -106,6 +106,7 @@ EXERCISE = Exercise(
                 "the velocity is not z x (p - o) of its joint",
                 "From which point to which point does p - o lead for the joint named below?",
             ),
+            "The upper half of the column of joint {number}",
         ),
     ),
     hints=(

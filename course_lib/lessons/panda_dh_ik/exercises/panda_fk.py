@@ -58,7 +58,7 @@ def _off(T, q):
     else:
         i = int(np.argmax(np.abs(T[k] - right[k]).max(0)))
         wanted, yours, what = right[k, :3, i], T[k, :3, i], f"Its {'xyz'[i]} axis is"
-    row = f" (row {k + 1} of the table)" if k < 7 else ""
+    row = f" (modified_table[{k}])" if k < 7 else ""
     difference = f"{what} {compared(wanted, yours)}."
     return f"The first pose that differs is that of {_NAMES[k]}{row}. {difference}"
 

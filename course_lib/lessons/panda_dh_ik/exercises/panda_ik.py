@@ -265,8 +265,11 @@ EXERCISE = Exercise(
             mistake=_STUCK,
         ),
         Property(
-            "for a target out of reach (3 m away) seven NaN are returned",
+            "for a target out of reach seven NaN are returned",
             lambda q, *case: not _found(q),
+            says=lambda q, T, q0: (
+                f"The target is {np.linalg.norm(T[:3, 3] - T_W0[:3, 3]):.3g} m from the arm's base."
+            ),
             where=lambda *case: not _reachable(*case),
             mistake=Mistake(
                 "angles are returned for a target out of reach",

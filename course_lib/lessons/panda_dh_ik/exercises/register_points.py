@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
@@ -30,6 +31,9 @@ _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
 _WHOLE_ROTATED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
 _WHOLE_APART = np.array([[1, 2, 3], [2, 5, 3], [-1, 2, 4], [1, 2, 5]])
 _WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
+
+
+_ROUNDING = 1e-12  # relative: a sum of squares that rounding alone has made
 
 
 def _without_weight(rng, n, noise):
@@ -87,10 +91,10 @@ def _squares(T, src, dst, weights):
 
 def _off(T, *case):
     yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
+    shown = format_tuple(least, rounding=_ROUNDING * yours)
     return (
         f"{difference(T, registered(*case))} With your T the sum is {yours - least:.2g} larger "
-        f"than "
-        f"the least sum, {least:.6g}."
+        f"than the least sum, {shown}."
     )
 
 
@@ -142,7 +146,7 @@ EXERCISE = Exercise(
             lambda T, *case: close(T, registered(*case)),
             _off,
             mistake=Mistake(
-                "the weights count in another way",
+                "the weights do not count as in the sum that the task names",
                 "How often, and as which power, does each w_i stand in the sums of the two "
                 "centroids, "
                 "and in the sum of the products?",
@@ -181,6 +185,23 @@ EXERCISE.mistake(
     ),
     raises=("ValueError", "is not a rotation"),
 )
+
+
+@EXERCISE.mistake(
+    "each point counts as much as every other, whatever its weight",
+    "Where do the weights stand in your sums?",
+)
+def weights_not_used(src, dst, weights):
+    return registered(src, dst, np.ones(len(weights)))
+
+
+@EXERCISE.mistake(
+    "the weights count as another power than the first",
+    "Which weights does your code use for w_i = 0, 1 and 4?",
+    power=(lambda weights: (weights > 0) * 1.0, np.square, np.sqrt),
+)
+def another_power(src, dst, weights, power):
+    return registered(src, dst, power(weights))
 
 
 def _reflection(*case):

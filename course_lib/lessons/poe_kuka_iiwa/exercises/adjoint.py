@@ -64,6 +64,7 @@ EXERCISE = Exercise(
             adjoint,
             _UPPER_LEFT,
             Mistake("the upper left block is not R", "How does frame a see the omega of frame b?"),
+            "The {} column of the block",
         ),
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
@@ -77,6 +78,7 @@ EXERCISE = Exercise(
             "frame a",
             adjoint,
             _LOWER_RIGHT,
+            what="The {} column of the block",
         ),
         Property(
             "Ad V is the same motion seen from frame a: [Ad V] = T [V] T^-1",

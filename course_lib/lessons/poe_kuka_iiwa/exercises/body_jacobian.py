@@ -37,8 +37,8 @@ EXERCISE = Exercise(
             ),
         ),
         part_is(
-            "in rows 1 to 3, each column has the direction of its axis, along the end-effector's "
-            "own axes",
+            "in the upper three rows, each column has the direction of its axis, along the "
+            "end-effector's own axes",
             _right,
             np.s_[:3],
             Mistake(
@@ -47,12 +47,14 @@ EXERCISE = Exercise(
                 "Which exponentials, in which order, stand in Ad(...) before the body screw of the "
                 "column named below?",
             ),
+            "The upper half of the {} column",
         ),
         part_is(
-            "in rows 4 to 6, each column has the velocity of the end-effector's origin, along the "
-            "end-effector's axes",
+            "in the lower three rows, each column has the velocity of the end-effector's origin, "
+            "along the end-effector's axes",
             _right,
             np.s_[3:],
+            what="The lower half of the {} column",
         ),
     ),
     hints=(

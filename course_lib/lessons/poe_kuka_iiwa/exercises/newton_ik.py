@@ -162,8 +162,11 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "for a target out of reach (3 m away) nan is returned",
+            "for a target out of reach nan is returned",
             lambda q, *case: not _found(q),
+            says=lambda q, screws, M, T_target, q0: (
+                f"The target is {np.linalg.norm(T_target[:3, 3]):.3g} m from the arm's base."
+            ),
             where=_out_of_reach,
             mistake=Mistake(
                 "the last angles are returned, although they do not reach the target",

@@ -17,7 +17,7 @@ from course_lib.checks.vocabulary import (
     rotation,
     unit,
 )
-from course_lib.rotations import exp_so3
+from course_lib.rotations import exp_so3, log_so3
 
 _R, _P = (0, slice(0, 3), slice(0, 3)), (0, slice(0, 3), 3)
 _BACK_P = (1, slice(0, 3), 3)
@@ -72,6 +72,19 @@ _RODRIGUES = Mistake(
     "differs from yours?",
 )
 
+
+def _other_rotation(T, omega, point, theta):
+    """Return the Mistake of a block R that is a rotation, but not the right one."""
+    R = T[_R]
+    if not near(R @ omega, omega):
+        return _RODRIGUES
+    return Mistake(
+        "R rotates about omega, but by another angle than theta",
+        f"theta is {theta:.4g} rad, but your R rotates by {log_so3(R) @ omega:.4g} rad. What does "
+        "your code do with theta before it takes the sine and the cosine?",
+    )
+
+
 EXERCISE = Exercise(
     name="rotation_about",
     points=2,
@@ -95,7 +108,7 @@ EXERCISE = Exercise(
             "R rotates by theta about omega, counter-clockwise as seen from the tip of omega",
             lambda T, omega, point, theta: near(T[_R], exp_so3(theta * omega)),
             says=_rotation_off,
-            mistake=_RODRIGUES,
+            mistake=_other_rotation,
         ),
         Property(
             "the point on the axis stays where it is",

@@ -45,24 +45,26 @@ EXERCISE = Exercise(
             _FIRST_MOVED,
         ),
         part_is(
-            "in rows 1 to 3, each column has the direction of its axis, rotated by all joints "
-            "before it",
+            "in the upper three rows, each column has the direction of its axis, rotated by all "
+            "joints before it",
             jacobian,
             np.s_[:3],
             Mistake(
                 "an axis is not rotated by all joints before it, each by its own angle",
                 "Which exponentials, in which order, move the axis of the column named below?",
             ),
+            "The upper half of the {} column",
         ),
         part_is(
-            "in rows 4 to 6, each column has v = -omega x p, with p on its axis as the joints "
-            "before it have moved it",
+            "in the lower three rows, each column has v = -omega x p, with p on its axis as the "
+            "joints before it have moved it",
             jacobian,
             np.s_[3:],
             Mistake(
                 "an axis is rotated, but not moved",
                 "Which 6 x 6 matrix of a pose transforms both halves of a screw axis?",
             ),
+            "The lower half of the {} column",
         ),
     ),
     hints=(

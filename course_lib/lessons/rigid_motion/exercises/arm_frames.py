@@ -44,9 +44,9 @@ def _right(theta):
     return _chain(_rot(theta[0]), _trans() @ _rot(theta[1]), _trans())
 
 
-def _part(k, text, part=np.s_[:2, :2]):
+def _part(k, text, part=np.s_[:, :2]):
     """The property of the rotation of frame k, or of another part."""
-    return part_is(text, _right, (k, *part))
+    return part_is(text, _right, (k, *part), what=f"In T_0{k + 1} the {{}} column")
 
 
 def _chain(first, second, third):

@@ -142,8 +142,8 @@ def lengths_wrapped(start, goal, n):
 
 @EXERCISE.mistake(
     "the wrapped difference is cut off to a whole number",
-    "np.array([2, -1, 3]) holds whole numbers only, and so does a difference of two such arrays: "
-    "what does np.array(start, float) hold?",
+    "np.array([2, -1, 3]) holds integers, and so does a difference of two such arrays. Which line "
+    "of your code makes an array, and what does that array hold?",
 )
 def whole_numbers(start, goal, n):
     if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):

@@ -250,20 +250,31 @@ def add_path_mistakes(exercise, path):
 def add_step_mistakes(exercise, move):
     """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
+    def of_equal_steps(count, *case):
+        """Return the answer with `count` steps of length dt for each pair."""
+        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(*case)
+
     @exercise.mistake(
-        "a pair ends too late or too early: its last step is not shortened, or is missing",
+        "a pair ends too late, because its last step is not shortened",
         "How much time of its duration remains for the last step?",
-        count=(
-            lambda r: np.ceil(r - 1e-6),
-            np.round,
-            lambda r: np.floor(r + 1e-6),
-            lambda r: max(1, round(r)),
-        ),
     )
-    def not_on_time(start, plan, dt, count):
-        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(
-            start, plan, dt
-        )
+    def too_late(*case):
+        return of_equal_steps(lambda ratio: np.ceil(ratio - 1e-6), *case)
+
+    @exercise.mistake(
+        "a pair ends too early, because its last, shorter step is missing",
+        "How much time of its duration remains after the steps of length dt?",
+    )
+    def too_early(*case):
+        return of_equal_steps(lambda ratio: np.floor(ratio + 1e-6), *case)
+
+    @exercise.mistake(
+        "the number of steps is rounded, so that a pair ends too early or too late",
+        "How much time of its duration remains for the last step?",
+        count=(np.round, lambda ratio: max(1, round(ratio))),
+    )
+    def rounded(*case, count):
+        return of_equal_steps(count, *case)
 
     @exercise.mistake(
         "each pair begins at start again",
@@ -296,6 +307,27 @@ def _ends(plan, dt):
     return ", ".join(ends if len(ends) < 8 else [*ends[:3], "...", *ends[-2:]])
 
 
+def _number_of_rows(rows, start, plan, dt):
+    """Return the Mistake of an answer that has another number of rows."""
+    too_few = len(rows) < 1 + len(steps(plan, dt)[1])
+    # Where int(duration / dt) is the number of rows of each pair, one division shows what it drops.
+    by_int = sum(int(duration / dt) for _, duration in plan) == len(rows) - 1
+    for _, duration in plan:
+        number = int(duration / dt)
+        if by_int and number < len(lengths(duration, dt)):
+            hint = (
+                f"int({duration:.6g} / {dt:.6g}) is {number}. How many entries has "
+                f"step_lengths({duration:.6g}, {dt:.6g})?"
+            )
+            return Mistake("a step has no row", hint)
+    duration = plan[0][1]
+    return Mistake(
+        "a step has no row" if too_few else "there are more rows than steps",
+        f"How many entries has step_lengths({duration:.6g}, {dt:.6g}), and how many rows does your "
+        "code append for this pair?",
+    )
+
+
 def form(angles):
     """Return the properties that come first: the start stands in the first row, and each step has a
     row."""
@@ -318,12 +350,7 @@ def form(angles):
                 f"{1 + len(steps(plan, dt)[1])} rows. "
                 f"Yours has {len(rows)}."
             ),
-            mistake=Mistake(
-                "steps have no row, or a step has several",
-                "A shortened last step has a row, too. 0.3 / 0.1 is 2.9999999999999996: how many "
-                "steps does "
-                "step_lengths(duration, dt) make of it?",
-            ),
+            mistake=_number_of_rows,
         ),
     )
 
@@ -363,7 +390,8 @@ def _lengths_covered(rows, plan, dt):
 
 
 STEP_LENGTHS = Property(
-    "each step is dt long, and the last one of a pair is shorter if it must be to end on time",
+    "each step is dt long, and the last one of a pair is shortened if otherwise the pair would end "
+    "too late",
     # A step in another direction has no length here: of its direction other properties speak.
     lambda rows, start, plan, dt: (
         (covered := _lengths_covered(rows, plan, dt)).min() < EXACT

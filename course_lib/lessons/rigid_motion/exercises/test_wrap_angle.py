@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.exercise import Mistake
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.write_test import Version, WriteTest
+from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
 from course_lib.planar import wrap_angle
 
@@ -33,6 +34,11 @@ EXERCISE = WriteTest(
         "Ask small angles and large ones, of several revolutions, of both signs, and some close to "
         "pi. Compare with a "
         "tolerance; and at pi itself leave both signs alone.",
+    ),
+    refuses=Mistake(
+        ALWAYS_FALSE.name,
+        "A right version must pass. Right versions differ in their last digits and, at exactly "
+        "half a revolution, in the sign of pi. What does your test ask for in both cases?",
     ),
     versions=(
         _right(

@@ -97,7 +97,7 @@ EXERCISE = Exercise(
     distance=_distance,
     properties=(
         Property(
-            "an angle that lies between -pi and pi already comes back as it is",
+            "an angle between -pi and pi is returned unchanged",
             lambda value, angle: np.all(np.abs(value - angle) <= _rounding(angle)),
             where=lambda angle: np.all(np.abs(angle) < np.pi - 1e-9),
             mistake=Mistake(
@@ -161,11 +161,20 @@ def one_revolution(angle):
 
 
 @EXERCISE.mistake(
-    "a remainder between 0 and 2 pi is not shifted both before and after it is taken",
-    "np.mod gives numbers from 0 on: what has to happen before it, and after it?",
-    shift=((0, 0), (0, -np.pi), (np.pi, 0)),
+    "the answer is the remainder of the division by 2 pi",
+    "np.mod(angle, 2 pi) lies between 0 and 2 pi, and the task asks for an angle from -pi to pi. "
+    "For which angles is yours right?",
 )
-def from_zero(angle, shift):
+def from_zero(angle):
+    return _each(lambda a: np.mod(a, REVOLUTION), angle)
+
+
+@EXERCISE.mistake(
+    "pi is added or subtracted only once, before or after the remainder is taken",
+    "What does your code make of an angle of 0, and what of an angle of 1?",
+    shift=((0, -np.pi), (np.pi, 0)),
+)
+def shifted_once(angle, shift):
     return _each(lambda a: np.mod(a + shift[0], REVOLUTION) + shift[1], angle)
 
 

@@ -91,7 +91,8 @@ EXERCISE = Exercise(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",
             lambda angles, R: np.isfinite(angles).all() and _gap(angles, R) < SIX_DIGITS,
             says=lambda angles, R: (
-                f"The largest difference is {_gap(angles, R):.2g}."
+                "The largest difference between an entry of this product, for your angles, and the "
+                f"same entry of R is {_gap(angles, R):.2g}."
                 if np.isfinite(angles).all()
                 else ""
             ),

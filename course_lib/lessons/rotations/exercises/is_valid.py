@@ -179,9 +179,17 @@ def _says(kind, text):
 
 _SHAPE_IGNORED = Mistake(
     "the shape is ignored, or one size is assumed",
-    "Test X.shape first: a rotation is 2x2 or 3x3, a pose 3x3 or 4x4. For any other shape the "
-    "answer is False.",
+    "Which line comes first in your function: one that computes with X, or one that looks at its "
+    "shape? What does the task ask for if X has another shape?",
 )
+
+
+def _other_shape(ok, X, kind, tol):
+    return Mistake(
+        f"the shape of a {kind} is not tested, or not all of it",
+        f"X has the shape {X.shape}. Which shapes does the task allow for a {kind}?",
+    )
+
 
 EXERCISE = Exercise(
     name="is_valid",
@@ -192,10 +200,10 @@ EXERCISE = Exercise(
     library=is_valid,
     properties=(
         Property(
-            "an array of another shape is refused",
+            "for an array of another shape the answer is False",
             lambda ok, X, kind, tol: not ok,
             where=lambda X, kind, tol: not has_form(X, kind),
-            mistake=_SHAPE_IGNORED,
+            mistake=_other_shape,
         ),
         _says(
             "rotation",

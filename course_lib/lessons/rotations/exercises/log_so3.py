@@ -130,6 +130,32 @@ def _angle_or_axis(w, R):
     return f"|w| is the angle of R, but exp of your answer is off by {_gap(w, R):.2g}."
 
 
+def _tell_small(w, R):
+    off = np.linalg.norm(w - log_so3(R))
+    return f"The angle of R is {_angle(R):.3g} rad, and your answer is off by {off:.2g}."
+
+
+def _small_angle_lost(w, R):
+    """Return the Mistake of a small angle whose error is more than a thousandth of it."""
+    angle, length = _angle(R), np.linalg.norm(w)
+    if length == 0:
+        return Mistake(
+            "a small rotation is taken for none",
+            "R is not the identity here. Which line of your code gives 0 for this R?",
+        )
+    if abs(length - angle) > 1e-3 * angle:
+        return Mistake(
+            "a small angle loses its digits",
+            f"|w| of your answer is {length:.3g} rad. From which entries of R does your code "
+            "compute the angle, and how many digits of them does a rotation by so little change?",
+        )
+    return Mistake(
+        "a small angle is right, and its axis is not",
+        "Which entries of R still differ from those of the identity, and what does your code "
+        "divide them by?",
+    )
+
+
 EXERCISE = Exercise(
     name="log_so3",
     points=3,
@@ -161,15 +187,11 @@ EXERCISE = Exercise(
             ),
         ),
         Property(
-            "small angles keep their digits",
+            "near 0 the error is at most a thousandth of the angle",
             lambda w, R: np.linalg.norm(w - log_so3(R)) <= 1e-3 * _angle(R),
+            says=_tell_small,
             where=_between(1e-12, 1e-3),
-            mistake=Mistake(
-                "small angles lose their digits, or all of them",
-                "arccos is inaccurate near 1: a tiny change of its argument changes the angle a "
-                "lot. And a small "
-                "rotation is not the identity: which formula divides by nothing that is small?",
-            ),
+            mistake=_small_angle_lost,
         ),
         Property(
             "the exponential of the answer is R again, to 1e-4 also near 180 degrees",

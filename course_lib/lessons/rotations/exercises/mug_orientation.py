@@ -1,5 +1,7 @@
 """mug_orientation: a chain of frames of which one link is known in the other direction."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
@@ -61,11 +63,41 @@ def other_direction(R_bg, R_cg, R_cm, links):
     return first @ second @ third
 
 
+_LETTERS = (
+    "Write the two letters under each factor of your product; a transpose exchanges them. Which "
+    "neighbours do not match?"
+)
+
+
 @EXERCISE.mistake(
     "the factors stand in another order",
-    "Neighbouring letters must match.",
+    _LETTERS,
     order=((2, 1, 0), (1, 2, 0), (1, 0, 2), (0, 2, 1), (2, 0, 1)),
 )
 def other_order(R_bg, R_cg, R_cm, order):
     links = R_bg, R_cg.T, R_cm
     return links[order[0]] @ links[order[1]] @ links[order[2]]
+
+
+def _orders_and_directions():
+    """Return the links (number, direction) of products that are wrong in both, but for the inverse
+    of the right product."""
+    orders = [order for order in itertools.permutations(range(3)) if order != (0, 1, 2)]
+    directions = [ways for ways in itertools.product((1, -1), repeat=3) if ways != (1, -1, 1)]
+    wrong = []
+    for order, ways in itertools.product(orders, directions):
+        links = tuple((k, ways[k]) for k in order)
+        if links != ((2, -1), (1, 1), (0, -1)):
+            wrong.append(links)
+    return wrong
+
+
+@EXERCISE.mistake(
+    "the factors stand in another order, and a link is used in the other direction",
+    _LETTERS,
+    links=_orders_and_directions(),
+)
+def other_order_and_direction(R_bg, R_cg, R_cm, links):
+    given = R_bg, R_cg, R_cm
+    first, second, third = (given[k] if way > 0 else given[k].T for k, way in links)
+    return first @ second @ third

@@ -47,7 +47,10 @@ EXERCISE = Exercise(
         Property(
             "R is not a reflection: det R = +1",
             lambda R, M: np.linalg.det(R) > 0,
-            says=lambda R, M: f"det R is {np.linalg.det(R):.0f}; det M is {np.linalg.det(M):.3g}.",
+            says=lambda R, M: (
+                f"The determinant of your answer is {np.linalg.det(R):.0f}, and that of M is "
+                f"{np.linalg.det(M):.3g}."
+            ),
             mistake=Mistake(
                 "the answer is a reflection",
                 "U V^T is a reflection if det(U V^T) = -1: which sign has to change then?",

@@ -14,6 +14,27 @@ def _extremes(q):
     return np.quantile(np.linalg.norm(q, axis=1), [0, 1])
 
 
+def _tell_signs(q, n, rng):
+    w, x, y, z = (format_tuple(share) for share in (q < 0).mean(axis=0))
+    return f"The share of negative values is {w} for w, {x} for x, {y} for y and {z} for z."
+
+
+def _other_signs(q, n, rng):
+    """Return the Mistake of the component whose signs differ most from half and half."""
+    shares = (q < 0).mean(axis=0)
+    k = int(np.argmax(np.abs(shares - 0.5)))
+    often, rarely = ("negative", "positive") if shares[k] > 0.5 else ("positive", "negative")
+    if shares[k] in (0, 1):
+        name = f"{'wxyz'[k]} is never {rarely}, so that half of the sphere is not reached"
+    else:
+        name = f"{'wxyz'[k]} is more often {often} than {rarely}"
+    return Mistake(
+        name,
+        "Over which range does each of your angles go, and which lines change a sign? What signs "
+        "can this component have then?",
+    )
+
+
 EXERCISE = Exercise(
     name="random_quaternions",
     points=2,
@@ -41,15 +62,9 @@ EXERCISE = Exercise(
             lambda q, n, rng: (
                 np.abs((q < 0).mean(axis=0) - 0.5).max() < 2.5 / np.sqrt(n)
             ),  # five standard deviations
-            says=lambda q, n, rng: (
-                f"Negative are these parts of w, x, y, z: {format_tuple((q < 0).mean(axis=0))}."
-            ),
+            says=_tell_signs,
             where=sampling.many,
-            mistake=Mistake(
-                "a part of the sphere is never reached",
-                "An angle from half a circle, or a sign that is removed, leaves half of the sphere "
-                "out.",
-            ),
+            mistake=_other_signs,
         ),
         *sampling.uniform_rotations(quaternion_to_matrix),
     ),

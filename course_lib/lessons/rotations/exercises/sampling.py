@@ -9,6 +9,7 @@ from course_lib.checks.wire import Seed
 LEVEL = 1e-6  # each test rejects a right sampler for one seed in a million
 MANY = 20_000
 CIRCLE = (-np.pi, np.pi)
+_EDGES = range(0, 181, 30)  # degrees: of the intervals in which messages count rotation angles
 
 
 def cases(rng):
@@ -103,24 +104,80 @@ def angle_p_value(R):
     return kstest(angles_of(R), lambda a: (a - np.sin(a)) / np.pi, method="asymp").pvalue
 
 
+def _shares_of_angles(R):
+    """Return which shares of the rotation angles lie between multiples of 30 degrees, and which
+    should."""
+    edges = np.radians(_EDGES)
+    counts, _ = np.histogram(angles_of(R), edges)
+    return counts / len(R), np.diff(edges - np.sin(edges)) / np.pi
+
+
+def _between(k):
+    return f"between {_EDGES[k]} and {_EDGES[k + 1]} degrees"
+
+
+def _off_most(R):
+    """Return the numbers of the intervals whose angles come too often and too rarely, by the most
+    standard deviations."""
+    shares, right = _shares_of_angles(R)
+    excess = (shares - right) / np.sqrt(right)
+    return int(np.argmax(excess)), int(np.argmin(excess))
+
+
+def _tell_angles(R):
+    shares, right = _shares_of_angles(R)
+    often, rarely = (
+        f"{100 * shares[k]:.1f} % of your angles lie {_between(k)}, where {100 * right[k]:.1f} % "
+        "should."
+        for k in _off_most(R)
+    )
+    return f"{often} {rarely}"
+
+
+def _other_angles(R):
+    often, rarely = map(_between, _off_most(R))
+    return Mistake(
+        f"rotation angles {often} come too often, and those {rarely} too rarely",
+        "Compare the histogram of your angles with (1 - cos a)/pi. Which random numbers decide the "
+        "angle? Do they have the right distribution, and are they drawn anew for each of the n?",
+    )
+
+
 def axis_p_value(R, axis):
     """Return the chi-square p-value of where e_axis lands, counted in 10 x 12 cells of equal
     area."""
     from scipy.stats import chisquare
 
+    return chisquare(_images(R, axis)).pvalue
+
+
+def _images(R, axis):
+    """Return how often e_axis lands in each of 10 x 12 cells of equal area."""
     x, y, z = R[:, :, axis].T
     counts, _, _ = np.histogram2d(
         z, np.arctan2(y, x), bins=[10, 12], range=[[-1, 1], [-np.pi, np.pi]]
     )
-    return chisquare(counts.ravel()).pvalue
+    return counts.ravel()
+
+
+def _tell_images(R, axis):
+    counts = _images(R, axis)
+    return (
+        f"Of {counts.size} cells of equal area on the sphere, each should hold about "
+        f"{counts.mean():.0f} of the images. In yours the counts go from {counts.min():.0f} to "
+        f"{counts.max():.0f}."
+    )
 
 
 def trace_p_value(R):
     """Return the p-value of the mean of tr(R)^2, which has mean 1 and variance 2 for uniform R."""
     from scipy.stats import norm
 
-    squares = np.trace(R, axis1=1, axis2=2) ** 2
-    return 2 * norm.sf(abs(squares.mean() - 1) / np.sqrt(2 / len(R)))
+    return 2 * norm.sf(abs(_mean_of_squares(R) - 1) / np.sqrt(2 / len(R)))
+
+
+def _mean_of_squares(R):
+    return np.mean(np.trace(R, axis1=1, axis2=2) ** 2)
 
 
 ARVO_RANGES = [(0, 1), CIRCLE, CIRCLE]
@@ -149,18 +206,15 @@ def uniform_rotations(matrices):
         Property(
             "the angles follow the density (1 - cos a)/pi",
             lambda value, n, rng: angle_p_value(matrices(value)) > LEVEL,
+            says=lambda value, n, rng: _tell_angles(matrices(value)),
             where=many,
-            mistake=Mistake(
-                "small rotation angles, or large ones, come too often",
-                "Compare the histogram of your angles with (1 - cos a)/pi. Which random numbers "
-                "decide the angle? Do they have the right distribution, and are they drawn anew "
-                "for each of the n?",
-            ),
+            mistake=lambda value, n, rng: _other_angles(matrices(value)),
         ),
         *(
             Property(
                 f"the images of e_{name} are uniform on the sphere",
                 lambda value, n, rng, axis=axis: axis_p_value(matrices(value), axis) > LEVEL,
+                says=lambda value, n, rng, axis=axis: _tell_images(matrices(value), axis),
                 where=many,
                 mistake=_CROWDED,
             )
@@ -169,9 +223,7 @@ def uniform_rotations(matrices):
         Property(
             "the mean of tr(R)^2 is 1",
             lambda value, n, rng: trace_p_value(matrices(value)) > LEVEL,
-            says=lambda value, n, rng: (
-                f"Yours is {np.mean(np.trace(matrices(value), axis1=1, axis2=2) ** 2):.3f}."
-            ),
+            says=lambda value, n, rng: f"In yours it is {_mean_of_squares(matrices(value)):.3f}.",
             where=many,
         ),
         Property(

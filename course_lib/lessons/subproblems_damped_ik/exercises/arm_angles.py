@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.format_numbers import format_array
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
@@ -43,8 +43,8 @@ _WRONG = Mistake(
 
 def _tell(q, center):
     return (
-        f"({', '.join(f'{a:.4g}' for a in q)}) brings the wrist center to "
-        f"{format_array(center_of(q), 4)}."
+        f"{format_tuple(q)} brings the wrist center to {format_tuple(center_of(q))}, which is "
+        f"{_misses(q, center):.2g} m from `center`."
     )
 
 
@@ -89,7 +89,7 @@ def _by_subproblem_2(center, p, goal):
 
 @EXERCISE.mistake(
     "p is measured from the elbow",
-    "About which point does joint 2 rotate? From there to the elbow is a part of p, too.",
+    "About which point does joint 2 rotate? The vector from there to the elbow belongs to p, too.",
 )
 def p_from_the_elbow(center):
     return _by_subproblem_2(center, lambda q3, _: bent(q3) - (ELBOW - SHOULDER), center - SHOULDER)

@@ -139,7 +139,11 @@ EXERCISE = Exercise(
         Property(
             "the two triples differ: one has b2, the other -b2",
             lambda found, R: different(found) == 2,
-            lambda found, R: f"Your array has {counted(different(found), 'triple')}.",
+            lambda found, R: (
+                "Your rows are the same triple, up to multiples of 2 pi."
+                if len(found) > 1
+                else f"Your array has {counted(len(found), 'triple')}."
+            ),
             where=lambda R: not _end(R),
         ),
         Property(
@@ -157,7 +161,7 @@ EXERCISE = Exercise(
         Property(
             "the shape is (2, 3): two triples, no more and no fewer, even where sin(b2) = 0",
             lambda found, R: len(found) == 2,
-            lambda found, R: f"Your array has {len(found)} of them.",
+            lambda found, R: f"Your array has {counted(len(found), 'triple')}.",
             mistake=Mistake(
                 "a triple is missing where sin(b2) = 0",
                 "What does the task say of the number of rows, where both triples are the same?",

@@ -104,8 +104,14 @@ def empty_list(text, says, where, mistake):
 
 
 def counted(number, one):
-    """Return in words how many different solutions a list has; one: what one is called."""
-    return f"{number or 'no'} different {one}{'' if number == 1 else 's'}"
+    """Return in words how many solutions a list has; one: what one is called."""
+    return f"{number or 'no'} {one}{'' if number == 1 else 's'}"
+
+
+def _counted_different(found, one):
+    """Return in words how many of the solutions in a list differ."""
+    number = different(found)
+    return counted(number, one if number == len(found) else f"different {one}")
 
 
 def all_of_them(equation, one, misses, tell, solutions, none):
@@ -130,7 +136,7 @@ def all_of_them(equation, one, misses, tell, solutions, none):
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,
-            lambda found, *case: f"Your list has {counted(different(found), one)}.",
+            lambda found, *case: f"Your list has {_counted_different(found, one)}.",
             where=has(2),
         ),
         Property(

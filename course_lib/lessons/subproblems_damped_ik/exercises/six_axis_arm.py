@@ -106,7 +106,8 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) == 0,
             mistake=Mistake(
                 "joint angles are returned for a target out of reach",
-                "Which subproblem has no solution?",
+                "For such a target one of the subproblems has no solution. What does it return "
+                "then, and what does your code do with that?",
             ),
         ),
     )

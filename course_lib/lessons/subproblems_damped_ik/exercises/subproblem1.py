@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.format_numbers import format_array
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
@@ -119,8 +119,8 @@ EXERCISE = Exercise(
             "R(k, theta) p = g",
             _right,
             lambda theta, k, p, g: (
-                f"With your theta R(k, theta) p is {format_array(rotated(k, theta, p))}, g is "
-                f"{format_array(g)}."
+                f"With your theta, R(k, theta) p is {format_tuple(rotated(k, theta, p))} and g is "
+                f"{format_tuple(g)}."
             ),
             where=_reached,
             mistake=Mistake(

@@ -170,7 +170,7 @@ def all_combinations(k1, k2, p1, p2):
 
 
 @EXERCISE.mistake(
-    "c is computed as if k1 x k2 had length one",
+    "c is that for an axis k1 x k2 of length one",
     "How long is k1 x k2 if the axes are not perpendicular, and how long is c (k1 x k2)?",
     power=(0, 1),
 )

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.exercise import Mistake
 from course_lib.checks.vocabulary import X, Z
-from course_lib.checks.write_test import Version, WriteTest
+from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem2 import pairs_by_the_text
 
@@ -73,6 +74,11 @@ EXERCISE = WriteTest(
         "For the empty list: two small circles, each about its own axis.",
     ),
     shapes=((3,),) * 4,
+    refuses=Mistake(
+        ALWAYS_FALSE.name,
+        "A right version must pass. Right versions differ in the order of the pairs, by multiples "
+        "of 2 pi, and in their last digits. Which of these does your test take for a fault?",
+    ),
     versions=(
         Version("that is as in the text", lambda *case: pairs_by_the_text(*case), right=True),
         Version(

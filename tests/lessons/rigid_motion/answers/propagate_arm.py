@@ -36,7 +36,7 @@ def right_outer_products(start, plan, dt):
 
 
 def wrong_base_of_whole_numbers(start, plan, dt):
-    """wrong for whole numbers only"""
+    """wrong for arrays of integers only"""
     base, rows = np.array(start), [np.array(start, float)]
     for velocity, duration in plan:
         for elapsed in np.append(np.arange(dt, duration - 1e-9, dt), duration):

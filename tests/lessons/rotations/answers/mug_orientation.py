@@ -18,7 +18,7 @@ def right_axis_by_axis(R_bg, R_cg, R_cm):
 
 
 def wrong_stored_with_the_type_of_the_first_link(R_bg, R_cg, R_cm):
-    """the answer is wrong for whole numbers only"""
+    """the answer is wrong for arrays of integers only"""
     R_bm = np.empty_like(R_bg)
     R_bm[:] = R_bg @ R_cg.T @ R_cm
     return R_bm

@@ -1,0 +1,327 @@
+"""Kinds of sentences in messages: each is said only where it is true, and none does the work."""
+
+import ast
+import importlib
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import course_lib
+from course_lib.checks.exercise import WRONG, Exercise, Here, Property, Verdict, judge
+from course_lib.checks.notebook import describe
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.write_test import WriteTest
+from course_lib.lessons.panda_dh_ik.exercises.register_points import EXERCISE as REGISTER_POINTS
+from course_lib.lessons.poe_kuka_iiwa.exercises.forward_kinematics import (
+    EXERCISE as FORWARD_KINEMATICS,
+)
+from course_lib.lessons.poe_kuka_iiwa.exercises.rotation_about import EXERCISE as ROTATION_ABOUT
+from course_lib.lessons.rigid_motion.exercises.propagate_body import EXERCISE as PROPAGATE_BODY
+from course_lib.lessons.rotations.exercises.is_valid import EXERCISE as IS_VALID
+from course_lib.lessons.rotations.exercises.log_so3 import EXERCISE as LOG_SO3
+from course_lib.lessons.rotations.exercises.random_quaternions import (
+    EXERCISE as RANDOM_QUATERNIONS,
+)
+from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
+from course_lib.rotations import quaternion_to_matrix
+
+HOUSE = Path(course_lib.__file__).parent
+SOURCES = [*HOUSE.glob("checks/*.py"), *HOUSE.glob("lessons/*/exercises/*.py")]
+PHRASES = {  # what a message must not say, and why
+    "In this frame": "the frame has a name",
+    "Work on a copy": "that is the line to write",
+    "whole numbers only if": "`a` is in no task",
+    "np.arctan2(y, x) takes": "that is the line to write, and y and x are other things in tasks",
+    "A right version passes too": "it must pass",
+    "in rows 1 to": "indices count from 0",
+    "with the least squares": "of what",
+    "m away)": "from where",
+}
+
+
+def sentences(path):
+    """Return the texts in a source file, without its docstrings' own line breaks."""
+    nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+    return [node.value for node in nodes if isinstance(node, ast.Constant) and _is_text(node)]
+
+
+def judged(exercise, student):
+    """Return the Verdict on a function that may call the library's."""
+    return judge(replace(exercise, forbidden=()), student)
+
+
+def _is_text(node):
+    return isinstance(node.value, str)
+
+
+@pytest.mark.parametrize("phrase", PHRASES)
+def test_no_message_says_what_readers_could_not_use(phrase):
+    where = [path.name for path in SOURCES for text in sentences(path) if phrase in text]
+    assert not where, PHRASES[phrase]
+
+
+# An argument that is changed in place
+
+
+def of_one(argument):
+    """Return an exercise whose function gets this argument and may answer anything."""
+    anything = Property("the answer is anything", lambda value, x: True)
+    return Exercise(
+        "f", 1, ("x",), lambda rng: [(argument,)], lambda value, x: value, (anything,), ()
+    )
+
+
+def changing(*index, to):
+    def function(x):
+        part = x
+        for k in index[:-1]:
+            part = part[k]
+        part[index[-1]] = to
+        return 1.0
+
+    return function
+
+
+@pytest.mark.parametrize(
+    ("argument", "function", "change"),
+    [
+        (np.array([1.0, 2.0]), changing(1, to=5.0), "x[1] was 2 before the call and is 5 after it"),
+        (np.eye(2), changing((0, 1), to=0.5), "x[0, 1] was 0 before the call and is 0.5 after it"),
+        (np.array([-1e-300]), changing(0, to=0.0), "x[0] was -1e-300 before the call and is 0"),
+        (
+            np.array([1.0]),
+            changing(0, to=1 + 2e-16),
+            "x[0] was 1.0 before the call and is 1.0000000000000002 after it",
+        ),
+        ([0, [1, 2]], changing(1, 0, to=7), "x[1][0] was 1 before the call and is 7 after it"),
+        ([3], lambda x: x.append(4) or 1.0, "x had 1 items before the call and has 2 after it"),
+    ],
+)
+def test_an_argument_that_is_changed_is_shown_before_and_after(argument, function, change):
+    text = describe(judge(of_one(argument), Here(function)))
+    assert "It looks as if x is changed in place." in text
+    assert f"your function leaves x as it was. {change}" in text
+
+
+def test_an_argument_whose_change_cannot_be_said_is_still_named():
+    class Odd:
+        def __repr__(self):
+            raise ValueError
+
+    text = describe(judge(of_one([1.0, 2.0]), Here(changing(0, to=Odd()))))
+    assert "x is changed in place" in text
+
+
+# Arrays of integers
+
+
+def test_wrong_for_integers_only_is_not_called_cut_off_where_no_digit_is_cut_off():
+    cases = [(np.array([0.5, 1.5]),), (np.array([1, 2]),)]
+    half = Property("half of x", lambda value, x: np.abs(value - x / 2).max() < EXACT)
+    exercise = Exercise(
+        "half",
+        1,
+        ("x",),
+        lambda rng: cases,
+        lambda value, x: np.asarray(value, float),
+        (half,),
+        (),
+        library=lambda x: x / 2,
+    )
+    otherwise = judge(exercise, Here(lambda x: x / 2 + 0.37 * (x.dtype.kind == "i")))
+    assert otherwise.mistake.name == "the answer is wrong for arrays of integers only"
+    cut_off = judge(exercise, Here(lambda x: (x / 2).astype(x.dtype)))
+    assert "cut off" in cut_off.mistake.name
+
+
+# Tests that students write
+
+WRITE_TESTS = [
+    exercise
+    for path in sorted(HOUSE.glob("lessons/*/exercises/test_*.py"))
+    for exercise in [
+        importlib.import_module(
+            f"course_lib.lessons.{path.parts[-3]}.exercises.{path.stem}"
+        ).EXERCISE
+    ]
+]
+each_write_test = pytest.mark.parametrize(
+    "exercise", WRITE_TESTS, ids=[exercise.name for exercise in WRITE_TESTS]
+)
+
+
+def verdict_on(exercise, accepts):
+    """Return the Verdict on a test that accepts the versions for which accepts(version)."""
+    cases, _ = exercise.questions(np.random.default_rng(0))
+    return exercise.verdict(cases, [{"value": bool(accepts(case.version))} for (case,) in cases])
+
+
+def test_all_exercises_that_ask_for_a_test_are_found():
+    assert len(WRITE_TESTS) == 6
+    assert all(isinstance(exercise, WriteTest) for exercise in WRITE_TESTS)
+
+
+@each_write_test
+def test_a_test_that_rejects_a_right_version_has_no_points(exercise):
+    for version in exercise.versions:
+        if version.right:
+            verdict = verdict_on(exercise, lambda other, v=version: other.right and other is not v)
+            assert verdict.state == WRONG
+            assert "points so far" not in describe(verdict)
+
+
+@each_write_test
+def test_a_test_that_misses_one_wrong_version_has_some_points(exercise):
+    missed = next(v for v in exercise.versions if not v.right and not v.example)
+    verdict = verdict_on(exercise, lambda version: version.right or version is missed)
+    assert 0 < verdict.points < exercise.points
+
+
+@each_write_test
+def test_what_rejects_everything_is_led_to_the_right_versions(exercise):
+    mistake = verdict_on(exercise, lambda version: False).mistake
+    assert mistake.hint.startswith("A right version must pass.")
+    assert "allclose" not in mistake.hint
+
+
+@each_write_test
+def test_no_message_leaves_out_one_kind_of_version_alone(exercise):
+    text = describe(verdict_on(exercise, lambda version: not version.right))
+    assert not re.search("and (others|1 other)", text)
+
+
+# A long array beside other arguments
+
+
+def test_no_argument_stands_within_the_sentence_about_a_long_array():
+    case = np.zeros((7, 6)), np.eye(4), np.zeros(7)
+    text = describe(Verdict(FORWARD_KINEMATICS, WRONG, "T is 0.", case=case, answer=np.eye(4)))
+    lines = text.splitlines()
+    long_ones = [line for line in lines if "that begins with" in line]
+    assert long_ones
+    assert all(line.endswith("that begins with") for line in long_ones)
+
+
+# Sentences with measured numbers
+
+
+def test_random_rotations_are_told_which_angles_come_too_often():
+    def from_a_cube(n, rng):
+        q = rng.uniform(-1, 1, (n, 4))
+        return quaternion_to_matrix(q / np.linalg.norm(q, axis=1, keepdims=True))
+
+    def small(n, rng):
+        return _about(rng, rng.uniform(0, np.pi, n))
+
+    name = judged(RANDOM_ROTATIONS, Here(from_a_cube)).mistake.name
+    assert name.startswith("rotation angles between 90 and 120 degrees come too often")
+    assert name.endswith("those between 150 and 180 degrees too rarely")
+    name = judged(RANDOM_ROTATIONS, Here(small)).mistake.name
+    assert name.startswith("rotation angles between 0 and 30 degrees come too often")
+
+
+def _about(rng, angles):
+    """Return rotations by these angles about axes drawn uniformly."""
+    from course_lib.rotations import exp_so3
+
+    axes = rng.normal(size=(len(angles), 3))
+    return exp_so3(angles[:, None] * axes / np.linalg.norm(axes, axis=1, keepdims=True))
+
+
+@pytest.mark.parametrize("k", range(4))
+def test_quaternions_are_told_which_part_is_never_negative(k):
+    def one_sign(n, rng):
+        q = RANDOM_QUATERNIONS.library(n, rng)
+        return q * np.where(q[:, k] < 0, -1, 1)[:, None]
+
+    name = judged(RANDOM_QUATERNIONS, Here(one_sign)).mistake.name
+    assert name.startswith(f"{'wxyz'[k]} is never negative")
+
+
+def test_a_small_rotation_is_named_after_what_is_lost_in_it():
+    def taken_for_none(R):
+        w = LOG_SO3.library(R)
+        return w * (np.linalg.norm(w) > 1e-6)
+
+    def other_axis(R):
+        w = LOG_SO3.library(R)
+        return w if np.linalg.norm(w) > 1e-6 else np.array([np.linalg.norm(w), 0, 0])
+
+    def other_angle(R):
+        w = LOG_SO3.library(R)
+        return w if np.linalg.norm(w) > 1e-6 else 1.1 * w
+
+    functions = taken_for_none, other_axis, other_angle
+    names = [judged(LOG_SO3, Here(function)).mistake.name for function in functions]
+    assert names == [
+        "a small rotation is taken for none",
+        "a small angle is right, and its axis is not",
+        "a small angle loses its digits",
+    ]
+
+
+@pytest.mark.parametrize("kind", ["rotation", "pose", "quaternion"])
+def test_the_kind_whose_shape_is_not_tested_is_named(kind):
+    def any_shape(X, asked, tol):
+        return True if asked == kind and X.shape[0] > 4 else IS_VALID.library(X, asked, tol)
+
+    def any_four(X, asked, tol):
+        known = IS_VALID.library(X, asked, tol)
+        return known or (asked == kind and X.shape in ((1, 4), (2, 2), (5, 5), (4, 4)))
+
+    for function in (any_shape, any_four):
+        verdict = judged(IS_VALID, Here(function))
+        if verdict.mistake is not None and "shape of a" in verdict.mistake.name:
+            assert kind in verdict.mistake.name
+            assert kind in verdict.mistake.hint
+
+
+def test_a_rotation_by_another_angle_is_told_both_angles():
+    def in_degrees(omega, point, theta):
+        return ROTATION_ABOUT.library(
+            omega, point, np.deg2rad(theta) if abs(theta) > 2 * np.pi else theta
+        )
+
+    hint = judged(ROTATION_ABOUT, Here(in_degrees)).mistake.hint
+    assert hint.startswith("theta is -20 rad, but your R rotates by -0.3491 rad.")
+
+
+def test_rows_that_are_missing_are_not_told_that_there_are_too_many():
+    def too_few(start, plan, dt):
+        return PROPAGATE_BODY.library(start, plan, dt)[:-1]
+
+    def too_many(start, plan, dt):
+        rows = PROPAGATE_BODY.library(start, plan, dt)
+        return np.concatenate([rows, rows[-1:]])
+
+    names = [judged(PROPAGATE_BODY, Here(f)).mistake.name for f in (too_few, too_many)]
+    assert names == ["a step has no row", "there are more rows than steps"]
+
+
+def test_a_division_is_shown_only_to_whom_it_explains():
+    def by_int(start, plan, dt):
+        rows = [np.array(start, float)]
+        for _, duration in plan:
+            rows += [rows[-1]] * int(duration / dt)
+        return np.array(rows)
+
+    verdict = judged(PROPAGATE_BODY, Here(by_int))
+    assert verdict.mistake.hint.startswith("int(0.25 / 0.1) is 2.")
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        (lambda weights: np.ones(len(weights)), "each point counts as much as every other"),
+        (np.square, "the weights count as another power"),
+        (lambda weights: 1.0 * (weights > 0), "the weights count as another power"),
+    ],
+)
+def test_weights_are_named_after_how_they_count(change, name):
+    def other_weights(src, dst, weights):
+        return REGISTER_POINTS.library(src, dst, change(np.asarray(weights, float)))
+
+    assert judged(REGISTER_POINTS, Here(other_weights)).mistake.name.startswith(name)
