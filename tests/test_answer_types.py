@@ -89,4 +89,4 @@ def test_numbers_in_sentences():
     assert format_tuple(np.array([[1e-17, -0.0], [np.nan, 123456.0]])) == "(0, 0, nan, 1.235e+05)"
     assert format_tuple([1e-7, 2]) == "(1e-07, 2)"  # no rounding: it may be all that is wrong
     assert format_array([-0.0, 0.12344]) == "[0 0.1234]"
-    assert format_array(np.eye(2), 1) == "[[1. 0.] [0. 1.]]"
+    assert format_array(np.eye(2), 1) == "[[1 0] [0 1]]"

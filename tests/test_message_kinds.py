@@ -317,7 +317,7 @@ def test_a_division_is_shown_only_to_whom_it_explains():
     [
         (lambda weights: np.ones(len(weights)), "each point counts as much as every other"),
         (np.square, "the weights count as another power"),
-        (lambda weights: 1.0 * (weights > 0), "the weights count as another power"),
+        (lambda weights: 1.0 * (weights > 0), "each weight above 0 counts as 1"),
     ],
 )
 def test_weights_are_named_after_how_they_count(change, name):

@@ -55,7 +55,7 @@ class Naming:
         own = self.exercise.mistakes
         of_digits = self._shortened(wrong)
         if of_digits is None and self._is_for_whole_numbers_only(wrong):
-            whole = all(attempt(_has_no_digits, np.asarray(self.values[i])) for i in wrong)
+            whole = all(attempt(is_whole, np.asarray(self.values[i])) for i in wrong)
             of_digits = Mistake(*(CUT_OFF_OF_WHOLE_NUMBERS if whole else WRONG_FOR_INTEGERS))
         if of_digits is not None:
             return of_digits
@@ -304,8 +304,3 @@ def _is_cut_off(array, right):
     """Return whether whole numbers are those before the point, up to rounding."""
     smaller = np.abs(array) <= np.abs(right) + EXACT
     return bool(smaller.all() and (np.abs(right - array) < 1).all())
-
-
-def _has_no_digits(array):
-    """Return whether all numbers of an answer are whole."""
-    return np.array_equal(array, np.round(array), equal_nan=True)

@@ -196,9 +196,17 @@ def weights_not_used(src, dst, weights):
 
 
 @EXERCISE.mistake(
+    "each weight above 0 counts as 1",
+    "Which weight does your code use for w_i = 4?",
+)
+def weights_as_flags(src, dst, weights):
+    return registered(src, dst, 1.0 * (weights > 0))
+
+
+@EXERCISE.mistake(
     "the weights count as another power than the first",
     "Which weights does your code use for w_i = 0, 1 and 4?",
-    power=(lambda weights: (weights > 0) * 1.0, np.square, np.sqrt),
+    power=(np.square, np.sqrt),
 )
 def another_power(src, dst, weights, power):
     return registered(src, dst, power(weights))

@@ -41,6 +41,6 @@ def wrong_symbol_for_the_joint(a, alpha, d, theta):
 
 
 def wrong_simple_fractions(a, alpha, d, theta):
-    """a column is not that of"""
+    """the numbers in the matrix are rounded, or replaced by simple fractions"""
     a, d = (sp.nsimplify(x, rational=True, tolerance=0.005) for x in (a, d))
     return right_entry_by_entry(a, alpha, d, theta)

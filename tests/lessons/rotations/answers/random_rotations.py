@@ -26,7 +26,7 @@ def right_euler_angles_with_the_right_density(n, rng):
 
 
 def wrong_nearest_to_even_entries(n, rng):
-    """small rotation angles, or large ones"""
+    """rotation angles between 0 and 30 degrees come too often"""
     U, _, Vt = np.linalg.svd(rng.random((n, 3, 3)))
     U[:, :, -1] *= np.linalg.det(U @ Vt)[:, None]
     return U @ Vt
