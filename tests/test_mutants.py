@@ -77,7 +77,7 @@ def parts(exercise):
         return
     alone = tuple(wanted for wanted in exercise.properties if not wanted.across)
     cases, _ = exercise.questions(np.random.default_rng(PUBLIC_SEED))
-    single = replace(exercise, properties=alone, broken=None, sweeps=(), angles=())
+    single = replace(exercise, properties=alone, broken=None, sweeps=(), angles=(), small=())
     for case in cases:
         yield replace(single, cases=lambda rng, case=case: [case])
     if exercise.broken or alone != exercise.properties:

@@ -125,6 +125,9 @@ class Exercise:
         The special values of the arguments: the engine makes cases beside each of them.
     angles : tuple of str
         The arguments that are angles: the engine makes a case beyond one revolution.
+    small : tuple of str
+        The arguments that may hold small numbers, which somebody may take for 0: the engine makes
+        cases in which they do. Rotations, poses and unit vectors stay what they are.
     tries_arguments : bool
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
@@ -160,6 +163,7 @@ class Exercise:
     tolerance: float | None = None
     sweeps: tuple[Sweep, ...] = ()
     angles: tuple[str, ...] = ()
+    small: tuple[str, ...] = ()
     tries_arguments: bool = True
     mistakes: Mistakes = field(default_factory=Mistakes)
 
@@ -175,7 +179,7 @@ class Exercise:
         The author's cases come first, then those that the engine makes; see special_cases.py.
         """
         cases = list(self.cases(rng))
-        made = made_cases(cases, self.arguments, self.sweeps, self.angles, rng)
+        made = made_cases(cases, self.arguments, self.sweeps, self.angles, rng, self.small)
         return cases + made, None
 
     def as_read(self, value, arguments):

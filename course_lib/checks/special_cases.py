@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.checks.tolerances import EXACT
+from course_lib.rotations import exp_so3, is_so
 
 _MAX_WHOLE = 4  # cases repeated with whole numbers in their arrays
 _MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
@@ -25,6 +26,9 @@ ON_BOTH_SIDES = tuple(sign * gap for gap in BESIDE for sign in (1, -1))
 SMALL = tuple(size for size in BESIDE if size > EXACT)
 OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too generous bound lets pass
 SIZES = (1, 2, 3, 7)
+# Of the numbers in arguments that may be small. The numbers are between 0.3 and 0.9 of these, so
+# that each threshold below which somebody takes a number for 0 has numbers beneath it that count.
+SMALL_NUMBERS = tuple(float(f"1e-{k}") for k in range(2, 9))
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,7 @@ class MadeCase(tuple):
     __slots__ = ()
 
 
-def made_cases(cases, names, sweeps, angles, rng):
+def made_cases(cases, names, sweeps, angles, rng, small=()):
     """Return what the engine adds to the cases of an exercise.
 
     Parameters
@@ -77,12 +81,14 @@ def made_cases(cases, names, sweeps, angles, rng):
     angles : tuple of str
         The names of the arguments that are angles.
     rng : numpy.random.Generator
+    small : tuple of str
+        The names of the arguments that may hold small numbers.
 
     Returns
     -------
     list of tuple
         The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author;
-        -0.0 in place of 0.0; and angles of more than one revolution.
+        -0.0 in place of 0.0; angles of more than one revolution; and small numbers.
     """
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])
@@ -90,6 +96,7 @@ def made_cases(cases, names, sweeps, angles, rng):
     several = [beyond_a_revolution(max(cases, key=_variety), names, angles)] if angles else []
     with_zeros = [case for case in negative_zeros if case is not None]
     made = [*swept, *whole[:_MAX_WHOLE], *with_zeros[:_MAX_ZEROS], *several]
+    made += small_numbers(cases, names, small, rng)
     return [MadeCase(case) for case in made]
 
 
@@ -150,3 +157,110 @@ def beyond_a_revolution(case, names, angles):
             argument = _in_the_form_of(argument, np.asarray(argument) + 4 * np.pi * signs)
         changed.append(argument)
     return tuple(changed)
+
+
+def small_numbers(cases, names, small, rng):
+    """Return cases in which arguments hold small numbers, which somebody may take for 0.
+
+    At each size in SMALL_NUMBERS all numbers of all these arguments are small, then some numbers of
+    each argument, in three ways, and then all numbers of one argument. What is a rotation, a pose
+    or a unit vector in all of the author's cases stays one. Its difference from the identity, from
+    a quarter of a revolution about one of the axes, or from an axis is small then.
+
+    Parameters
+    ----------
+    cases : list of tuple
+        The author's.
+    names : tuple of str
+        Of the arguments.
+    small : tuple of str
+        The names of the arguments that may hold small numbers.
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    list of tuple
+    """
+    if not small:
+        return []
+    base = max(cases, key=_variety)
+    kinds = {name: _kind_of([case[names.index(name)] for case in cases]) for name in small}
+    groups = [(small, None), *((small, way) for way in range(3))]
+    if len(small) > 1:
+        groups += [((name,), None) for name in small]
+
+    def changed(group, way, size):
+        arguments = dict(zip(names, base, strict=True))
+        for name in group:
+            made = kinds[name](rng, np.asarray(arguments[name], float), size, way)
+            arguments[name] = _in_the_form_of(arguments[name], made)
+        return tuple(arguments.values())
+
+    return [changed(group, way, size) for size in SMALL_NUMBERS for group, way in groups]
+
+
+def _kind_of(arguments):
+    """Return the function that makes a small argument of the kind that all of these are of."""
+    for is_of_kind, kind in _KINDS:
+        if all(is_of_kind(np.asarray(argument)) for argument in arguments):
+            return kind
+    return _numbers
+
+
+def _is_rotation(R):
+    return R.shape in ((2, 2), (3, 3)) and bool(is_so(R))
+
+
+def _is_pose(T):
+    square = T.shape in ((3, 3), (4, 4))
+    return square and _is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
+
+
+def _is_unit_vector(v):
+    return v.ndim == 1 and abs(np.linalg.norm(v) - 1) < EXACT
+
+
+def _drawn(rng, shape, size):
+    return size * rng.choice([-1, 1], shape) * rng.uniform(0.3, 0.9, shape)
+
+
+# way: 0, 1 or 2 if some numbers of the argument are small; None if all of them are.
+
+
+def _numbers(rng, argument, size, way):
+    """Return small numbers, or the argument with small numbers in every second entry."""
+    drawn = _drawn(rng, argument.shape, size)
+    if way is None or argument.ndim == 0:
+        return drawn
+    index = np.arange(argument.size).reshape(argument.shape)
+    return np.where(index % 2 == way % 2, argument, drawn)
+
+
+def _rotation(rng, R, size, way):
+    """Return a rotation by a small angle, or one that is nearly a quarter about an axis."""
+    quarter = 0.0 if way is None else np.pi / 2
+    if len(R) == 2:
+        angle = quarter + _drawn(rng, (), size)
+        return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    axis = np.eye(3)[way or 0]
+    return exp_so3(quarter * axis + _drawn(rng, 3, size))
+
+
+def _pose(rng, T, size, way):
+    made = np.eye(len(T))
+    made[:-1, :-1] = _rotation(rng, T[:-1, :-1], size, way)
+    made[:-1, -1] = _numbers(rng, T[:-1, -1], size, way)
+    return made
+
+
+def _unit_vector(rng, v, size, way):
+    """Return a unit vector that is nearly along an axis."""
+    made = np.eye(len(v))[(way or 0) % len(v)] + _drawn(rng, len(v), size)
+    return made / np.linalg.norm(made)
+
+
+_KINDS = (
+    (_is_rotation, _rotation),
+    (_is_pose, _pose),
+    (_is_unit_vector, _unit_vector),
+)

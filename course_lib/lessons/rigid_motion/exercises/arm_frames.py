@@ -60,6 +60,7 @@ EXERCISE = Exercise(
     arguments=("theta",),
     tolerance=EXACT,
     cases=_cases,
+    small=("theta",),
     angles=("theta",),
     returns=numbers(lambda theta: (3, 3, 3)),
     properties=(

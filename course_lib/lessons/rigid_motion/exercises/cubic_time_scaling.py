@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.planar import cubic_time_scaling
 
@@ -34,6 +35,12 @@ def _cases(rng):
         drawn.append((t, T, *np.round(ends, 2).tolist()))
     one = [(float(drawn[0][0][k]), *drawn[0][1:]) for k in (0, 3)]
     return rest + moved + slow + rolling + back + whole + drawn + one
+
+
+def _soon(rng, size):
+    """A motion from 0 that has only just begun."""
+    s1, v0, v1 = rng.uniform(0.5, 1.5, 3).round(2).tolist()
+    return 0.5 * size, 2.0, 0.0, s1, v0, v1
 
 
 def _size(T, s0, s1, v0, v1):
@@ -101,6 +108,8 @@ EXERCISE = Exercise(
     arguments=("t", "T", "s0", "s1", "v0", "v1"),
     tolerance=EXACT,
     cases=_cases,
+    sweeps=(Sweep("a time just after 0", _soon, SMALL_NUMBERS),),
+    small=("s0", "s1", "v0", "v1"),
     returns=numbers(lambda t, *ends: np.shape(t)),
     properties=(
         Property(

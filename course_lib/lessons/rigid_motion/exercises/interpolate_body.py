@@ -75,6 +75,7 @@ EXERCISE = Exercise(
     arguments=("start", "goal", "n"),
     tolerance=EXACT,
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
+    small=("start", "goal"),
     returns=shared.read_path,
     properties=(
         *shared.ENDS,

@@ -89,6 +89,7 @@ EXERCISE = Exercise(
     arguments=("start", "goal", "n"),
     tolerance=EXACT,
     cases=_cases,
+    small=("start", "goal"),
     returns=shared.read_path,
     properties=(
         *shared.ENDS,

@@ -63,6 +63,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("start", "plan", "dt"),
     tolerance=EXACT,
+    sweeps=(shared.slow_motions(2),),
     cases=_cases,
     returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(
         value, *case

@@ -98,6 +98,7 @@ EXERCISE = Exercise(
     points=3,
     arguments=("start", "plan", "dt"),
     tolerance=EXACT,
+    sweeps=(shared.slow_motions(3),),
     cases=body_cases,
     returns=read_poses,
     properties=(

@@ -100,7 +100,7 @@ EXERCISE = Exercise(
     ),
     alike=shared.same_rows(shared.BODY),
     distance=shared.distance_of_rows(shared.BODY),
-    sweeps=(Sweep("omega near 0", _slow, ON_BOTH_SIDES),),
+    sweeps=(Sweep("omega near 0", _slow, ON_BOTH_SIDES), shared.slow_motions(3)),
     forbidden=("course_lib.planar.propagate_body_exact",),
 )
 

@@ -9,6 +9,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import compared
 from course_lib.planar import quintic_time_scaling, wrap_angle
@@ -377,6 +378,18 @@ def each_step(text, move, angles, part=slice(None), where=None):
     return Property(
         text, lambda rows, start, plan, dt: first_off(rows, plan, dt) is None, says, where=where
     )
+
+
+def slow_motions(columns):
+    """Return the Sweep of a start near 0 and of slow motions, with so many columns in a row."""
+
+    def case(rng, size):
+        start, slow, sideways = size * rng.uniform(-0.9, 0.9, (3, columns)).round(3)
+        sideways[0] = 0.4
+        plan = [(tuple(velocity.tolist()), 0.5) for velocity in (slow, sideways)]
+        return start, plan, 0.25
+
+    return Sweep("a start near 0, and slow motions", case, SMALL_NUMBERS)
 
 
 def goes_straight(start, plan, dt):

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
     angle_gap,
@@ -39,6 +39,12 @@ def _cases(rng):
 def _nearly_stretched(rng, gap):
     angle = rng.uniform(-np.pi, np.pi)
     return ((2 - gap) * np.array([np.cos(angle), np.sin(angle)]),)
+
+
+def _near_an_axis(rng, size):
+    """A tip one coordinate of which is nearly 0."""
+    tip = [rng.uniform(0.5, 1.5), size]
+    return (rng.choice([-1, 1], 2) * rng.permutation(tip),)
 
 
 def _bend(tip):
@@ -101,7 +107,10 @@ EXERCISE = Exercise(
     ),
     alike=same_list,
     distance=distance_of_lists,
-    sweeps=(Sweep("a tip near the edge of the reach", _nearly_stretched),),
+    sweeps=(
+        Sweep("a tip near the edge of the reach", _nearly_stretched),
+        Sweep("a tip near an axis", _near_an_axis, SMALL_NUMBERS),
+    ),
     forbidden=("course_lib.ik.solve",),
 )
 

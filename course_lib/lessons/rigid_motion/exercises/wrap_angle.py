@@ -6,7 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.naming import difference
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_of_angles
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
@@ -54,6 +54,11 @@ def _beside(revolutions):
     return Sweep(f"an angle near {revolutions} pi", case, ON_BOTH_SIDES)
 
 
+def _among_others(rng, size):
+    """An array of angles one of which is nearly 0."""
+    return (np.array([2.5, size, rng.uniform(-40, 40)]),)
+
+
 def _rounding(angle):
     return EXACT * np.maximum(1.0, np.abs(angle))
 
@@ -92,7 +97,10 @@ EXERCISE = Exercise(
     arguments=("angle",),
     tolerance=EXACT,
     cases=_cases,
-    sweeps=(_beside(0), _beside(1), _beside(-1), _beside(2)),
+    sweeps=(
+        *(_beside(revolutions) for revolutions in (0, 1, -1, 2)),
+        Sweep("a small angle among others", _among_others, SMALL_NUMBERS),
+    ),
     returns=numbers(np.shape, exact=True),
     distance=_distance,
     properties=(

@@ -37,6 +37,7 @@ EXERCISE = Exercise(
     arguments=("R", "step", "frame"),
     tolerance=EXACT,
     cases=_cases,
+    small=("R", "step"),
     returns=numbers(lambda R, step, frame: (3, 3)),
     library=_right,
     properties=(

@@ -81,6 +81,7 @@ EXERCISE = Exercise(
     arguments=("R",),
     tolerance=SIX_DIGITS,
     cases=_cases,
+    small=("R",),
     returns=numbers(lambda R: (3,), gaps=True),
     library=_right,
     alike=lambda value, predicted, R: same_angles(value, predicted, tolerance=1e-5),

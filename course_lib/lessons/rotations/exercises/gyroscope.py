@@ -48,6 +48,7 @@ EXERCISE = Exercise(
     arguments=("R_0", "log", "dt", "R_bi"),
     tolerance=EXACT,
     cases=_cases,
+    small=("R_0", "log", "R_bi"),
     returns=numbers(lambda R_0, log, dt, R_bi: (len(log) + 1, 3, 3)),
     library=_right,
     properties=(

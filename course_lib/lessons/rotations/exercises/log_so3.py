@@ -162,6 +162,7 @@ EXERCISE = Exercise(
     arguments=("R",),
     tolerance=SIX_DIGITS,
     cases=_cases,
+    small=("R",),
     sweeps=(
         Sweep("a tiny angle", _tiny),
         Sweep("an angle just below pi", _short_of_half, ON_BOTH_SIDES),

@@ -69,6 +69,7 @@ EXERCISE = Exercise(
     arguments=("R",),
     tolerance=SIX_DIGITS,
     cases=_cases,
+    small=("R",),
     sweeps=tuple(_nearly_half(k) for k in range(3)),
     returns=numbers(lambda R: (4,), gaps=True),
     library=matrix_to_quaternion,

@@ -31,6 +31,7 @@ EXERCISE = Exercise(
     arguments=("R_bg", "R_cg", "R_cm"),
     tolerance=EXACT,
     cases=_cases,
+    small=("R_bg", "R_cg", "R_cm"),
     returns=numbers(lambda R_bg, R_cg, R_cm: (3, 3)),
     library=_right,
     properties=(

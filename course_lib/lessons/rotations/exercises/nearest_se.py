@@ -4,10 +4,16 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.lessons.rotations.exercises import shared
-from course_lib.lessons.rotations.exercises.shared import NOT_NEAREST, damaged_rotations, distances
+from course_lib.lessons.rotations.exercises.shared import (
+    NOT_NEAREST,
+    damaged_rotations,
+    distances,
+    nearly_diagonal,
+)
 from course_lib.rigid import nearest_se
 from course_lib.rotations import random_rotations
 
@@ -24,6 +30,11 @@ def _cases(rng):
     return [(T,) for T in [_damaged_pose(M, p) for M in [*damaged_rotations(rng), slightly]] + good]
 
 
+def _small(rng, size):
+    """A pose that is nearly the identity, and damaged."""
+    return (pose(nearly_diagonal(rng, size), size * rng.uniform(-0.9, 0.9, 3), *[0.1] * 4),)
+
+
 def _is_pose(T):
     return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
 
@@ -34,6 +45,7 @@ EXERCISE = Exercise(
     arguments=("T",),
     tolerance=EXACT,
     cases=_cases,
+    sweeps=(Sweep("small entries", _small, SMALL_NUMBERS),),
     returns=numbers(np.shape),
     library=nearest_se,
     properties=(

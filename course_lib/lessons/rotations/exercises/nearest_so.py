@@ -7,6 +7,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import is_rotation, orthogonality_error
 from course_lib.lessons.rotations.exercises import shared
@@ -14,6 +15,7 @@ from course_lib.lessons.rotations.exercises.shared import (
     NOT_NEAREST,
     damaged_rotations,
     distances,
+    nearly_diagonal,
     ones,
     polar,
 )
@@ -35,6 +37,9 @@ EXERCISE = Exercise(
     arguments=("M",),
     tolerance=EXACT,
     cases=_cases,
+    sweeps=(
+        Sweep("small entries", lambda rng, size: (nearly_diagonal(rng, size),), SMALL_NUMBERS),
+    ),
     returns=numbers(np.shape),
     library=nearest_so,
     broken=shared.last_column_negated,

@@ -38,6 +38,7 @@ EXERCISE = Exercise(
     arguments=("p", "a"),
     tolerance=EXACT,
     cases=_cases,
+    small=("p", "a"),
     angles=("a",),
     sweeps=(Sweep("a tiny angle", lambda rng, gap: (away_from_zero(rng, 2), gap), ON_BOTH_SIDES),),
     returns=numbers(lambda p, a: (2,)),

@@ -38,6 +38,12 @@ def damaged_rotations(rng):
     ]
 
 
+def nearly_diagonal(rng, size):
+    """Return a matrix (3, 3) that is nearly diagonal, and of which no entry is 0."""
+    signs, sizes = rng.choice([-1, 1], (3, 3)), rng.uniform(0.3, 0.9, (3, 3))
+    return np.diag([1.5, 1.0, 0.7]) + size * signs * sizes
+
+
 def polar(M, *signs):
     """Return U diag(signs) V^T; without signs U V^T, which is a reflection where det M < 0."""
     U, _, Vt = np.linalg.svd(M)

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign, unit
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
@@ -72,6 +72,12 @@ def _nearly_equal(sign):
     return Sweep("two rotations that are nearly equal", case)
 
 
+def _nearly_about_an_axis(rng, size):
+    """Rotations nearly about x, with small entries, one of them by a small angle."""
+    axis = np.array([1.0, *(size * rng.uniform(0.3, 0.9, 2))])
+    return _about(unit(rng), size), _about(axis / np.linalg.norm(axis), 1.0), 0.3
+
+
 def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
@@ -90,7 +96,11 @@ EXERCISE = Exercise(
     library=slerp,
     alike=same_up_to_sign,
     distance=distance_up_to_sign,
-    sweeps=(_nearly_equal(1), _nearly_equal(-1)),
+    sweeps=(
+        _nearly_equal(1),
+        _nearly_equal(-1),
+        Sweep("quaternions with small entries", _nearly_about_an_axis, SMALL_NUMBERS),
+    ),
     properties=(
         Property(
             "the answer has length one",

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
@@ -26,6 +27,11 @@ def _cases(rng):
     drawn = [rng.uniform(0.3, 1.2, 3) * rng.choice([-1, 1], 3) for _ in range(3)]
     reached = [(center_of(q),) for q in named + drawn]
     return [*reached, (np.array([0.5, 0.6, 0.4]),), (SHOULDER + np.array([0.0, 0.01, 0.02]),)]
+
+
+def _nearly_in_a_plane(rng, size):
+    """A center that is nearly in the plane of the arm at q1 = 0."""
+    return (center_of([size, *rng.uniform(0.3, 1.2, 2)]),)
 
 
 def _misses(q, center):
@@ -54,6 +60,7 @@ EXERCISE = Exercise(
     arguments=("center",),
     tolerance=SOLVED,
     cases=_cases,
+    sweeps=(Sweep("a small q1", _nearly_in_a_plane, SMALL_NUMBERS),),
     returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
     library=arm_solutions,
     alike=same_list,

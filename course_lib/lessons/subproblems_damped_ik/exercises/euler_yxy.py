@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import distance_of_lists, remembered, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import counted, different
@@ -83,6 +83,11 @@ def _beside(middle):
     return Sweep(f"b2 near {middle:.4g}", case, ON_BOTH_SIDES)
 
 
+def _small(rng, size):
+    """A rotation with small angles b1 and b3, so that entries of it are small."""
+    return (_yxy(size, some_angle(rng, 1), -0.6 * size),)
+
+
 def _misses(triple, R):
     return np.abs(_yxy(*triple) - R).max()
 
@@ -116,7 +121,11 @@ EXERCISE = Exercise(
     library=_both,
     alike=same_list,
     distance=distance_of_lists,
-    sweeps=(_beside(0.0), _beside(np.pi)),
+    sweeps=(
+        _beside(0.0),
+        _beside(np.pi),
+        Sweep("small b1 and b3", _small, SMALL_NUMBERS),
+    ),
     properties=(
         Property(
             "each triple rebuilds R = Ry(b1) Rx(b2) Ry(b3)",

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SOLVED
 from course_lib.checks.vocabulary import angle_gap
 from course_lib.lessons.subproblems_damped_ik.exercises.planar_jacobian import ARMS, jacobian, tip
@@ -59,6 +60,12 @@ def _cases(rng):
     ]
 
 
+def _small(rng, size):
+    """Small angles, and a target nearby, so that the angles stay small."""
+    q, beside = size * rng.uniform(-0.9, 0.9, 4), size * rng.uniform(-0.9, 0.9, 2)
+    return q, tip(q) + beside, 0.5, 2.0
+
+
 def _there(q, target, alpha, eps):
     return np.abs(tip(q) - target).max() < 1e-12
 
@@ -102,6 +109,7 @@ EXERCISE = Exercise(
     arguments=("q", "target", "alpha", "eps"),
     tolerance=SOLVED,
     cases=_cases,
+    sweeps=(Sweep("small angles", _small, SMALL_NUMBERS),),
     angles=("q",),
     returns=numbers(lambda *case: (4,)),
     library=step,

@@ -58,6 +58,7 @@ EXERCISE = Exercise(
     arguments=("q",),
     tolerance=SOLVED,
     cases=_cases,
+    small=("q",),
     angles=("q",),
     returns=numbers(lambda q: (2, 4)),
     library=jacobian,

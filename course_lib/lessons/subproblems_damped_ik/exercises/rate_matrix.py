@@ -65,6 +65,7 @@ EXERCISE = Exercise(
     arguments=("b",),
     tolerance=SOLVED,
     cases=_cases,
+    small=("b",),
     angles=("b",),
     returns=numbers(lambda b: (3, 3)),
     library=rates,

@@ -31,6 +31,12 @@ def rotated(k, theta, p):
     return exp_so3(theta * k) @ p
 
 
+def nearly_along(axis, rng, size):
+    """Return a unit vector (3,) that is nearly along this axis; none of its entries is 0."""
+    k = axis + size * rng.choice([-1, 1], 3) * rng.uniform(0.3, 0.9, 3)
+    return k / np.linalg.norm(k)
+
+
 def across(k, p):
     """Return the part of p perpendicular to the axis k."""
     return p - (k @ p) * k

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, add_nan
@@ -29,6 +30,12 @@ def _cases(rng):
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
     reached = [(ARM.fk(q),) for q in named + drawn]
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
+
+
+def _nearly_in_a_plane(rng, size):
+    """A pose of the arm bent nearly in one plane, so that entries of the pose are small."""
+    q2, q3, q5 = rng.uniform(0.3, 1.2, 3)
+    return (ARM.fk([size, q2, q3, 0.7 * size, q5, -0.4 * size]),)
 
 
 def _misses(q, T):
@@ -65,6 +72,7 @@ EXERCISE = Exercise(
     arguments=("T",),
     tolerance=SOLVED,
     cases=_cases,
+    sweeps=(Sweep("a pose with small entries", _nearly_in_a_plane, SMALL_NUMBERS),),
     returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),
     library=all_solutions,
     alike=same_list,

@@ -41,6 +41,7 @@ EXERCISE = Exercise(
     arguments=("J", "eps"),
     tolerance=EXACT,
     cases=_cases,
+    small=("J",),
     returns=lambda value, *case: single(value, "one number"),
     library=_right,
     broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),

@@ -5,12 +5,13 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
     angle_about,
+    nearly_along,
     rotated,
     single,
 )
@@ -64,6 +65,13 @@ def _rotating_by(angle):
     return Sweep(f"theta near {angle:.4g}", case, ON_BOTH_SIDES)
 
 
+def _nearly_vertical(rng, size):
+    """A reachable point g, with an axis that is nearly vertical."""
+    k = nearly_along(Z, rng, size)
+    p = off_axis(k, rng)
+    return k, p, rotated(k, some_angle(rng, 1), p)
+
+
 def _free(k, p, g):
     return not across(k, p).any() or not across(k, g).any()
 
@@ -113,7 +121,11 @@ EXERCISE = Exercise(
     library=lambda k, p, g: subproblem1(k, p, g).theta,
     alike=_same,
     distance=distance_of_angles,
-    sweeps=(_rotating_by(0.0), _rotating_by(np.pi)),
+    sweeps=(
+        _rotating_by(0.0),
+        _rotating_by(np.pi),
+        Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
+    ),
     properties=(
         Property(
             "R(k, theta) p = g",

@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -47,6 +47,15 @@ def _around(rng, reach, size):
     in_plane = reach * (np.cos(0.5) * k1 + np.sin(0.5) * e)
     points = [(k @ in_plane) * k + np.sqrt(1 - (k @ in_plane) ** 2) * n for k in (k1, k2)]
     return k1, k2, size * points[0], size * points[1]
+
+
+def _small(rng, size):
+    """Axes with small entries, and points on circles that meet, one of them after a small angle."""
+    k1, k2 = shared.nearly_along(Z, rng, size), shared.nearly_along(X, rng, size)
+    n = np.cross(k1, k2) / np.linalg.norm(np.cross(k1, k2))
+    a, b, c = rng.uniform(0.4, 0.9, 3)
+    meet = a * k1 + b * np.cross(n, k1) + c * n
+    return k1, k2, rotated(k1, -size, meet), rotated(k2, 0.8, meet)
 
 
 def _cases(rng):
@@ -126,6 +135,7 @@ EXERCISE = Exercise(
             lambda rng, beyond: _around(rng, 1 + beyond, 1.0),
             OUT_OF_REACH,
         ),
+        Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
     ),
     properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",

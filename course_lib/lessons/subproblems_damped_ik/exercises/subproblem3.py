@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -14,10 +14,10 @@ from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_a
 from course_lib.subproblems import subproblem3, subproblem4
 
 
-def _reachable(rng, aside, middle, size):
+def _reachable(rng, aside, middle, size, axis=None):
     """p and g about an axis, and a distance at which p is rotated `aside` beyond the direction of
     g."""
-    k = unit(rng)
+    k = unit(rng) if axis is None else axis
     p, g = size * off_axis(k, rng), size * off_axis(k, rng)
     g = rotated(k, angle_about(k, g, p) + middle, g)
     g = g if (k @ p) * (k @ g) < 0 else g - 2 * (k @ g) * k  # their heights on both sides of 0
@@ -43,6 +43,11 @@ def _cases(rng):
     ]
     negative = [(Z, X, X, -1.0), (k, p, g, -d)]
     return named + generic + none + negative + [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
+
+
+def _small(rng, size):
+    """An axis with small entries, and two solutions one of which is small."""
+    return _reachable(rng, 0.8, 0.8 + size, 1, axis=shared.nearly_along(Z, rng, size))
 
 
 def _beyond(side):
@@ -96,7 +101,11 @@ EXERCISE = Exercise(
     library=_solutions,
     alike=same_list,
     distance=distance_of_lists,
-    sweeps=(_beyond(1), _beyond(-1)),
+    sweeps=(
+        _beyond(1),
+        _beyond(-1),
+        Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+    ),
     properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",
         "angle",

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, Sweep
+from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -19,9 +19,9 @@ from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_a
 from course_lib.subproblems import subproblem4
 
 
-def _reachable(rng, aside, middle, size):
+def _reachable(rng, aside, middle, size, axis=None):
     """A direction h, a point p, and the height at which p is rotated `aside` beyond h."""
-    k = unit(rng)
+    k = unit(rng) if axis is None else axis
     h, p = size * off_axis(k, rng), off_axis(k, rng)
     h = rotated(k, angle_about(k, h, p) + middle, h)
     return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
@@ -44,6 +44,11 @@ def _cases(rng):
     beyond = [(k, h, p, high + 0.1 * (high - low)), (k, h, p, low - 0.1 * (high - low))]
     none = [(Z, X, X, 1.5), (Z, X, X, -1.5), (Z, X, X + 2 * Z, 1.5), *beyond]
     return named + generic + close + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+
+
+def _small(rng, size):
+    """An axis with small entries, and two solutions one of which is small."""
+    return _reachable(rng, 0.8, 0.8 + size, 1, axis=shared.nearly_along(Z, rng, size))
 
 
 def _beyond(side):
@@ -91,7 +96,11 @@ EXERCISE = Exercise(
     library=_solutions,
     alike=same_list,
     distance=distance_of_lists,
-    sweeps=(_beyond(1), _beyond(-1)),
+    sweeps=(
+        _beyond(1),
+        _beyond(-1),
+        Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+    ),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
         "angle",
