@@ -17,13 +17,15 @@ from course_lib.checks.special_cases import (
     BESIDE,
     ON_BOTH_SIDES,
     OUT_OF_REACH,
+    SMALL_NUMBERS,
     MadeCase,
     Sweep,
     made_cases,
 )
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import same_list
-from course_lib.rotations import exp_so3
+from course_lib.checks.vocabulary import pose, same_list
+from course_lib.rigid import is_se
+from course_lib.rotations import exp_so3, is_so
 
 LESSONS = Path(__file__).parents[1] / "course_lib/lessons"
 MODULES = sorted(
@@ -44,8 +46,8 @@ ALL = list(exercises())
 each_exercise = pytest.mark.parametrize("exercise", ALL, ids=[each.name for each in ALL])
 
 
-def made(cases, names=("x",), sweeps=(), angles=()):
-    return made_cases(cases, names, sweeps, angles, np.random.default_rng(0))
+def made(cases, names=("x",), sweeps=(), angles=(), small=()):
+    return made_cases(cases, names, sweeps, angles, np.random.default_rng(0), small)
 
 
 def test_a_case_of_whole_numbers_is_asked_again_with_the_type_int():
@@ -76,6 +78,34 @@ def test_angles_are_asked_for_beyond_one_revolution():
 def test_a_sweep_asks_at_each_of_its_values_for_which_there_is_a_case():
     sweep = Sweep("near 1", lambda rng, gap: None if gap < 0 else (1 + gap,), (0.1, -0.1, 0.01))
     assert made([(np.array([0.5]),)], sweeps=(sweep,)) == [(1.1,), (1.01,)]
+
+
+def test_numbers_that_may_be_small_are_so_at_every_size():
+    cases = made([(np.array([1.5, 2.5, -0.5]),)], small=("x",))
+    sizes = {float(f"{np.abs(case[0]).max():.0e}") for case in cases[::4]}
+    assert len(sizes) == len(SMALL_NUMBERS) == 7
+    assert all(
+        0.3 * size < np.abs(x).min() for size, (x,) in zip(SMALL_NUMBERS, cases[::4], strict=True)
+    )
+
+
+def test_in_three_of_four_small_cases_some_numbers_stay_as_they_are():
+    cases = made([(np.array([1.5, 2.5, -0.5]),)], small=("x",))
+    kept = [np.isin(x, [1.5, 2.5, -0.5]).tolist() for (x,) in cases[:4]]
+    assert kept[0] == [False] * 3
+    assert kept[1:3] == [[True, False, True], [False, True, False]]
+
+
+def test_rotations_poses_and_unit_vectors_stay_such_where_numbers_are_small():
+    R, n = exp_so3([0.3, 0.9, -0.4]), np.array([0.6, 0.0, 0.8])
+    cases = made([(R, pose(R, [1.0, 2, 3]), n)], ("R", "T", "n"), small=("R", "T", "n"))
+    small = [case for case in cases if not np.array_equal(case[0], R)]
+    assert len(small) >= 5 * len(SMALL_NUMBERS)
+    for R_small, T, unit in cases:
+        assert is_so(R_small)
+        assert is_se(T)
+        assert np.isclose(np.linalg.norm(unit), 1, atol=1e-12)
+    assert np.allclose(small[0][0], np.eye(3), atol=0.02)
 
 
 def test_made_cases_can_be_told_from_the_author_s():
@@ -242,7 +272,7 @@ def test_arrays_of_whole_numbers_are_asked_about_where_the_answer_is_not_whole(e
 
 
 # Small numbers in the arguments need not count in these: samples for a fit, a task's own bound of
-# 1e-4 or 1e-3, limits and times that are compared, and answers that take seconds.
+# 1e-4 or 1e-3, limits and times that are compared, samples, and answers that take seconds.
 SMALL_MAY_BE_LOST = (
     "fit_cells",
     "fit_joint_cells",
@@ -257,10 +287,14 @@ SMALL_MAY_BE_LOST = (
     "panda_ik",
     "plan_pick",
     "newton_ik",
+    "random_rotations",
+    "random_quaternions",
 )
 # The answers of these hold no small numbers: a limit above 2, truth values and whole numbers.
 NO_SMALL_ANSWERS = ("step_limit", "is_valid", "branch_by_sign", "cell_index", "find_signs")
 THRESHOLDS = (1e-3, 1e-6, 1e-8)
+# The poses are measured to about a millimetre, and smaller angles say nothing of the signs.
+SMALLEST = {"find_signs": 1e-3}
 
 
 def without_small_numbers(numbers, threshold):
@@ -297,7 +331,7 @@ def test_answers_that_take_small_numbers_for_0_are_refused(exercise, of, thresho
         return
     if of == "answer" and exercise.name in NO_SMALL_ANSWERS:
         return
-    if threshold < 10 * (exercise.tolerance or EXACT):
+    if threshold < SMALLEST.get(exercise.name, 10 * (exercise.tolerance or EXACT)):
         return  # the task allows an error of nearly this size
     student = loses_numbers(exercise, threshold, of)
     assert judge(replace(exercise, forbidden=()), LocalFunction(student)).state == WRONG

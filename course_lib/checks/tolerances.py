@@ -13,6 +13,8 @@ SOLVED = 1e-8
 HALF_THE_DIGITS = 1e-7
 # Where a task asks for six digits: float32, pi as 3.14159 and angles cut at 1e-6 come close to it.
 SIX_DIGITS = 1e-6
+# Relative, where a task asks for five digits of a small number.
+FIVE_DIGITS = 1e-5
 # Where a task is about which branch is taken, and the formula beside the special value is crude.
 FOUR_DIGITS = 1e-4
 # Where an answer counts as the one that a known mistake predicts, in each entry, absolute and

@@ -90,6 +90,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("q",),
     cases=_cases,
+    small=("q",),
     returns=numbers(np.shape, exact=True),
     library=two_link_tip,
     tolerance=EXACT,

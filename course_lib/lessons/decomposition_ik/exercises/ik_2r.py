@@ -6,7 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
 from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip
 
@@ -132,6 +132,8 @@ EXERCISE = Exercise(
         Sweep("just out of reach", _at(lambda gap: 2 + gap), _JUST_OUT_OF_REACH),
         Sweep("nearly stretched", _at(lambda gap: 2 - gap), _JUST_WITHIN),
         Sweep("nearly folded", _at(lambda gap: gap), _NEARLY_FOLDED),
+        Sweep("near an axis", lambda rng, y: (np.array([rng.uniform(0.5, 1.5), y]),), SMALL),
+        Sweep("a small q1", lambda rng, q1: (two_link_tip([q1, rng.uniform(0.8, 1.8)]),), SMALL),
     ),
     alike=_alike,
     properties=(

@@ -53,6 +53,11 @@ def _nearly_there(rng, gap):
     return q + gap, two_link_tip(q)
 
 
+def _small(rng, size):
+    q = np.array([size, rng.uniform(0.6, 1.8)])
+    return q, two_link_tip(q) + size * rng.uniform(-0.4, 0.4, 2)
+
+
 EXERCISE = Exercise(
     name="newton_step",
     points=2,
@@ -63,6 +68,7 @@ EXERCISE = Exercise(
     tolerance=EXACT,
     sweeps=(
         Sweep("nearly at the position", _nearly_there),
+        Sweep("a small q1, before and after the step", _small, SMALL),
         Sweep("q1 and y nearly 0", lambda rng, x: (np.array([x, 1.2]), np.array([1.1, x])), SMALL),
     ),
     angles=("q",),

@@ -80,9 +80,11 @@ def _tell(index, angles, models, cell, xy):
 
 
 def _small(rng, size):
-    """Return models with small coefficients of x, and large ones of the small y."""
+    """Return models with small coefficients of x, and large ones of the small y; in cell 0 all
+    coefficients are small."""
     models = _some_models(rng, 2)
     models[..., 0] *= size
+    models[0, ..., 1:] *= size
     xy = np.array([[1.5, size], [-0.7, -size]])
     return models, np.array([1, 0]), xy
 

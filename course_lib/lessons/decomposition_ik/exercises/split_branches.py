@@ -8,8 +8,10 @@ from threadpoolctl import ThreadpoolController
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import FOUR_DIGITS
 from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
 
+_ROUNDING = 1e-12  # of a sum of squares that is 0
 _ONE_SAMPLE = Mistake(
     "the case of fewer than two different samples is not treated separately",
     "How many different samples does k-means need? What does the task ask for if there are fewer?",
@@ -138,6 +140,7 @@ EXERCISE = Exercise(
     name="split_branches",
     points=2,
     arguments=("q",),
+    tolerance=FOUR_DIGITS,
     cases=_cases,
     returns=numbers(
         lambda q: (len(q),),
@@ -176,7 +179,9 @@ EXERCISE = Exercise(
             "the samples lie as near to the means of their clusters as two clusters can bring "
             "them: the sum of the "
             "squared distances is the least",
-            lambda labels, q: _within(q, labels) <= 1.0001 * _within(q, labelled(q)) + 1e-12,
+            lambda labels, q: (
+                _within(q, labels) <= (1 + FOUR_DIGITS) * _within(q, labelled(q)) + _ROUNDING
+            ),
             says=lambda labels, q: (
                 f"Yours is {_within(q, labels):.4g}, and {_within(q, labelled(q)):.4g} is possible."
             ),

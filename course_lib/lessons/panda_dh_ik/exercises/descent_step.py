@@ -64,6 +64,7 @@ EXERCISE = Exercise(
     points=1,
     arguments=("q", "J", "T", "T_target", "step"),
     cases=_cases,
+    small=("q", "T", "T_target"),
     returns=numbers(lambda q, *rest: (len(q),)),
     properties=(
         Property(

@@ -4,9 +4,15 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED
-from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, damped, panda_jacobian, panda_step
+from course_lib.checks.vocabulary import away_from_zero
+from course_lib.lessons.panda_dh_ik.exercises.shared import (
+    FLAT,
+    damped,
+    panda_jacobian,
+    panda_step,
+)
 
 _ROUNDING = 1e-14  # relative, of a product of two matrices
 _SQUARE = np.array([[1.0, 2], [0, 1]])
@@ -107,6 +113,12 @@ _NO_PRODUCT = Mistake(
     "J is (m, n), e is (m,), q is (n,). Which product of J, or J^T, and e has the shape (n,)?",
 )
 
+
+def _small(rng, size):
+    J = away_from_zero(rng, (2, 3))
+    return size * rng.uniform(-0.9, 0.9, 3), J, size * rng.uniform(-0.9, 0.9, 2), 0.5
+
+
 EXERCISE = Exercise(
     name="ik_step_dls",
     points=1,
@@ -138,6 +150,7 @@ EXERCISE = Exercise(
     ),
     library=damped,
     sweeps=(
+        Sweep("small angles, and a small error", _small, SMALL_NUMBERS),
         Sweep(
             "the damping is small",
             lambda rng, eps: (*panda_step(rng), eps),

@@ -68,6 +68,7 @@ EXERCISE = Exercise(
     points=2,
     arguments=("q", "J", "q_middle", "gain"),
     cases=_cases,
+    small=("q", "q_middle"),
     returns=numbers(
         lambda q, *rest: (len(q),),
     ),

@@ -6,13 +6,20 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
-from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
+from course_lib.checks.tolerances import (
+    EXACT,
+    FIVE_DIGITS,
+    FOUR_DIGITS,
+    HALF_THE_DIGITS,
+    SIX_DIGITS,
+)
 from course_lib.checks.vocabulary import any_pose, away_from_zero, compared, near, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
 from course_lib.rigid import inverse, log_se3, transform
 from course_lib.rotations import exp_so3, length, log_so3, matrix_to_quaternion
 
 _NEARLY_PI = np.pi - SIX_DIGITS  # rad; beyond it phi and -phi are both right
+_ROUNDING = 1e-14  # relative, of a product of two rotations and of the formulas after it
 # As products of rotations may come out: the trace a hair above -1, so that arccos is a hair below
 # pi.
 _ROUNDED_PI = np.diag([1.0, 2.0**-53 - 1, 2.0**-53 - 1, 1])
@@ -92,7 +99,7 @@ def _fine(T, T_target):
     """Return the error that a right phi may have: near pi, angle / sin(angle) and arccos lose some
     digits."""
     angle = _angle(T, T_target)
-    return HALF_THE_DIGITS if angle > _NEARLY_PI else max(EXACT, 1e-14 / (np.pi - angle) ** 2)
+    return HALF_THE_DIGITS if angle > _NEARLY_PI else max(EXACT, _ROUNDING / (np.pi - angle) ** 2)
 
 
 def _gap(e, *case):
@@ -117,7 +124,7 @@ def _alike(e, predicted, *case, up_to_two_pi=False):
     phi = predicted[3:]
     gaps = [e[3:] - guess for guess in ((phi, -phi) if length(phi) > _NEARLY_PI else (phi,))]
     gaps = [gap - up_to_two_pi * 2 * np.pi * np.round(gap / (2 * np.pi)) for gap in gaps]
-    return min(np.abs(gap).max() for gap in gaps) <= 1e-4 * min(_angle(*case), 0.01) + 1e-12
+    return min(np.abs(gap).max() for gap in gaps) <= FOUR_DIGITS * min(_angle(*case), 0.01) + 1e-12
 
 
 def _alike_up_to_two_pi(*case):
@@ -128,6 +135,7 @@ EXERCISE = Exercise(
     name="pose_error",
     points=2,
     arguments=("T", "T_target"),
+    tolerance=EXACT,
     cases=_cases,
     returns=numbers(lambda *case: (6,)),
     properties=(
@@ -158,7 +166,7 @@ EXERCISE = Exercise(
         ),
         Property(
             "a tiny rotation keeps its digits, which the last steps to a target need",
-            lambda e, *case: _gap(e, *case) <= 1e-5 * _angle(*case),
+            lambda e, *case: _gap(e, *case) <= FIVE_DIGITS * _angle(*case),
             _off,
             mistake=Mistake(
                 "a tiny rotation counts as none, or has lost its digits",

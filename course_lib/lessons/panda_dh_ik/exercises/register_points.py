@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property, same
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import SIZES, Sweep
+from course_lib.checks.special_cases import SIZES, SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     IS_A_POSE,
@@ -25,7 +25,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     size,
 )
 from course_lib.rigid import transform
-from course_lib.rotations import rot_x, rot_z
+from course_lib.rotations import exp_so3, rot_x, rot_z
 
 _WHOLE = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0], [1, 1, 1]])
 _WHOLE_ROTATED = np.array([[1, 2, 3], [1, 5, 3], [-1, 2, 3], [0, 3, 4]])
@@ -83,6 +83,14 @@ def _cases(rng):
 
 def _of_size(rng, n):
     return noisy(rng, _uneven(rng, n))
+
+
+def _small(rng, size):
+    """Points with small coordinates, moved by a pose that is nearly the identity."""
+    src = away_from_zero(rng, (5, 3))
+    src[:3] *= [[size, 1, 1], [1, size, 1], [1, 1, size]]
+    T = transform(exp_so3(size * away_from_zero(rng, 3)), size * away_from_zero(rng, 3))
+    return src, moved(T, src), np.ones(5)
 
 
 def _squares(T, src, dst, weights):
@@ -171,6 +179,7 @@ EXERCISE = Exercise(
     sweeps=(
         Sweep("the number of points", _of_size, tuple(n for n in SIZES if n > 2)),
         Sweep("points nearly in a plane", nearly_in_a_plane),
+        Sweep("small coordinates, and a pose nearly the identity", _small, SMALL_NUMBERS),
     ),
     broken=_broken,
     forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),

@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import SAME_TWICE, part_is, products, remembered
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import adjoint, inverse
@@ -17,10 +18,11 @@ EXERCISE = Exercise(
     name="body_jacobian",
     points=3,
     arguments=("screws", "M", "q"),
+    tolerance=EXACT,
     cases=shared.arms,
     returns=shared.read_jacobian,
     library=_right,
-    sweeps=(shared.SMALL_ANGLES,),
+    sweeps=(shared.SMALL_ANGLES, shared.STRAIGHT),
     angles=("q",),
     properties=(
         SAME_TWICE,

@@ -39,7 +39,7 @@ EXERCISE = Exercise(
     cases=lambda rng: [*shared.arms(rng), (shared.WHOLE, shared.WHOLE_HOME, shared.WHOLE_ANGLES)],
     returns=numbers(lambda *case: (4, 4)),
     library=shared.tool_pose,
-    sweeps=(shared.SMALL_ANGLES,),
+    sweeps=(shared.SMALL_ANGLES, shared.STRAIGHT),
     angles=("q",),
     properties=(
         SAME_TWICE,

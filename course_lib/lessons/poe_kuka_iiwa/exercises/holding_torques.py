@@ -13,11 +13,11 @@ G = 9.81  # m/s^2
 _WRENCH = Mistake("a wrench is returned", "The task asks for one torque for each joint.")
 
 
+# Axes along -y, links along x.
+_UPRIGHT = np.hstack([shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]])
+
+
 def _cases(rng):
-    # Axes along -y, links along x.
-    upright = np.hstack(
-        [shared.TWO[:, [0, 2, 1]] * [1, -1, 1], shared.TWO[:, [3, 5, 4]] * [1, 1, -1]]
-    )
     arm = (shared.KUKA, shared.KUKA_HOME)
     drawn = [
         (
@@ -30,8 +30,8 @@ def _cases(rng):
         for n in (2, 4, 5, 7)
     ]
     return [
-        (upright, shared.at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
-        (upright, shared.at(2, 0, 0), np.array([0.4, 0.5]), 2.0, np.array([0.1, 0, 0])),
+        (_UPRIGHT, shared.at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
+        (_UPRIGHT, shared.at(2, 0, 0), np.array([0.4, 0.5]), 2.0, np.array([0.1, 0, 0])),
         (*arm, np.array([0.3, 0.7, -0.4, 1.1, 0.5, 0.9, 0.2]), 10.0, np.array([0.02, -0.05, 0.1])),
         *drawn,
         (*arm, np.zeros(7), 10.0, np.array([0.1, 0.2, 0.05])),
@@ -40,6 +40,12 @@ def _cases(rng):
 
 def _nearly_zero(rng, size):
     return *shared.SMALL_ANGLES.case(rng, size), rng.uniform(1, 5), away_from_zero(rng, 3)
+
+
+def _nearly_upright(rng, size):
+    """The arm stands upright but for small angles: the light load's lever is short."""
+    q = np.array([np.pi / 2 - size, 0.6 * size])
+    return _UPRIGHT, shared.at(2, 0, 0), q, rng.uniform(0.05, 0.1), np.zeros(3)
 
 
 def _weight(screws, M, q, mass, center):
@@ -61,7 +67,10 @@ EXERCISE = Exercise(
         lambda screws, M, q, mass, center: (len(q),),
     ),
     library=_right,
-    sweeps=(Sweep("an angle is nearly 0", _nearly_zero, shared.SMALL_ANGLES.values),),
+    sweeps=(
+        Sweep("an angle is nearly 0", _nearly_zero, shared.SMALL_ANGLES.values),
+        Sweep("a load nearly above the joints", _nearly_upright, shared.SMALL_ANGLES.values),
+    ),
     angles=("q",),
     properties=(
         part_is(

@@ -89,6 +89,12 @@ def _nearly_zero(rng, size):
     return axes(*drawn_axes(rng, 3)), any_pose(rng), angles
 
 
+def _nearly_straight(rng, size):
+    """Return an arm in a plane, all whose angles are small, so that entries of its pose are."""
+    return TWO, at(2, 0, 0), size * rng.choice([-1, 1]) * rng.uniform(0.3, 0.9, 2)
+
+
+STRAIGHT = Sweep("a nearly straight arm", _nearly_straight, SMALL)
 # Where somebody leaves out small angles.
 SMALL_ANGLES = Sweep("an angle is nearly 0", _nearly_zero, SMALL)
 

@@ -5,12 +5,13 @@ import numpy as np
 from course_lib.arms import iiwa14
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 
 _ARM = iiwa14()
 FAMILIES = ("elbow", "shoulder", "wrist")
 _MOVED = ((3,), (1, 2), (4, 5))  # the joints that lead out of each family, counted from 0
-_SINGULAR = 1e-7  # the smallest singular value of a singular configuration, at most
-_REGULAR = 1e-3  # of one that is not
+_SINGULAR = HALF_THE_DIGITS  # the smallest singular value of a singular configuration, at most
+_REGULAR = 1e-3  # of one that is not, as the task says
 
 
 def _smallest(q):
@@ -37,7 +38,7 @@ def _leads_out(k, row):
     for i, step in enumerate((0.3, -0.3, 0.2, -0.2)):
         own[i, list(_MOVED[k])] += step * np.array([1.0, -0.6])[: len(_MOVED[k])]
         others[i, free] += step * np.array([1.0, -0.6, 0.8, -1.1, 0.7, 0.9])[: len(free)]
-    return _smallest(own).max() > _REGULAR and _smallest(others).max() < 10 * _SINGULAR
+    return _smallest(own).max() > _REGULAR and _smallest(others).max() < SIX_DIGITS
 
 
 def _outside(rows):
@@ -68,6 +69,7 @@ EXERCISE = Exercise(
     name="singular_configurations",
     points=2,
     arguments=(),
+    tolerance=_SINGULAR,
     cases=lambda rng: [()],
     returns=numbers(lambda: (3, 7)),
     library=_right,
@@ -157,7 +159,7 @@ def _half_way(value, predicted):
     """Return whether q2 or q6 is 0 in the row of its family, which is regular, and no row has less
     than rank 5."""
     losses = [_rank_loss(row) for row in value]
-    zero = [False, abs(np.sin(value[1, 1])) < 1e-9, abs(np.sin(value[2, 5])) < 1e-9]
+    zero = [False, abs(np.sin(value[1, 1])) < EXACT, abs(np.sin(value[2, 5])) < EXACT]
     possible = max(losses) <= 1 and np.abs(value).max() < np.pi
     return possible and any(
         at_zero and loss == 0 for at_zero, loss in zip(zero, losses, strict=True)
@@ -178,7 +180,7 @@ def one_angle_alone(place):
 def _of_two_families(value, predicted):
     """Return whether q2 = q6 = 0 in a row, which is singular without any of the three families."""
     return any(
-        np.abs(np.sin(row[[1, 5]])).max() < 1e-9 and _cause(row) < 0 and _rank_loss(row) == 1
+        np.abs(np.sin(row[[1, 5]])).max() < EXACT and _cause(row) < 0 and _rank_loss(row) == 1
         for row in value
     )
 

@@ -8,6 +8,7 @@ from course_lib.checks.vocabulary import SAME_TWICE, part_is, products
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
     ONE_COLUMN,
     SMALL_ANGLES,
+    STRAIGHT,
     arms,
     columns,
     exponentials,
@@ -27,12 +28,20 @@ def _nearly_zero(rng, size):
     return screws, q
 
 
+def _nearly_straight(rng, size):
+    screws, _, q = STRAIGHT.case(rng, size)
+    return screws, q
+
+
 EXERCISE = Exercise(
     name="space_jacobian",
     points=2,
     arguments=("screws", "q"),
     cases=lambda rng: [(screws, q) for screws, M, q in arms(rng)],
-    sweeps=(Sweep("an angle is nearly 0", _nearly_zero, SMALL_ANGLES.values),),
+    sweeps=(
+        Sweep("an angle is nearly 0", _nearly_zero, SMALL_ANGLES.values),
+        Sweep("a nearly straight arm", _nearly_straight, STRAIGHT.values),
+    ),
     angles=("q",),
     returns=read_jacobian,
     library=jacobian,

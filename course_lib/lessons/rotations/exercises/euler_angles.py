@@ -134,9 +134,16 @@ EXERCISE = Exercise(
 )
 
 
+def _of_another_product(angles, R):
+    """Return whether the angles are right for R^T, or give R with other signs or in reverse."""
+    others = ((angles, R.T), (-angles, R), (-angles, R.T), (angles[::-1], R))
+    return any(_gap(*other) < SIX_DIGITS for other in others)
+
+
 @EXERCISE.mistake(
     "the angles are those of another product, or in another order",
     "Multiply the three matrices on paper, and compare the entries.",
+    seen=_of_another_product,
     of=(
         lambda R: _right(R.T),
         lambda R: -_right(R),
@@ -148,11 +155,22 @@ def other_product(R, of):
     return None if _lock(R) else of(R)
 
 
+def _opposite(angles, R):
+    """Return whether alpha or gamma, or both, are off by pi and lie in the half that arctan knows,
+    and all else is right."""
+    off = np.cos(angles - _right(R))
+    opposite = off < SIX_DIGITS - 1
+    right = off > 1 - SIX_DIGITS
+    on_half = np.abs(angles[opposite]) <= np.pi / 2 + SIX_DIGITS
+    return right[1] and bool((opposite | right).all() and opposite.any() and on_half.all())
+
+
 @EXERCISE.mistake(
     "an angle comes from arctan of a quotient, which does not distinguish opposite angles",
     "arctan returns angles from -pi/2 to pi/2 only. Which function of numpy takes y and x as two "
     "arguments?",
     which=((0,), (2,), (0, 2)),
+    seen=_opposite,
 )
 def arctan(R, which):
     angles = _right(R)
@@ -161,11 +179,17 @@ def arctan(R, which):
     return None if _lock(R) else angles
 
 
+def _off_by_the_cosine(angles, R):
+    """Return whether R is near gimbal lock, and the answer off by no more than that formula is."""
+    cosine = np.hypot(R[0, 0], R[1, 0])
+    return 1e-7 < cosine < 0.1 and _gap(angles, R) < 3 * cosine
+
+
 @EXERCISE.mistake(
     "near gimbal lock the formula for the exact lock is used too soon",
     "The error of that formula is about cos(beta): how small must cos(beta) be for an error of "
     "1e-6?",
-    seen=lambda angles, R: 1e-6 < np.hypot(R[0, 0], R[1, 0]) < 0.1 and 1e-6 < _gap(angles, R) < 0.1,
+    seen=_off_by_the_cosine,
 )
 def lock_too_soon(R):
     return (

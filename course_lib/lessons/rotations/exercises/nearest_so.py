@@ -7,6 +7,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.naming import difference
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import is_rotation, orthogonality_error
@@ -68,7 +69,8 @@ EXERCISE = Exercise(
         ),
         Property(
             "no rotation is nearer to M than R",
-            lambda R, M: np.linalg.norm(M - R) < np.linalg.norm(M - nearest_so(M)) + EXACT,
+            # By the rotations: their distances from M differ only by the square of the error.
+            lambda R, M: difference(R, nearest_so(M)) <= EXACT,
             says=distances,
             mistake=NOT_NEAREST,
         ),

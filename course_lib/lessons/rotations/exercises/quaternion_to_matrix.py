@@ -104,10 +104,17 @@ def factor_missing(q, factors):
     return _combination(q, 1, *factors)
 
 
+def _with_the_digits_of_a_root(R, predicted, q):
+    """Return whether R is what was predicted, to the digits that a root has: few near w = 0."""
+    rounding = 1e-15 / max(abs(q[0]), 1e-8)
+    return difference(R, predicted) <= max(EXACT, rounding)
+
+
 @EXERCISE.mistake(
     "the sign of w is lost",
     "q and -q are the same rotation: (-w, v) and (w, v) are not. Does arcsin, or a root, see the "
     "sign?",
+    alike=_with_the_digits_of_a_root,
 )
 def sign_of_w_lost(q):
     return quaternion_to_matrix(np.array([abs(q[0]), *q[1:]]))

@@ -40,8 +40,9 @@ def damaged_rotations(rng):
 
 def nearly_diagonal(rng, size):
     """Return a matrix (3, 3) that is nearly diagonal, and of which no entry is 0."""
-    signs, sizes = rng.choice([-1, 1], (3, 3)), rng.uniform(0.3, 0.9, (3, 3))
-    return np.diag([1.5, 1.0, 0.7]) + size * signs * sizes
+    sizes = rng.uniform(0.3, 0.9, (3, 3))
+    # Of opposite signs beside the diagonal, so that the nearest rotation is not the identity.
+    return np.diag([1.5, 1.0, 0.7]) + size * (np.triu(sizes) - np.tril(sizes, -1))
 
 
 def polar(M, *signs):

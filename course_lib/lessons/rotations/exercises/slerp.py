@@ -142,9 +142,19 @@ EXERCISE = Exercise(
 )
 
 
+def _on_the_longer_arc(q, q0, q1, t):
+    """Return whether q lies at t on the longer arc.
+
+    Between rotations that are nearly equal that arc is nearly half of a circle, of which formulas
+    lose the direction.
+    """
+    return q0 @ q1 < 0 and same_up_to_sign(q, _along(q0, q1, t))
+
+
 @EXERCISE.mistake(
     "the longer arc is taken",
     "q1 and -q1 are the same rotation: which of them is nearer to q0?",
+    seen=_on_the_longer_arc,
 )
 def longer_arc(q0, q1, t):
     return _along(q0, q1, t)
@@ -165,11 +175,18 @@ def _exactly(q, predicted, *case):
     return any(same(q, sign * predicted, tolerance=1e-11) for sign in (1, -1))
 
 
+def _on_the_chord(q, q0, q1, t):
+    """Return whether q lies at t on the straight line, and may have been divided by its length."""
+    chord = (1 - t) * q0 + t * _shorter(q0, q1)
+    return _exactly(q, chord) or _exactly(q, nearest_quaternion(chord))
+
+
 @EXERCISE.mistake(
     "the straight line is taken at angles where it differs from the arc",
     "From which angle on does your function take it, and how many digits are right there?",
     of=((nearest_quaternion, 0.03), (lambda q: q, 0.03), (lambda q: q, 1e-3)),
     alike=_exactly,
+    seen=_on_the_chord,
 )
 def chord_too_early(q0, q1, t, of):
     size, below = of

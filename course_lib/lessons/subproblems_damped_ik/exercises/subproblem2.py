@@ -55,7 +55,7 @@ def _small(rng, size):
     n = np.cross(k1, k2) / np.linalg.norm(np.cross(k1, k2))
     a, b, c = rng.uniform(0.4, 0.9, 3)
     meet = a * k1 + b * np.cross(n, k1) + c * n
-    return k1, k2, rotated(k1, -size, meet), rotated(k2, 0.8, meet)
+    return k1, k2, rotated(k1, -0.7 * size, meet), rotated(k2, 0.8, meet)
 
 
 def _cases(rng):

@@ -47,7 +47,7 @@ def _cases(rng):
 
 def _small(rng, size):
     """An axis with small entries, and two solutions one of which is small."""
-    return _reachable(rng, 0.8, 0.8 + size, 1, axis=shared.nearly_along(Z, rng, size))
+    return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
 
 
 def _beyond(side):

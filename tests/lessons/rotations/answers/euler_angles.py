@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from course_lib.rotations import rot_z
+
 
 def right_two_branches(R):
     c = np.sqrt(R[0, 0] ** 2 + R[1, 0] ** 2)
@@ -25,3 +27,27 @@ def right_gamma_chosen_in_place_of_alpha(R):
 
 def right_a_full_circle_more(R):
     return right_two_branches(R) + [2 * np.pi, 0, -2 * np.pi]
+
+
+def wrong_yaw_first(R):
+    """the angles are those of another product, or in another order"""
+    beta = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    gamma = np.arctan2(R[1, 0], R[0, 0])
+    rest = rot_z(-gamma) @ R
+    return np.array([gamma, beta, np.arctan2(-rest[1, 2], rest[1, 1])])
+
+
+def wrong_yaw_by_arctan(R):
+    """an angle comes from arctan of a quotient, which does not distinguish opposite angles"""
+    gamma, beta, alpha = wrong_yaw_first(R)
+    return np.array([alpha, beta, np.arctan(np.tan(gamma))])
+
+
+def wrong_lock_within_a_thousandth(R):
+    """near gimbal lock the formula for the exact lock is used too soon"""
+    beta = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    if np.hypot(R[0, 0], R[1, 0]) < 1e-3:
+        return np.array([np.arctan2(-R[1, 2], R[1, 1]), beta, 0.0])
+    return np.array(
+        [np.arctan2(R[2, 1], R[2, 2]), beta, np.arctan2(R[1, 0], R[0, 0])],
+    )

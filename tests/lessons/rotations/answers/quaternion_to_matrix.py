@@ -38,3 +38,20 @@ def wrong_angle_by_arccos(q):
     x, y, z = axis
     N = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(2 * half) * N + (1 - np.cos(2 * half)) * N @ N
+
+
+def wrong_w_as_a_root(q):
+    """the sign of w is lost"""
+    v = np.array(q[1:], float)
+    w = np.sqrt(max(0.0, 1 - v @ v))
+    V = hat(v)
+    return np.eye(3) + 2 * w * V + 2 * V @ V
+
+
+def wrong_arccos_of_w(q):
+    """unnamed"""
+    a, size = 2 * np.arccos(np.clip(q[0], -1, 1)), np.linalg.norm(q[1:])
+    if size == 0:
+        return np.eye(3)
+    N = hat(q[1:] / size)
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N

@@ -31,7 +31,7 @@ def right_by_matrices(q0, q1, t):
 
 
 def wrong_chord_between_near_rotations(q0, q1, t):
-    """unnamed"""
+    """the straight line is taken at angles where it differs from the arc"""
     cosine = q0 @ q1
     if cosine < 0:
         q1, cosine = -q1, -cosine
@@ -39,4 +39,12 @@ def wrong_chord_between_near_rotations(q0, q1, t):
         chord = (1 - t) * q0 + t * q1
         return chord / np.linalg.norm(chord)
     a = np.arccos(cosine)
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
+
+
+def wrong_longer_arc_with_q0_for_opposite_ones(q0, q1, t):
+    """the longer arc is taken"""
+    a = np.arccos(np.clip(q0 @ q1, -1, 1))
+    if np.sin(a) < 1e-9:
+        return q0
     return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
