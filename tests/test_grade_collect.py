@@ -68,11 +68,18 @@ STEMS = {
     "anna_01_rotations-Copy1": ("anna", "01_rotations"),
     "anna_01_rotations - Copy (3)": ("anna", "01_rotations"),
     "anna_01_rotations-2": ("anna", "01_rotations"),
+    "anna_01_rotations (copy 1)": ("anna", "01_rotations"),
+    "anna_01_rotations ": ("anna", "01_rotations"),
+    "anna_01_rotations (Anna's conflicted copy 2026-11-28)": ("anna", "01_rotations"),
+    "anna_01_rotations.sync-conflict-20261128-101112-ABC2DEF": ("anna", "01_rotations"),
+    "anna_01_rotations-DESKTOP-AB12CD3": ("anna", "01_rotations"),
+    "anna_01_rotations-LAPTOP-9KQ2-2": ("anna", "01_rotations"),
     "01_rotations": ("", "01_rotations"),
     "anna_02_01_rotations": ("anna_02", "01_rotations"),
     "anna_homework": ("", ""),
     "anna_counterrotations": ("", ""),
     "rotations" + " copy_-_" * 30 + "!": ("", ""),  # made to slow down the search
+    "rotations" + " (conflicted copy" * 30 + " desktop-" * 30 + "!": ("", ""),
 }
 
 
@@ -371,6 +378,49 @@ def test_a_file_that_is_not_a_notebook_has_its_reason(tmp_path):
     assert (students["anna_01_rotations.py"], students["roster.csv"]) == ("anna", "")
 
 
+@pytest.mark.parametrize("added", [".json", ".txt", ".ipynb", ".ipynb.TXT"])
+def test_what_a_download_adds_to_a_name_hides_no_notebook(tmp_path, added):
+    write(tmp_path, f"anna_01_rotations.ipynb{added}", f"bob/02_rigid_motion.ipynb{added}")
+    zipped(tmp_path / "carl.zip", {f"01_rotations.ipynb{added}": "x"})
+    assert sorted(found(tmp_path)) == [
+        ("anna", "01_rotations"),
+        ("bob", "02_rigid_motion"),
+        ("carl", "01_rotations"),
+    ]
+    assert refused(tmp_path) == {}
+
+
+@pytest.mark.parametrize(
+    ("platform", "name"),
+    [
+        ("canvas", "doejane_1234_5678_01_rotations.ipynb.json"),
+        ("moodle", "Jane Doe_42_assignsubmission_file_01_rotations.ipynb.txt"),
+        ("brightspace", "1-2 - Jane Doe - Nov 30, 2026 1159 PM - 01_rotations.ipynb.json"),
+    ],
+)
+def test_what_a_download_adds_is_no_part_of_a_name_in_an_export(tmp_path, platform, name):
+    write(tmp_path, name)
+    assert [each.notebook for each in find(tmp_path, NOTEBOOKS, platform)] == ["01_rotations"]
+    assert refused(tmp_path) == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        (".01_rotations.ipynb.icloud", "a placeholder of iCloud"),
+        ("01_rotations.ipynb.lnk", "a shortcut"),
+        ("01_rotations.7z", "an archive of a kind that is not read"),
+        ("01_rotations.ipynb.crdownload", "not complete"),
+    ],
+)
+def test_a_file_that_only_stands_for_a_notebook_is_named_as_what_it_is(tmp_path, name, why):
+    write(tmp_path, f"anna_{name}", f"bob/{name}")
+    reasons = refused(tmp_path)
+    assert why in reasons[f"anna_{name}"]
+    assert why in reasons["bob"]
+    assert not any(each.remark for each in find(tmp_path, NOTEBOOKS))
+
+
 def test_files_that_are_too_large_are_refused(tmp_path, monkeypatch):
     def its(name):
         return read(Submission("anna", "01_rotations", name, tmp_path / name))
@@ -414,6 +464,21 @@ def test_notebooks_in_a_zip_are_read_where_they_are(tmp_path):
         ("cy", "01_rotations"): b"three",
     }
     assert not list(tmp_path.rglob("*.ipynb"))
+
+
+def test_a_zip_with_the_backslashes_of_windows_is_read_as_folders(tmp_path):
+    files = {
+        "hw\\01_rotations.ipynb": "one",
+        "hw\\.ipynb_checkpoints\\01_rotations-checkpoint.ipynb": "x",
+        "__MACOSX\\hw\\._01_rotations.ipynb": "x",
+    }
+    zipped(tmp_path / "anna.zip", files)
+    zipped(tmp_path / "bo/all.zip", files)
+    each = {(s.student, s.notebook, s.place): read(s) for s in find(tmp_path, NOTEBOOKS)}
+    assert each == {
+        ("anna", "01_rotations", "anna.zip/hw/01_rotations.ipynb"): b"one",
+        ("bo", "01_rotations", "bo/all.zip/hw/01_rotations.ipynb"): b"one",
+    }
 
 
 def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monkeypatch):

@@ -7,6 +7,7 @@ is refused with a question, which the instructor answers before anything is grad
 """
 
 import collections
+import itertools
 import os
 import stat
 from collections.abc import Sequence
@@ -16,14 +17,17 @@ from pathlib import Path
 from course_lib.pack.grade import zips
 from course_lib.pack.grade.csv_text import listing, printable
 from course_lib.pack.grade.holders import EACH_ENTRY, Holder, holders_in
-from course_lib.pack.grade.names import split, unknown_ending
+from course_lib.pack.grade.names import kind_of_file, split, unknown_ending
 from course_lib.pack.grade.owners import owners
 from course_lib.pack.grade.platforms import HandIn, Platform, fitting, named, platforms
 from course_lib.pack.grade.platforms.base import (
+    ADDED,
     READ,
+    ending_of,
     is_clutter,
     is_folder,
     plain_name,
+    stem_of,
 )
 from course_lib.pack.grade.zips import Refused
 
@@ -203,7 +207,8 @@ def _flat(
     whole: Submission, holder: Holder, notebooks: Sequence[str], students: str
 ) -> list[Submission]:
     """Return the Submissions of a file whose name contains the student's."""
-    path, stem, ending = holder.path, printable(holder.path.stem), holder.path.suffix.lower()
+    path = holder.path
+    stem, ending = printable(stem_of(path.name)), ending_of(path.name)
     student, notebook = split(stem, notebooks)
     remark = ""
     if holder.hand_ins:
@@ -211,7 +216,7 @@ def _flat(
         student = hand_in.student
         notebook = split(hand_in.rest, notebooks)[1] or hand_in.rest
         whole = replace(_of_student(whole, hand_in), in_folder=False)
-    elif not notebook:
+    elif not notebook and ending in READ:
         remark = unknown_ending(stem, notebooks)
     refused = ""
     if path.is_symlink():
@@ -219,7 +224,8 @@ def _flat(
         if not ending and not notebook:  # in place of a student's folder
             student = printable(path.name)
     elif ending not in READ:
-        refused = "It is not a notebook: its name does not end in .ipynb."
+        kind = kind_of_file(path.name) or "not a notebook: its name does not end in .ipynb"
+        refused = f"It is {kind}."
     elif notebook and not student:
         refused = (
             "Its name does not say whose it is: <student>_<notebook>.ipynb, or a folder for each "
@@ -258,7 +264,7 @@ def _in_folder(
     for path in files[:MAX_LISTED]:
         place = f"{whole.place}/{printable(path.relative_to(top))}"
         submission = replace(whole, place=place, path=path)
-        ending, stem = path.suffix.lower(), printable(path.stem)
+        ending, stem = ending_of(path.name), printable(stem_of(path.name))
         if ending == ".zip" and not path.is_symlink():
             submissions += _in_zip(submission, notebooks, students)
         else:
@@ -266,11 +272,21 @@ def _in_folder(
             refused = LINK if path.is_symlink() else ""
             submissions.append(replace(submission, notebook=notebook, refused=refused))
     if not submissions and not problems:
-        holds = f"it holds {', '.join(sorted(others)[:5])}" if others else "it is empty"
-        problems.append(f"There is not a notebook in the folder: {holds}.")
+        problems.append(f"There is not a notebook in the folder: {_holds(others)}.")
     if problems:
         submissions.append(replace(whole, refused=" ".join(problems)))
     return submissions
+
+
+def _holds(others: Sequence[str]) -> str:
+    """Return a clause on the files of a folder without a notebook, with what the first few are."""
+    if not others:
+        return "it is empty"
+    files = []
+    for name in sorted(others)[:5]:
+        kind = kind_of_file(name)
+        files.append(f"{name} ({kind})" if kind else name)
+    return f"it holds {', '.join(files)}"
 
 
 def _question(
@@ -304,7 +320,7 @@ def is_of_a_class(names: Sequence[str], platform: str) -> bool:
 
     platform: the name of the one that exported; "" if it is to be guessed.
     """
-    paths = [name.removesuffix(".ipynb").split("/") for name in names]
+    paths = [ADDED.sub("", name).removesuffix(".ipynb").split("/") for name in names]
     candidates = [
         known_platform for known_platform in platforms().values() if not known_platform.vague
     ]
@@ -328,13 +344,14 @@ def is_of_a_class(names: Sequence[str], platform: str) -> bool:
 def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[Submission]:
     """Return the Submissions in a zip that a student handed in; `whole` is the zip's own."""
     try:
-        names = [
+        members = [
             name
             for name in zips.notebooks_in(whole.path)
-            if not any(map(is_clutter, name.split("/")))
+            if not any(map(is_clutter, zips.path_of(name).split("/")))
         ]
     except Refused as reason:
         return [replace(whole, refused=str(reason))]
+    names = [zips.path_of(member) for member in members]
     if not students:
         unpack = CLASS.replace("put its files directly", "unpack it")
         if not whole.in_folder and is_of_a_class(names, ""):
@@ -345,12 +362,12 @@ def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[
     if not names:
         return [replace(whole, refused="There is not a notebook in the zip.")]
     submissions = []
-    for name in names[:MAX_LISTED]:
-        stem = printable(name.rpartition("/")[2]).removesuffix(".ipynb")
+    for member, name in itertools.islice(zip(members, names, strict=True), MAX_LISTED):
+        stem = printable(stem_of(name))
         of_zip = whole.notebook if whole.notebook in notebooks else stem
         notebook = split(stem, notebooks)[1] or of_zip
         place = f"{whole.place}/{printable(name)}"
-        submissions.append(replace(whole, notebook=notebook, place=place, member=name))
+        submissions.append(replace(whole, notebook=notebook, place=place, member=member))
     if len(names) > MAX_LISTED:
         reason = f"It holds {len(names)} notebooks: only {MAX_LISTED} were looked at."
         submissions.append(replace(whole, refused=reason))
@@ -382,7 +399,7 @@ def _walk(top: Path) -> tuple[list[Path], list[str], list[str]]:
         seen += len(folders) + len(names)
         folders[:] = [name for name in folders if not is_clutter(name)]
         names = [name for name in names if not is_clutter(name)]
-        wanted = [name for name in names if name.lower().endswith(READ)]
+        wanted = [name for name in names if ending_of(name) in READ]
         links = [name for name in folders if os.path.islink(os.path.join(place, name))]
         files += [Path(place, name) for name in wanted + links]
         others += [printable(name) for name in names if name not in wanted]

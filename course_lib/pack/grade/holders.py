@@ -11,6 +11,7 @@ from course_lib.pack.grade.csv_text import printable
 from course_lib.pack.grade.platforms import HandIn, Platform, platforms
 from course_lib.pack.grade.platforms.base import (
     READ,
+    ending_of,
     entries,
     entries_inside,
     is_folder,
@@ -68,7 +69,7 @@ def _beside(top: Path, holders: Iterable[Path]) -> list[Path]:
             continue
         if path in above:
             outside += _beside(path, holders)
-        elif is_folder(path) or path.suffix.lower() in READ:
+        elif is_folder(path) or ending_of(path.name) in READ:
             outside.append(path)
     return outside
 

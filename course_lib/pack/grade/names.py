@@ -6,6 +6,7 @@ import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
+from pathlib import PurePath
 
 # What programs and people write behind the name of a notebook that they save again. The possessive
 # ++ keep a name that was made to slow down the search from doing so.
@@ -14,7 +15,16 @@ AGAIN = (
     r"|checkpoint|nbconvert|backup|updated?|corrected|edited|latest|finished|completed?|revised"
     r"|resubmi(?:t|tted|ssion)|submi(?:t|tted|ssion)|late|solutions?|answers?"
 )
-COPY = rf"(?:(?:[\s_-]*+\(\d++\)|[\s_.-]++(?:{AGAIN}))(?![^\W_])){{0,4}}"
+# What synchronizing programs write: Dropbox and Nextcloud, Syncthing, and OneDrive, which writes
+# the name that Windows gave to the computer.
+SYNCHRONIZED = (
+    r"[\s_.-]++(?:\([^()]*conflicted copy[^()]*\)|sync-conflict-[\d-]+\w*"
+    r"|(?:desktop|laptop)-\w++(?:-\d++)?)"
+)
+COPY = (
+    rf"(?:(?:[\s_-]*+\((?:\d++|copy ?\d*+)\)|{SYNCHRONIZED}|[\s_.-]++(?:{AGAIN}))(?![^\W_]))"
+    r"{0,4}\s*"
+)
 COPY_OF = re.compile(r"(?:copy of\s+)+|(?:[\s_-]*\bcopy of)+\s*$", re.IGNORECASE)
 
 
@@ -59,6 +69,23 @@ def unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
                     f"{match[2]}_{name}.ipynb."
                 )
     return ""
+
+
+# Endings of files that students hand in for a notebook, and what such a file is.
+SHORTCUT = "a shortcut to a file, and not the file itself"
+ARCHIVE = "an archive of a kind that is not read: what is read is a notebook, or a zip"
+UNFINISHED = "a file of which the download is not complete"
+KINDS = {
+    ".icloud": "a placeholder of iCloud: the file itself was not downloaded to the computer",
+    **dict.fromkeys((".lnk", ".url", ".webloc", ".gdoc", ".desktop"), SHORTCUT),
+    **dict.fromkeys((".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"), ARCHIVE),
+    **dict.fromkeys((".crdownload", ".download", ".part", ".partial", ".tmp"), UNFINISHED),
+}
+
+
+def kind_of_file(name: str) -> str:
+    """Return what a file is that is no notebook, as the end of a sentence; "" if not known."""
+    return KINDS.get(PurePath(name).suffix.lower(), "")
 
 
 def file_names(names: Iterable[str]) -> dict[str, str]:

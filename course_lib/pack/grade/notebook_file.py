@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import nbformat
 
+from course_lib.pack.grade.not_a_notebook import what_it_is
 from course_lib.pack.grade.student_view import PACKAGE
 from course_lib.pack.more import cells_of_more
 from course_lib.pack.release import PROMPT
@@ -90,7 +91,7 @@ def read(content: bytes) -> tuple[list[Cell], str]:
 
     Raises Unreadable.
     """
-    if not content.strip():
+    if not content.strip(b"\xef\xbb\xbf \t\r\n"):  # a mark of UTF-8 alone is nothing either
         raise Unreadable("The file is empty. Save it in JupyterLab and hand it in again.")
     if sum(map(content.count, (b"{", b"[", b","))) > MAX_PARTS:
         raise Unreadable(
@@ -99,11 +100,8 @@ def read(content: bytes) -> tuple[list[Cell], str]:
     try:
         # No number in a notebook is needed. Kept as text, even a very long one can be read.
         book = json.loads(content, parse_int=str, parse_float=str)
-    except (ValueError, RecursionError, MemoryError):
-        raise Unreadable(
-            "It is not a notebook: it is not JSON, or not all of it. Save it in JupyterLab and "
-            "hand it in again."
-        ) from None
+    except (ValueError, RecursionError, MemoryError) as problem:
+        raise Unreadable(what_it_is(content, problem)) from None
     listed = _within(book, "cells")
     if not isinstance(listed, list):
         if isinstance(_within(book, "worksheets"), list):

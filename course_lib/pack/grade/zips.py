@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
+from course_lib.pack.grade.platforms.base import ending_of
 
 MAX_BYTES = 100_000_000  # of the zip
 MAX_ENTRIES = 5_000
@@ -37,7 +38,15 @@ def notebooks_in(path: Path) -> list[str]:
         raise Refused(f"The zip cannot be opened: {problem}.") from problem
     if len(names) > MAX_ENTRIES:
         raise Refused(f"The zip holds more than {MAX_ENTRIES} files.")
-    return sorted({name for name in names if name.lower().endswith(".ipynb")})
+    return sorted({name for name in names if ending_of(name) == ".ipynb"})
+
+
+def path_of(name: str) -> str:
+    """Return the path that a name in a zip stands for.
+
+    Some programs of Windows write it with backslashes, such as PowerShell before version 6.
+    """
+    return name.replace("\\", "/")
 
 
 def _names(path: str) -> list[str]:

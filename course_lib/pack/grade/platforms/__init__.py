@@ -10,7 +10,14 @@ import pkgutil
 from pathlib import Path
 
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.platforms.base import READ, HandIn, Platform, entries, is_folder
+from course_lib.pack.grade.platforms.base import (
+    READ,
+    HandIn,
+    Platform,
+    ending_of,
+    entries,
+    is_folder,
+)
 
 __all__ = ["OWN_NAMES", "HandIn", "Platform", "fitting", "mostly_fitting", "named", "platforms"]
 
@@ -63,7 +70,7 @@ def fitting(folder: Path) -> list[Platform]:
 def mostly_fitting(folder: Path) -> dict[Platform, tuple[int, int]]:
     """Return {platform: (how many files and folders fit, of how many)} of those that most of a
     folder fits."""
-    holders = {path for path in entries(folder) if is_folder(path) or path.suffix.lower() in READ}
+    holders = {path for path in entries(folder) if is_folder(path) or ending_of(path.name) in READ}
     shares = {}
     for platform in platforms().values():
         if platform.asks and not platform.vague:

@@ -9,13 +9,16 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from pathlib import Path
+from pathlib import Path, PurePath
 
 from course_lib.pack.grade.csv_text import printable, table_text
 
 # What a column of a roster or a gradebook may hold. The first four identify a student.
 FIELDS = ("id", "number", "login", "address", "full", "first", "last", "section")
 READ = (".ipynb", ".zip")  # the files that can hold a notebook
+# What is added to the name of a notebook that is downloaded: .json by Safari, .txt by Windows, and
+# .ipynb by a person to whom the ending is not shown.
+ADDED = re.compile(r"(?<=\.ipynb)(?:\.ipynb|\.json|\.txt)++$", re.IGNORECASE)
 # What JupyterLab, git and operating systems leave behind: not a student's work.
 CLUTTER = {
     ".ds_store",
@@ -131,7 +134,7 @@ class Platform:
         holders = [
             path
             for path in entries(folder)
-            if (is_folder(path) or path.suffix.lower() in READ) and not self.ignores(path)
+            if (is_folder(path) or ending_of(path.name) in READ) and not self.ignores(path)
         ]
         return bool(holders) and set(holders) <= self.hand_ins(folder).keys()
 
@@ -222,7 +225,17 @@ def is_folder(path: Path) -> bool:
 
 def plain_name(path: Path) -> str:
     """Return the name of a folder, or that of a file without its ending, as printable text."""
-    return printable(path.name if is_folder(path) else path.stem)
+    return printable(path.name if is_folder(path) else stem_of(path.name))
+
+
+def stem_of(name: str) -> str:
+    """Return the name of a file without its ending, and without what was added to that."""
+    return PurePath(ADDED.sub("", name)).stem
+
+
+def ending_of(name: str) -> str:
+    """Return the ending of a file's name in small letters: .ipynb also for a.ipynb.json."""
+    return PurePath(ADDED.sub("", name)).suffix.lower()
 
 
 def seconds(text: str, *forms: str) -> float | None:

@@ -5,7 +5,14 @@ import re
 from pathlib import Path
 
 from course_lib.pack.grade.csv_text import printable
-from course_lib.pack.grade.platforms.base import READ, HandIn, Platform, is_clutter
+from course_lib.pack.grade.platforms.base import (
+    READ,
+    HandIn,
+    Platform,
+    ending_of,
+    is_clutter,
+    stem_of,
+)
 
 # Classroom gives every student a copy of the assignment's file, called <full name> - <file>, in the
 # folder Classroom/<class>/<assignment> of the teacher's Drive (support.google.com/edu/classroom,
@@ -37,7 +44,7 @@ class GoogleClassroom(Platform):
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
         exported = {}
         for path in notebooks_below(folder):
-            hand_in = self.read_name(printable(path.stem))
+            hand_in = self.read_name(printable(stem_of(path.name)))
             exported[path] = [hand_in] if hand_in else []
         return exported
 
@@ -59,8 +66,6 @@ def notebooks_below(folder: Path) -> list[Path]:
         depth = len(Path(place).relative_to(folder).parts)
         folders[:] = [name for name in folders if not is_clutter(name) and depth < MAX_DEPTH]
         notebooks += [
-            Path(place, name)
-            for name in names
-            if name.lower().endswith(READ) and not is_clutter(name)
+            Path(place, name) for name in names if ending_of(name) in READ and not is_clutter(name)
         ]
     return sorted(notebooks)
