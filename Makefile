@@ -14,6 +14,11 @@ unexport PYTHONPATH PYTHONHOME
 # packages again.
 unexport PYTHONDONTWRITEBYTECODE
 
+# Some containers give their user no home folder, or one in which nothing can be written, which Jupyter needs.
+ifneq ($(shell [ -w "$$HOME" ] && echo yes),yes)
+export HOME := $(CURDIR)/build/home
+endif
+
 # Settings of the person who runs make (IPython start-up files, a matplotlibrc) change outputs:
 # where outputs are compared or written, they are left out.
 WITHOUT_SETTINGS := test html pdf grade notebooks animations data bench

@@ -1,6 +1,7 @@
 """The set-up of .venv where something is wrong: a stand-in plays Python and uv, because the real
 ones download."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
+MAKEFILES = ["Makefile", "course_lib/pack/release/students/Makefile"]
 TOOLS = [
     "cat",
     "cmp",
@@ -121,3 +123,26 @@ def test_a_lock_that_fails_leaves_the_old_one(make):
     assert (
         make.course / "environment.txt"
     ).read_text() == "# the lock\nscipy==1.17.1\nuv==0.13.9\n"
+
+
+# ---- the home folder ----
+
+
+@pytest.mark.parametrize("makefile", MAKEFILES)
+@pytest.mark.parametrize("home", ["/nonexistent/home", ""])
+def test_without_a_home_folder_what_is_kept_there_goes_to_build(tmp_path, makefile, home):
+    assert home_seen_by(makefile, tmp_path, home) == str(tmp_path / "build/home")
+
+
+@pytest.mark.parametrize("makefile", MAKEFILES)
+def test_a_home_folder_stays(tmp_path, makefile):
+    assert home_seen_by(makefile, tmp_path, str(tmp_path)) == str(tmp_path)
+
+
+def home_seen_by(makefile, folder, home):
+    """Return the HOME of the commands that make runs."""
+    (folder / "more.mk").write_text("home:\n\t@echo $$HOME\n")
+    command = ["make", "-s", "-f", str(ROOT / makefile), "-f", "more.mk", "home"]
+    environment = os.environ | {"HOME": home}
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+    return done.stdout.strip()

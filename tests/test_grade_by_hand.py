@@ -164,6 +164,20 @@ def test_settings_are_those_that_were_typed():
     assert settings(chosen) == {"SUBMISSIONS": "in", "LATE": "10%", "SEED": "0"}
 
 
+def test_a_tilde_that_the_shell_leaves_is_the_home_folder(monkeypatch):
+    monkeypatch.setenv("HOME", "/home/jo")
+    typed = ["~/in", "--output", "~/out", "--times", "~/t.csv", "--extensions", "~/e.csv"]
+    chosen = parser().parse_args([*typed, "--roster", "~/r.csv", "--earlier", "~/2025"])
+    assert settings(chosen) == {
+        "SUBMISSIONS": "/home/jo/in",
+        "OUTPUT": "/home/jo/out",
+        "TIMES": "/home/jo/t.csv",
+        "EXTENSIONS": "/home/jo/e.csv",
+        "ROSTER": "/home/jo/r.csv",
+        "EARLIER": "/home/jo/2025",
+    }
+
+
 # ---- an answer in a cell that is not of code ----
 
 

@@ -47,6 +47,22 @@ def test_the_top_level_holds_seven_names_and_hidden_settings():
     assert {name for name in names if not name.startswith(".")} == TOP_LEVEL
 
 
+@pytest.mark.tools("git")
+def test_git_for_windows_leaves_the_ends_of_lines_as_sh_reads_them(tmp_path):
+    course = tmp_path / "course"
+    course.mkdir()
+    names = (".gitattributes", "Makefile", "course_lib/pack/environment.sh")
+    for name in names:
+        (course / name).parent.mkdir(parents=True, exist_ok=True)
+        (course / name).write_bytes((ROOT / name).read_bytes())
+    about = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for command in (["init", "-q"], ["add", "."], [*about, "commit", "-q", "-m", "one"]):
+        subprocess.run(["git", *command], cwd=course, check=True)
+    clone = ["git", "-c", "core.autocrlf=true", "clone", "-q", str(course), "clone"]
+    subprocess.run(clone, cwd=tmp_path, check=True)
+    assert not any(b"\r" in (tmp_path / "clone" / name).read_bytes() for name in names)
+
+
 def test_the_folders_that_the_readme_lists_are_there():
     table = README.partition("| folder |")[2].partition("\n\n")[0]
     folders = re.findall(r"^\| `([\w/]+/)(?:\*\.py)?`", table, re.MULTILINE)

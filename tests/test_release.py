@@ -157,6 +157,9 @@ def test_the_files_carry_the_date_of_the_last_commit(tmp_path, monkeypatch):
             ["git", *command.split()], cwd=tmp_path, env={**os.environ, **when}, check=True
         )
     assert release_date(tmp_path) == (2026, 11, 20, 8, 0, 0)
+    with monkeypatch.context() as patch:  # a folder of another user, as in a container
+        patch.setenv("GIT_TEST_ASSUME_DIFFERENT_OWNER", "1")
+        assert release_date(tmp_path) == (2026, 11, 20, 8, 0, 0)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     assert release_date(tmp_path) == (1980, 1, 1, 0, 0, 0)
 

@@ -453,6 +453,13 @@ def test_the_folder_of_notebooks_may_be_named_itself(release):
     assert "1 answer was carried over" in run(new, old / "notebooks").stdout
 
 
+def test_a_folder_below_home_may_be_named_by_a_tilde(release, monkeypatch):
+    old, new = release
+    written(old / "notebooks", NAME, book_with(wrap_angle=CODE))
+    monkeypatch.setenv("HOME", str(old.parent))
+    assert "1 answer was carried over" in run(new, f"~/{old.name}").stdout
+
+
 def test_a_folder_that_is_no_release_is_asked_for(release):
     old, new = release
     (old.parent / "robot-kinematics-1.1.0-1" / "notebooks").mkdir(parents=True)
@@ -558,6 +565,16 @@ def test_a_renamed_notebook_is_carried_over_by_what_it_holds(tmp_path):
     report = [*carry_folder(tmp_path / "old", tmp_path / "new").lines()]
     assert report[0] == f"{NAME}: 15 answers were carried over."
     assert "This is from my homework 2.ipynb, which holds the same notebook." in report[1]
+    assert [path.name for path in new.parent.iterdir()] == [NAME]
+
+
+@pytest.mark.parametrize("added", [".json", ".txt", ".ipynb"])
+def test_a_notebook_with_an_ending_that_a_download_added_is_carried_over(tmp_path, added):
+    written(tmp_path / "old", NAME + added, answered(NAME)[0])
+    new = written(tmp_path / "new", NAME, RELEASED[NAME])
+    report = [*carry_folder(tmp_path / "old", tmp_path / "new").lines()]
+    assert report[0] == f"{NAME}: 15 answers were carried over."
+    assert f"This is from {NAME}{added}, which holds the same notebook." in report[1]
     assert [path.name for path in new.parent.iterdir()] == [NAME]
 
 

@@ -1,6 +1,7 @@
 """The options of ``python -m course_lib.pack.grade``, which are the settings of ``make grade``."""
 
 import argparse
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -52,6 +53,7 @@ def parser() -> argparse.ArgumentParser:
 def _add_what(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "submissions",
+        type=_place,
         metavar="SUBMISSIONS",
         nargs="?",
         default="",
@@ -112,6 +114,7 @@ def _add_when(group: argparse._ArgumentGroup) -> None:
     )
     group.add_argument(
         "--times",
+        type=_place,
         default="",
         metavar="SOURCE",
         help=(
@@ -122,6 +125,7 @@ def _add_when(group: argparse._ArgumentGroup) -> None:
     )
     group.add_argument(
         "--extensions",
+        type=_place,
         default="",
         metavar="TABLE",
         help="a table of other deadlines, with the columns student, notebook and deadline",
@@ -160,6 +164,7 @@ def _add_how(group: argparse._ArgumentGroup) -> None:
     )
     group.add_argument(
         "--earlier",
+        type=_place,
         default="",
         metavar="FOLDER",
         help="submissions of an earlier year, or a folder of years, with which alike.html compares",
@@ -180,13 +185,14 @@ def _add_how(group: argparse._ArgumentGroup) -> None:
 def _add_where(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "--output",
-        type=Path,
+        type=lambda typed: Path(_place(typed)),
         default=Path("build/grades"),
         metavar="FOLDER",
         help="the folder to write; build/grades without it",
     )
     group.add_argument(
         "--roster",
+        type=_place,
         default="",
         metavar="TABLE",
         help=(
@@ -218,6 +224,14 @@ def _platform(setting: str) -> Callable[[str], str]:
         return typed
 
     return read
+
+
+def _place(typed: str) -> str:
+    """Return a path that was typed; ~ is the home folder, also where the shell leaves it as it is.
+
+    zsh, the shell of macOS, does so in make grade SUBMISSIONS=~/folder.
+    """
+    return os.path.expanduser(typed)
 
 
 def _isolation(typed: str) -> str:

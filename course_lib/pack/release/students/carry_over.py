@@ -44,6 +44,8 @@ PLURALS = {
 
 _PREDICTION = re.compile(r"^\s*check\.(\w+)\.predict\(", re.MULTILINE)
 _MERGE = re.compile(rb"^(<{7}|={7}|>{7})( |\r?$)", re.MULTILINE)
+# The name of a notebook, with what a download adds: .json by Safari, .txt by Windows.
+_NOTEBOOK = re.compile(r"[^.].*\.ipynb(\.ipynb|\.json|\.txt)*", re.IGNORECASE | re.DOTALL)
 _CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # what nbformat 4.5 allows
 
 
@@ -55,7 +57,9 @@ def main(arguments: Sequence[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # a terminal of Windows may not have every character
     newer = HERE / "notebooks"
-    older = _notebooks_folder(Path(arguments[0])) if len(arguments) == 1 else None
+    # zsh, the shell of macOS, leaves the ~ of FROM=~/folder as it is.
+    folder = Path(os.path.expanduser(arguments[0])) if len(arguments) == 1 else None
+    older = _notebooks_folder(folder) if folder else None
     if older is None:
         print(_which_folder(), file=sys.stderr)
         return 1
@@ -259,8 +263,8 @@ def _copies(older: Path, newer: Path, new_names: Sequence[str]) -> dict[str, str
     Most of the cells of such a file belong to that notebook.
     """
     copies = {}
-    for path in sorted(older.glob("*.ipynb")):
-        if path.name in new_names or path.name.startswith("."):
+    for path in sorted(older.iterdir()):
+        if path.name in new_names or not _NOTEBOOK.fullmatch(path.name):
             continue
         try:
             book = read_notebook(path)
