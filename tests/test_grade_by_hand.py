@@ -53,6 +53,18 @@ def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
     both(said, page, "02_rigid_motion: 1")
 
 
+@pytest.mark.parametrize(
+    "picture", ["![image.png](attachment:image.png)", '<IMG src="sketch.png">', "![](sketch.png)"]
+)
+def test_a_written_answer_with_a_picture_is_to_be_looked_at_in_the_notebook(
+    tmp_path, capsys, picture
+):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2], texts=["because", picture])
+    said, page = run(tmp_path, capsys)
+    both(said, page, "These written answers hold pictures, which questions.csv cannot show.")
+    both(said, page, "ana_01_rotations.ipynb: explain_1")
+
+
 def test_late_ones_without_a_time_are_named_with_the_table_to_write(tmp_path, capsys):
     hand_in(tmp_path / "in", "doejane_LATE_1234_5_01_rotations.ipynb", points=[2])
     hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])

@@ -319,6 +319,20 @@ def test_words_for_graders_in_another_cell_are_named(words):
     assert "Move that to an answer cell" in sentence
 
 
+def test_a_picture_that_the_author_pasted_into_an_answer_stays_with_the_author():
+    name = "01_rotations.ipynb"
+    book = nbformat.read(ROOT / "notebooks" / name, as_version=4)
+    cells = [cell for cell in book.cells if cell.cell_type == "markdown"]
+    answers = [cell for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")]
+    for cell in cells:
+        picture = "c2VjcmV0" if cell in answers else "cHVibGlj"
+        cell.attachments = {"image.png": {"image/png": picture}}
+    copy = students_copy(nbformat.writes(book), name, "1")
+    assert answers
+    assert "c2VjcmV0" not in copy
+    assert copy.count("cHVibGlj") == len(cells) - len(answers)
+
+
 def test_a_file_that_is_not_a_notebook_is_named_and_no_zip_is_written(tmp_path, capsys):
     folder = tmp_path / "notebooks"
     folder.mkdir()

@@ -83,6 +83,7 @@ def remaining(graded_class: GradedClass) -> list[Entry]:
         *_cells(graded_class),
         *_releases(graded_class),
         *_times(graded_class),
+        *_pictures(graded_class),
         *_marks(graded_class),
         *_gradebook(graded_class),
     ]
@@ -165,6 +166,22 @@ def _cells(graded_class: GradedClass) -> Iterable[Entry]:
             "If you accept them, set the cells to Code in JupyterLab.",
             tuple(lost),
             graded_class.command(),
+        )
+
+
+def _pictures(graded_class: GradedClass) -> Iterable[Entry]:
+    """Yield what to do about written answers that refer to a picture, pasted or in a file."""
+    shown = [
+        f"{file.submission.place}: {answer.question}"
+        for file in graded_class.everything
+        for answer in file.answers
+        if answer.points is None and ("![" in answer.text or "<img" in answer.text.lower())
+    ]
+    if shown:
+        yield Entry(
+            "These written answers hold pictures, which questions.csv cannot show. Look at them in "
+            "the notebooks before you type the marks.",
+            tuple(shown),
         )
 
 

@@ -147,6 +147,8 @@ def take_answer(cell: NotebookNode, place: str) -> None:
             cell.source = stub(cell.source, nbgrader.get("grade_id", ""), place)
         else:
             cell.source = PROMPT
+        # A picture that the author pasted into the answer is stored beside its text.
+        cell.pop("attachments", None)
     for words in FOR_GRADERS:
         if words in cell.source:
             raise ReleaseError(
