@@ -1,10 +1,12 @@
 """The site as readers see it: in a browser, from a folder, without a network."""
 
+import base64
 import re
 import runpy
 import subprocess
 import sys
 
+import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from playwright.sync_api import expect
@@ -31,6 +33,7 @@ from sphinx_builds import build
 from course_lib.figures.stills import TOY
 from course_lib.pack.site import SiteError
 from course_lib.pack.site import build as builder
+from course_lib.pack.site.prepare import prepare
 
 CHOICE = "<details><summary>a</summary>Prediction</details>"
 CAPTION = "Both circles turn the same way."
@@ -255,6 +258,32 @@ def test_defects_that_readers_would_see_stop_the_build(tmp_path):
         ), message
     assert not (tmp_path / "html").exists()
     assert [file.name for file in tmp_path.iterdir()] == ["notebooks"]
+
+
+def with_picture(folder, text, name):
+    picture = {name: {"image/png": png()}}
+    write(folder, "01_arm.ipynb", new_markdown_cell(text, attachments=picture))
+    return folder / "01_arm.ipynb"
+
+
+@pytest.mark.parametrize(
+    ("name", "reference"), [("image.png", "image.png"), ("my arm.png", "my%20arm.png")]
+)
+def test_a_picture_that_was_pasted_into_a_text_is_shown(tmp_path, name, reference):
+    text = f"# The arm\n\n![An arm at rest](attachment:{reference}) and words."
+    book = with_picture(tmp_path / "notebooks", text, name)
+    prepare(book, tmp_path)
+    (source,) = [each.source for each in nbformat.read(tmp_path / book.name, 4).cells]
+    path = re.search(r"!\[An arm at rest\]\((\S+)\) and words", source)[1]
+    assert (tmp_path / path).read_bytes() == base64.b64decode(png())
+
+
+@pytest.mark.parametrize("alt", ["", "image.png", "0957d379-efea.png"])
+def test_a_pasted_picture_without_alternative_text_is_refused(tmp_path, alt):
+    text = f"# The arm\n\n![{alt}](attachment:image.png)"
+    book = with_picture(tmp_path / "notebooks", text, "image.png")
+    with pytest.raises(SiteError, match="cell 1 shows a picture without alternative text"):
+        prepare(book, tmp_path)
 
 
 ERROR = new_output("error", ename="ValueError", evalue="R is not square", traceback=[])

@@ -12,6 +12,7 @@ import re
 import textwrap
 from itertools import pairwise
 from pathlib import Path
+from urllib.parse import quote
 
 import nbformat
 from PIL import Image
@@ -74,6 +75,8 @@ def prepare(notebook: Path, folder: Path, solutions: bool = True, model: bool = 
             fold(cell)
         else:
             leave_out(cell, place, answers)
+        if cell.get("attachments"):
+            _show_attached(cell, place, folder)
         if TAG in cell.metadata.get("tags", []) and heading_level(cell):
             cell.source = MORE + cell.source
         if cell.cell_type == "code":
@@ -146,6 +149,31 @@ def show(output, place: str, folder: Path) -> None:
     elif "text/html" in output.data:
         page = mark_dollars(output.data["text/html"])
         output.data["text/html"] = OPEN_QUESTION.sub(HOW_TO_CHOOSE, page)
+
+
+def _show_attached(cell, place: str, folder: Path) -> None:
+    """Store the pictures that were pasted into a cell of text, and let the text refer to them.
+
+    JupyterLab keeps them beside the text, where MyST-NB does not look.
+    """
+    for name, forms in cell.attachments.items():
+        kind = next((kind for kind in IMAGES if kind in forms), None)
+        reference = re.compile(
+            rf"!\[([^]]*)\]\(attachment:(?:{re.escape(name)}|{re.escape(quote(name))})"
+        )
+        shown = reference.search(cell.source)
+        if not (kind and shown):
+            continue
+        alt = shown[1].strip()
+        if not alt or alt == name or re.fullmatch(r"[\w-]+\.\w{3,4}", alt):
+            raise SiteError(
+                f"{place} shows a picture without alternative text. Write what it shows between "
+                f"the brackets: ![the arm at rest](attachment:{name})."
+            )
+        text = forms[kind]
+        content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
+        path = _path_of(content, IMAGES[kind], folder)
+        cell.source = reference.sub(rf"![\1]({path.as_posix()}", cell.source)
 
 
 def _move_captions(cell) -> None:
@@ -300,10 +328,16 @@ def picture(output, kind: str, name: str, alt: str, folder: Path) -> str:
     return f'<div class="{name} panels" {attributes}>{"".join(parts)}</div>'
 
 
-def _stored(content: bytes, ending: str, name: str, alt: str, folder: Path, size: str = "") -> str:
-    """Store the bytes of an image, named by its content; return its element."""
+def _path_of(content: bytes, ending: str, folder: Path) -> Path:
+    """Store the bytes of an image, named by its content; return its path below the pages."""
     path = Path("_static", "pictures", f"{hashlib.sha256(content).hexdigest()[:16]}.{ending}")
     (folder / path).parent.mkdir(parents=True, exist_ok=True)
     (folder / path).write_bytes(content)
+    return path
+
+
+def _stored(content: bytes, ending: str, name: str, alt: str, folder: Path, size: str = "") -> str:
+    """Store the bytes of an image, named by its content; return its element."""
+    path = _path_of(content, ending, folder)
     # "dark-light" tells the theme to keep the colours in the dark theme.
     return f'<img class="{name} dark-light" src="{path.as_posix()}" alt="{html.escape(alt)}"{size}>'
