@@ -307,10 +307,7 @@ def dask_setup(worker):
 @pytest.mark.parametrize("kind", BAD_ANSWERS)
 def test_what_a_bad_worker_answers_is_named_and_graded_by_another(kind, any_exercises, capsys):
     """Without a real cluster: the answers alone."""
-    cluster = Cluster.__new__(Cluster)
-    cluster._fit, cluster._unfit, cluster._avoided = {"bad", "good"}, {}, {}
-    cluster._workers, cluster._tasks, cluster._again = {"bad": 1, "good": 1}, {}, []
-    cluster._bad = Counter()
+    cluster = without_dask({"bad", "good"}, ["bad", "good"])
     task = Task("path", Order(b"x"), worker="bad")
     outcomes = list(cluster._answered(task, Answered(BAD_ANSWERS[kind])))
     if "refusal" in kind:
@@ -322,6 +319,33 @@ def test_what_a_bad_worker_answers_is_named_and_graded_by_another(kind, any_exer
     assert outcome.get("unusable"), outcome
     assert outcome["worker"] == "the worker bad"
     assert cluster._free("path") == "good"
+
+
+def without_dask(fit, workers):
+    """Return a Cluster that is connected to nothing, with these workers, some of which are fit."""
+    cluster = Cluster.__new__(Cluster)
+    cluster._workers, cluster._fit, cluster._unfit = dict.fromkeys(workers, 1), set(fit), {}
+    cluster._avoided, cluster._tasks, cluster._again = {}, {}, []
+    cluster._bad = Counter()
+    return cluster
+
+
+def test_a_submission_waits_for_a_worker_that_has_joined_rather_than_go_to_a_bad_one_again():
+    cluster = without_dask({"bad"}, ["bad", "joining"])
+    cluster._avoided["path"] = {"bad"}
+    assert cluster._free("path") is None
+    assert cluster._free("another path") == "bad"
+    cluster._fit.add("joining")
+    assert cluster._free("path") == "joining"
+
+
+def test_a_submission_goes_to_a_bad_worker_again_if_no_other_can_grade():
+    cluster = without_dask({"bad"}, ["bad", "refused"])
+    cluster._avoided["path"], cluster._unfit = (
+        {"bad"},
+        {"refused": "its course is another version."},
+    )
+    assert cluster._free("path") == "bad"
 
 
 class Answered:

@@ -5,6 +5,7 @@ import contextlib
 import errno
 import io
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -15,8 +16,9 @@ import pytest
 from grade_stand_in import TABLES, grade, hand_in, wait_for
 
 from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.jobs import stored
 from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.results import NotAResult, validated
+from course_lib.pack.grade.results import NotAResult, Offered, validated
 
 ROOT = Path(__file__).parents[1]
 
@@ -171,6 +173,7 @@ GOOD = {
     "questions": [],
     "exercises": [ROW],
 }
+QUESTION = {"question": "why", "of": 2, "text": "Because.\t\x0b", "more": True}
 NO_RESULTS = {
     "empty": {},
     "null": None,
@@ -184,11 +187,19 @@ NO_RESULTS = {
     "no notebook": {key: value for key, value in GOOD.items() if key != "notebook"},
     "a state that is none": GOOD | {"exercises": [ROW | {"state": "perfect"}]},
     "problems that are no texts": GOOD | {"problems": [7]},
+    "a problem that clears the terminal": GOOD | {"problems": ["\x1b[2J"]},
+    "a release that rings the bell": GOOD | {"release": "\a"},
+    "a message that cannot be stored": GOOD | {"exercises": [ROW | {"message": "\ud800"}]},
+    "an answer that cannot be stored": GOOD | {"questions": [QUESTION | {"text": "\ud800"}]},
 }
 
 
+OFFERED = {"01_rotations": Offered({"a": (2, False)}, {"why": (2, True)})}
+
+
 def test_a_result_as_graded_is_one():
-    assert validated(GOOD, {"01_rotations": {"a": 2}}) is GOOD
+    whole = GOOD | {"questions": [QUESTION]}
+    assert validated(whole, OFFERED) is whole
 
 
 @pytest.mark.parametrize("kind", NO_RESULTS)
@@ -197,10 +208,33 @@ def test_what_is_no_result_is_refused(kind):
         validated(NO_RESULTS[kind])
 
 
-@pytest.mark.parametrize("offered", [{"01_rotations": {"b": 2}}, {"01_rotations": {"a": 3}}, {}])
-def test_a_result_of_other_exercises_or_points_than_the_course_s_is_refused(offered):
+OF_ANOTHER_COURSE = {
+    "no exercise": {"exercises": []},
+    "another exercise": {"exercises": [ROW | {"exercise": "b"}]},
+    "the same exercise twice": {"exercises": [ROW, ROW]},
+    "an exercise of more points": {"exercises": [ROW | {"of": 3}]},
+    "an exercise that is moved to More": {"exercises": [ROW | {"more": True}]},
+    "another notebook": {"notebook": "02_rigid_motion"},
+    "no question": {"questions": []},
+    "a question of a million points": {"questions": [QUESTION | {"of": 1_000_000}]},
+    "the same question twice": {"questions": [QUESTION, QUESTION]},
+    "a question that is moved to the core": {"questions": [QUESTION | {"more": False}]},
+}
+
+
+@pytest.mark.parametrize("kind", OF_ANOTHER_COURSE)
+def test_a_result_with_what_the_course_does_not_offer_is_refused(kind):
+    changed = GOOD | {"questions": [QUESTION]} | OF_ANOTHER_COURSE[kind]
     with pytest.raises(NotAResult, match="are not the course's"):
-        validated(GOOD, offered)
+        validated(changed, OFFERED)
+
+
+def test_a_stored_file_that_is_too_long_is_not_read_into_memory(tmp_path, monkeypatch, capsys):
+    path = tmp_path / "result.json"
+    path.touch()
+    os.truncate(path, 10**12)  # which takes no space on the disk
+    assert stored(path) is None
+    assert "at most 50,000,000 are read" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("kind", NO_RESULTS)

@@ -153,14 +153,20 @@ class Cluster:
         return Task(path, Order(json.dumps(head).encode() + b"\n" + content), number)
 
     def _free(self, path: Path | None = None) -> str | None:
-        """Return the worker with most free threads, or None; one that failed at this path last."""
+        """Return the worker with most free threads, or None; one that failed at this path last.
+
+        A path waits for another worker that is busy, or not yet known to be able to grade, rather
+        than go to one that failed at it.
+        """
+        avoided = self._avoided.get(path, set())
         free = {worker: self._workers[worker] for worker in self._fit}
         for task in self._tasks.values():
             free[task.worker] = free.get(task.worker, 0) - 1
         free = {worker: count for worker, count in free.items() if count > 0}
-        others = free.keys() - self._avoided.get(path, set())
-        if not others and self._fit - self._avoided.get(path, set()):
-            return None  # another worker can grade it, and is busy
+        others = free.keys() - avoided
+        may_grade = self._workers.keys() - self._unfit.keys()
+        if not others and may_grade - avoided:
+            return None
         return max(others or free, key=free.get, default=None)
 
     def _send(self) -> None:

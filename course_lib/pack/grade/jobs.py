@@ -15,7 +15,7 @@ from tqdm import tqdm
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.bounded import Bounded, OutOfBounds
 from course_lib.pack.grade.collect import Refused, Submission, read
-from course_lib.pack.grade.results import NotAResult, read_json, validated
+from course_lib.pack.grade.results import NotAResult, Offered, read_stored, validated
 
 ROOT = Path(__file__).parents[3]
 MAX_BAD_RESULTS = 2  # of one submission, which then is given up
@@ -54,13 +54,13 @@ def result_name(submission: Submission, content: bytes, seed: int) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest() + ".json"
 
 
-def stored(path: Path, offered: Mapping | None = None) -> dict | None:
+def stored(path: Path, offered: Mapping[str, Offered] | None = None) -> dict | None:
     """Return the result in a file, or None if there is no usable one, which is then said.
 
-    offered: {notebook: {exercise: points}}, see results.validated.
+    offered: {notebook: Offered}, see results.validated.
     """
     try:
-        return validated(read_json(path.read_bytes()), offered)
+        return validated(read_stored(path), offered)
     except FileNotFoundError:
         return None
     except (OSError, NotAResult) as problem:
@@ -85,7 +85,7 @@ def grade_all(
     results: Path,
     seed: int,
     pool: object,
-    offered: Mapping | None = None,
+    offered: Mapping[str, Offered] | None = None,
 ) -> list[tuple[Submission, dict]]:
     """Return each submission with its result, in the same order; stored results are not computed
     again.
@@ -99,7 +99,7 @@ def grade_all(
     pool : object
         What grades, such as Processes.
     offered : mapping, optional
-        {notebook: {exercise: points}}: a result that has others is not used.
+        {notebook: Offered}: a result that has other exercises, questions or points is not used.
     """
     done = {}
     with (
@@ -117,7 +117,7 @@ def _results(
     results: Path,
     seed: int,
     pool: object,
-    offered: Mapping | None,
+    offered: Mapping[str, Offered] | None,
 ) -> Iterator[tuple[Submission, dict]]:
     """Yield each submission with its result as soon as that is there."""
     in_progress = {}  # {path of a result: Begun}
@@ -158,7 +158,7 @@ class Begun:
 
 
 def _finished(
-    pool: object, in_progress: dict, offered: Mapping | None
+    pool: object, in_progress: dict, offered: Mapping[str, Offered] | None
 ) -> Iterator[tuple[Submission, dict]]:
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
@@ -183,7 +183,7 @@ def _finished(
             yield submission, result or ungraded_result(submission, why, "not graded")
 
 
-def _result_in(outcome: dict, offered: Mapping | None) -> tuple[dict | None, str]:
+def _result_in(outcome: dict, offered: Mapping[str, Offered] | None) -> tuple[dict | None, str]:
     """Return the result in an outcome and "", or None and why there is none."""
     if "unusable" in outcome:
         raise NotAResult(outcome["unusable"])
