@@ -70,10 +70,28 @@ def test_late_ones_without_a_time_are_named_with_the_table_to_write(tmp_path, ca
     hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
     options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--late", "10%"]
     said, page = run(tmp_path, capsys, *options)
-    both(said, page, "The time of submission of 2 notebooks is not known: write it into a table")
+    both(said, page, "How late 1 notebook marked LATE came is not known. Write it into times.csv")
     both(said, page, "doejane_1234: 01_rotations, marked LATE")
-    both(said, page, "bo_1235: 01_rotations")
+    assert "bo_1235: 01_rotations" not in said, "Canvas did not mark it, so it was in time"
     assert "TIMES=times.csv" in said
+
+
+def test_a_class_on_canvas_without_a_late_one_has_nothing_to_say_about_times(tmp_path, capsys):
+    hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
+    options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--late", "10%"]
+    said, _ = run(tmp_path, capsys, *options)
+    assert "TIMES=" not in said
+
+
+def test_those_whom_a_table_of_times_leaves_out_are_named(tmp_path, capsys):
+    hand_in(tmp_path / "in", "doejane_LATE_1234_5_01_rotations.ipynb", points=[2])
+    hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
+    table = tmp_path / "when.csv"
+    table.write_text("student,notebook,time\ndoejane_1234,,2026-12-01 09:00\n")
+    options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--times", str(table)]
+    said, page = run(tmp_path, capsys, *options)
+    both(said, page, "The time of submission of 1 notebook is not known. Write it into")
+    both(said, page, "bo_1235: 01_rotations")
 
 
 def test_names_that_differ_in_case_or_order_only_are_remarked_upon(tmp_path, capsys):

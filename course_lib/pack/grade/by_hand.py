@@ -13,7 +13,7 @@ from course_lib.pack.grade.gradebook import Row, absent
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer
 from course_lib.pack.grade.notebook_file import NOT_CODE
-from course_lib.pack.grade.platforms import Platform
+from course_lib.pack.grade.platforms import Platform, named
 from course_lib.pack.grade.tables import Totals
 
 MAX_SHOWN = 10  # lines of one entry on the terminal; the page of the class has all
@@ -213,17 +213,28 @@ def _times(graded_class: GradedClass) -> Iterable[Entry]:
     if not graded_class.deadline:
         return
     unknown = without_time(graded_class.everything, graded_class.deadline)
-    if unknown:
-        yield Entry(
-            f"The time of submission of {count_noun(len(unknown), 'notebook')} is not known: write "
-            "it into a table with the columns student, notebook and time. Until then a mark LATE "
-            "counts as one day, and no mark as in time.",
-            tuple(
-                f"{file.student}: {file.notebook}{', marked LATE' if file.submission.late else ''}"
-                for file in unknown
-            ),
-            graded_class.command(TIMES=graded_class.settings.get("TIMES") or "times.csv"),
+    table = graded_class.settings.get("TIMES") or "times.csv"
+    write_it = f"Write it into {table}, a table with the columns student, notebook and time."
+    if not graded_class.deadline.times and named(graded_class.settings.get("LMS", "")).marks_late:
+        # What the platform did not mark was in time, so nothing is to be done about it.
+        unknown = [file for file in unknown if file.submission.late]
+        count = count_noun(len(unknown), "notebook")
+        task = (
+            f"How late {count} marked LATE came is not known. {write_it} Until then each counts "
+            "as one day late, and not at all for a student who has an extension."
         )
+    else:
+        count = count_noun(len(unknown), "notebook")
+        task = (
+            f"The time of submission of {count} is not known. {write_it} Until then a mark LATE "
+            "counts as one day, and no mark as in time."
+        )
+    if unknown:
+        about = (
+            f"{file.student}: {file.notebook}{', marked LATE' if file.submission.late else ''}"
+            for file in unknown
+        )
+        yield Entry(task, tuple(about), graded_class.command(TIMES=table))
 
 
 def _marks(graded_class: GradedClass) -> Iterable[Entry]:
