@@ -185,8 +185,8 @@ def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
     said, _ = run(tmp_path, capsys)
     assert "Grading 1 notebook of 1 student, 1 at once: about 1 minute on an idle machine" in said
-    assert _duration(12_000, 16) == "4 hours"
-    assert _duration(60, 2) == "10 minutes"
+    assert _duration(12_000, 16) == "6 hours"
+    assert _duration(60, 2) == "15 minutes"
 
 
 def test_settings_are_those_that_were_typed():

@@ -320,7 +320,8 @@ def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp
     )
     assert totals_in(out) == {"bo_1235": "4", "doejane_1234": "3.6", "eve_1236": "4"}
     said = capsys.readouterr().out
-    assert "Marked LATE by the platform: 1, which count as one day late" in said
+    assert "Late: 1 of 3 notebooks, 1 marked LATE by the platform.\n" in said
+    assert "A mark LATE counts as one day late, because no time is known." in said
     assert (
         "With an extension: 1 notebook. Their marks LATE do not count, because no time is known: "
         "eve_1236." in said

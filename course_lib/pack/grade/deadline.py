@@ -110,12 +110,12 @@ def summary(everything: Sequence[GradedFile], deadline: Deadline) -> list[str]:
     late = sorted(file.late for file in counting if file.late)
     sizes = Counter("an hour" if t <= HOUR else count_noun(begun_days(t), "day") for t in late)
     by = "".join(f", {number} by up to {size}" for size, number in sizes.items())
-    lines = [f"Late: {len(late)} of {count_noun(len(counting), 'notebook')}{by}."]
-    if marks := sum(file.late is None for file in counting):
-        lines.append(
-            f"Marked LATE by the platform: {marks}, which count as one day late, because no time "
-            f"is known."
-        )
+    marks = sum(file.late is None for file in counting)
+    if marks:
+        by += f", {marks} marked LATE by the platform"
+    lines = [f"Late: {len(late) + marks} of {count_noun(len(counting), 'notebook')}{by}."]
+    if marks:
+        lines.append("A mark LATE counts as one day late, because no time is known.")
     unknown = without_time(everything, deadline)
     if deadline.times and unknown:
         some = ", ".join(sorted({file.student for file in unknown})[:5])
