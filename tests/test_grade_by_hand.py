@@ -3,6 +3,8 @@ the class page."""
 
 import re
 import shlex
+import subprocess
+from pathlib import Path
 
 import pytest
 from grade_stand_in import grade, hand_in
@@ -10,7 +12,7 @@ from hostile.build import answers, book, cell
 
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.__main__ import _duration, main
-from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, text
+from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, Outcome, text
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.options import parser, settings
 
@@ -164,7 +166,7 @@ def test_the_page_has_no_setting_of_the_machine_so_its_bytes_are_the_same(tmp_pa
     assert "make grade SUBMISSIONS=" in page
     assert "JOBS=" not in page
     assert "SEED=" not in page
-    assert "OUTPUT='the folder of this page'" in page
+    assert "OUTPUT=&lt;the folder of this page&gt;" in page
     assert str(tmp_path / "out") not in page
 
 
@@ -187,6 +189,17 @@ def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
     assert "Grading 1 notebook of 1 student, 1 at once: about 1 minute on an idle machine" in said
     assert _duration(12_000, 16) == "6 hours"
     assert _duration(60, 2) == "15 minutes"
+
+
+def test_a_shell_refuses_the_page_s_command_until_the_folder_stands_in_it(tmp_path):
+    """Another folder would get another seed, and none of the marks."""
+    typed = {"SUBMISSIONS": "in", "OUTPUT": "grades", "ROSTER": "roster.csv"}
+    outcome = Outcome(Path("grades"), Path("grades"), (), (), None, typed)
+    command = outcome.on_the_page().command()
+    shell = subprocess.run(["sh", "-c", command], cwd=tmp_path, capture_output=True, check=False)
+    assert shell.returncode != 0
+    assert b"make" not in shell.stderr
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_settings_are_those_that_were_typed():

@@ -19,6 +19,9 @@ from course_lib.pack.grade.tables import Totals
 MAX_SHOWN = 10  # lines of one entry on the terminal; the page of the class has all
 # Settings that change how a class is graded and no point of it; the seed is kept beside the grades.
 OF_ONE_RUN = ("JOBS", "CLUSTER", "SEED")
+# Not quoted, so that a shell refuses the command until a folder stands there: another folder would
+# get another seed and none of the marks.
+FOLDER_OF_THE_PAGE = "<the folder of this page>"
 
 
 @dataclass(frozen=True)
@@ -64,15 +67,17 @@ class GradedClass:
         graded."""
         settings = {name: v for name, v in self.settings.items() if name not in OF_ONE_RUN}
         if "OUTPUT" in settings:
-            settings["OUTPUT"] = "the folder of this page"
+            settings["OUTPUT"] = FOLDER_OF_THE_PAGE
         return replace(self, shown=Path(), settings=settings)
 
     def command(self, **changed: str) -> str:
         """Return the command of this run, with other settings where they are given."""
         settings = {name: value for name, value in (self.settings | changed).items() if value}
-        return " ".join(
-            ["make grade", *(f"{name}={shlex.quote(value)}" for name, value in settings.items())]
-        )
+        typed = {
+            name: value if value == FOLDER_OF_THE_PAGE else shlex.quote(value)
+            for name, value in settings.items()
+        }
+        return " ".join(["make grade", *(f"{name}={value}" for name, value in typed.items())])
 
 
 def remaining(graded_class: GradedClass) -> list[Entry]:

@@ -94,7 +94,8 @@ def _notebooks(
             else ("", "")
         )
         rows.append((notebook, handed_in, len(points), mean, median, most))
-    return "", "", ("notebook", "handed in", "graded", "mean", "median", "of"), rows
+    caption = "How many students handed in each notebook, and the points of what could be graded."
+    return "Notebooks", caption, ("notebook", "handed in", "graded", "mean", "median", "of"), rows
 
 
 def _distribution(of: dict, graded: list[GradedFile], students: dict) -> Section:
