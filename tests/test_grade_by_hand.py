@@ -46,6 +46,21 @@ def test_files_that_are_no_notebooks_are_listed_with_the_reason(tmp_path, capsys
     both(said, page, "bob.docx: It is not a notebook: its name does not end in .ipynb.")
 
 
+def test_the_file_of_a_group_is_listed_once(tmp_path, capsys):
+    export = tmp_path / "in/assignment_7_export"
+    hand_in(export, "submission_5/01_rotations.ipynb", do="raise")
+    members = "".join(
+        f"  - :name: {name}\n    :sid: {name}\n    :email: {name}@uni.example\n"
+        for name in ("ana", "bo")
+    )
+    (export / "submission_metadata.yml").write_text(
+        f"---\nsubmission_5:\n  :submitters:\n{members}"
+    )
+    said, page = run(tmp_path, capsys)
+    both(said, page, "The grader failed on 1 file: the same command tries again.")
+    assert said.count("01_rotations.ipynb: The grader failed") == 1
+
+
 def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
     for name in ("ana_01_rotations", "bob_01_rotations", "ana_02_rigid_motion"):
         hand_in(tmp_path / "in", f"{name}.ipynb", points=[2], texts=["because"])

@@ -120,20 +120,27 @@ def _files(graded_class: GradedClass) -> Iterable[Entry]:
         if file.unreadable or file.result.get("state") == "refused"
     ]
     if troubled:
+        about = _places_with_reasons(troubled)
         yield Entry(
-            f"{count_noun(len(troubled), 'file')} could not be graded: correct the place or the "
+            f"{count_noun(len(about), 'file')} could not be graded: correct the place or the "
             "name, or ask the student for another file.",
-            tuple(f"{file.submission.place}: {file.result['problems'][0]}" for file in troubled),
+            about,
             graded_class.command(),
         )
     failed = [file for file in graded_class.everything if file.result.get("state") == "not graded"]
     if failed:
+        about = _places_with_reasons(failed)
         yield Entry(
-            f"The grader failed on {count_noun(len(failed), 'file')}: the same command tries"
-            " again.",
-            tuple(f"{file.submission.place}: {file.result['problems'][0]}" for file in failed),
+            f"The grader failed on {count_noun(len(about), 'file')}: the same command tries again.",
+            about,
             graded_class.command(),
         )
+
+
+def _places_with_reasons(files: Iterable[GradedFile]) -> tuple[str, ...]:
+    """Return a line for each file; a group's file is one, though each member has it."""
+    lines = (f"{file.submission.place}: {file.result['problems'][0]}" for file in files)
+    return tuple(dict.fromkeys(lines))
 
 
 def _owners(graded_class: GradedClass) -> Iterable[Entry]:
@@ -143,7 +150,8 @@ def _owners(graded_class: GradedClass) -> Iterable[Entry]:
         if file.submission.remark
     ]
     if remarks:
-        yield Entry("Say whose these are by their names.", tuple(remarks), graded_class.command())
+        about = tuple(dict.fromkeys(remarks))
+        yield Entry("Say whose these are by their names.", about, graded_class.command())
     names = defaultdict(list)
     for student in graded_class.totals.students:
         names[words(student)].append(student)
