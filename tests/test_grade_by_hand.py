@@ -12,7 +12,7 @@ from hostile.build import answers, book, cell
 
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.__main__ import _duration, main
-from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, Outcome, text
+from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, GradedClass, text
 from course_lib.pack.grade.class_page import class_page
 from course_lib.pack.grade.options import parser, settings
 
@@ -209,8 +209,8 @@ def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
 def test_a_shell_refuses_the_page_s_command_until_the_folder_stands_in_it(tmp_path):
     """Another folder would get another seed, and none of the marks."""
     typed = {"SUBMISSIONS": "in", "OUTPUT": "grades", "ROSTER": "roster.csv"}
-    outcome = Outcome(Path("grades"), Path("grades"), (), (), None, typed)
-    command = outcome.on_the_page().command()
+    graded_class = GradedClass(Path("grades"), Path("grades"), (), (), None, typed)
+    command = graded_class.on_the_page().command()
     shell = subprocess.run(["sh", "-c", command], cwd=tmp_path, capture_output=True, check=False)
     assert shell.returncode != 0
     assert b"make" not in shell.stderr
