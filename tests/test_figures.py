@@ -83,7 +83,7 @@ PICTURES = [
     (nb2.arm_paths, ({"one": ARM, "two": ARM},), "Two: the path is 2.83 m long, (2, 0) to (0, 2)."),
     (nb2.joint_tracks, ({"both": np.array([[0, 0], [1, 2]])},), "Both: joint 2 between 0.00 and 2.00 rad."),
     (nb3.rotated_onto, (Z, X, 2 * Y, 1.5), "R p is 1.005 from g; p itself 2.236."),
-    (nb3.rotated_onto, (Z, X, 2 * Y, np.pi / 2), "$R\\,p$ is 1.000 m from $g$"),
+    (nb3.rotated_onto, (Z, X, 2 * Y, np.pi / 2), "distance of $R\\,p$ from $g$, 1.000 m"),
     (nb3.circles_meet, (Z, X, X, Z, [(np.pi / 2, -np.pi / 2)]), "they touch in one point"),
     (nb3.circle_and_sphere, (Z, X, X, 1.0, [np.pi / 3, -np.pi / 3]), "radius 1 about g at two points, marked 1 and 2."),
     (nb3.circle_and_plane, (Z, X, X, 1.0, [0.0]), "perpendicular to the direction h at one point."),
