@@ -375,8 +375,9 @@ def _error_by_entries(end, goal):
     sine = np.sqrt(x * x + y * y + z * z)
     cosine = (xx + yy + zz - 1) / 2
     # arctan2 keeps all digits near 0, which arccos(cosine) does not. Where the sine is 0, x, y and
-    # z are 0 as well, so any divisor but 0 gives the right product.
-    stretch = np.arctan2(sine, cosine) / np.maximum(sine, 5e-324)
+    # z are 0 as well, so any divisor but 0 gives the right product. At half a revolution the
+    # quotient may be pi / 1e-300, which is still a float.
+    stretch = np.arctan2(sine, cosine) / np.maximum(sine, 1e-300)
     error = np.array([x, y, z, *(goal[3] - end[3])])
     error[:3] *= stretch
     # Near pi the axis times the sine has too few correct digits of the axis.

@@ -394,6 +394,7 @@ def test_what_a_download_adds_to_a_name_hides_no_notebook(tmp_path, added):
     ("platform", "name"),
     [
         ("canvas", "doejane_1234_5678_01_rotations.ipynb.json"),
+        ("canvas", "doejane_1234_5678_01_rotations.ipynb (1).json"),
         ("moodle", "Jane Doe_42_assignsubmission_file_01_rotations.ipynb.txt"),
         ("brightspace", "1-2 - Jane Doe - Nov 30, 2026 1159 PM - 01_rotations.ipynb.json"),
     ],

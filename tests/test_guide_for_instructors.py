@@ -14,7 +14,7 @@ from course_lib.pack.grade import alike, collect
 from course_lib.pack.grade.deadline import read_deadline
 from course_lib.pack.grade.gradebook import Roster, read_roster
 from course_lib.pack.grade.marks import read_marks
-from course_lib.pack.grade.sandbox import LEAST_PROGRESS, Limits
+from course_lib.pack.grade.sandbox import MIN_PROGRESS, Limits
 
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test
@@ -137,16 +137,16 @@ def test_its_limits_are_those_of_the_grader():
         (
             "a minute in which it computes less than a hundredth",
             (60, 0.01),
-            (limits.idle_seconds, LEAST_PROGRESS),
+            (limits.idle_seconds, MIN_PROGRESS),
         ),
         (
             "`alike.html` is left out if it takes more than two hours of processor time or 8 GB",
             (7200, 8e9),
             (alike.CPU_SECONDS, alike.MEMORY),
         ),
-        ("Code of more than ten students", 10, alike.MANY),
+        ("Code of more than ten students", 10, alike.MAX_STUDENTS),
         ("A passage is 20 tokens", 20, alike.PASSAGE),
-        ("a pair is listed from a score of 8", 8, alike.LEAST),
+        ("a pair is listed from a score of 8", 8, alike.MIN_SCORE),
         ("holds more than 20 notebooks, you are asked", 20, collect.MAX_UNASKED),
     ):
         assert (words in text, said) == (True, found)

@@ -178,3 +178,15 @@ def test_the_pose_error_belongs_to_the_geometric_jacobian():
     np.testing.assert_allclose(
         pose_error(arm.fk(q - change / 2), arm.fk(q + change / 2)), moved, atol=1e-13
     )
+
+
+@pytest.mark.parametrize("targets", [1, 2])
+def test_a_target_at_exactly_half_a_revolution_causes_no_warning(targets):
+    """numpy would warn of pi divided by a sine that is 0; warnings are errors in the tests."""
+    arm = planar_arm([1, 1])
+    goal = arm.fk(np.zeros(2))
+    goal[:3, :3] = np.diag([-1.0, -1, 1])
+    poses = goal if targets == 1 else np.stack([goal, arm.fk(np.array([0.3, 0.4]))])
+    q0 = np.zeros(2) if targets == 1 else np.zeros((2, 2))
+    found = solve(arm, poses, np.random.default_rng(0), q0, starts=2)
+    assert np.isfinite(found.residual).all()

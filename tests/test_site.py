@@ -278,11 +278,22 @@ def test_a_picture_that_was_pasted_into_a_text_is_shown(tmp_path, name, referenc
     assert (tmp_path / path).read_bytes() == base64.b64decode(png())
 
 
+@pytest.mark.parametrize("first", ["", "![An arm at rest](attachment:image.png) "])
 @pytest.mark.parametrize("alt", ["", "image.png", "0957d379-efea.png"])
-def test_a_pasted_picture_without_alternative_text_is_refused(tmp_path, alt):
-    text = f"# The arm\n\n![{alt}](attachment:image.png)"
+def test_a_pasted_picture_without_alternative_text_is_refused(tmp_path, alt, first):
+    text = f"# The arm\n\n{first}![{alt}](attachment:image.png)"
     book = with_picture(tmp_path / "notebooks", text, "image.png")
     with pytest.raises(SiteError, match="cell 1 shows a picture without alternative text"):
+        prepare(book, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "reference",
+    ['<img src="attachment:image.png" alt="An arm">', "![An arm](attachment:image.png.png)"],
+)
+def test_a_pasted_picture_that_a_page_would_not_show_is_refused(tmp_path, reference):
+    book = with_picture(tmp_path / "notebooks", f"# The arm\n\n{reference}", "image.png")
+    with pytest.raises(SiteError, match="cell 1 refers to the picture attachment:"):
         prepare(book, tmp_path)
 
 

@@ -93,7 +93,7 @@ def test_in_three_of_four_small_cases_some_numbers_stay_as_they_are():
     cases = made([(np.array([1.5, 2.5, -0.5]),)], small=("x",))
     kept = [np.isin(x, [1.5, 2.5, -0.5]).tolist() for (x,) in cases[:4]]
     assert kept[0] == [False] * 3
-    assert kept[1:3] == [[True, False, True], [False, True, False]]
+    assert kept[1:] == [[True, False, True], [False, True, False], [True, False, True]]
 
 
 def test_rotations_poses_and_unit_vectors_stay_such_where_numbers_are_small():
@@ -196,6 +196,16 @@ def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
         replace(HALF, cases=cases), LocalFunction(lambda x: into_a_copy(x) + 0.3)
     ).mistake
     assert wrong_for_all is None or "arrays of integers only" not in wrong_for_all.name
+
+
+@pytest.mark.parametrize("whole", [lambda x: 0 * x, np.round])
+def test_whole_numbers_that_are_not_those_before_the_point_are_not_called_cut_off(whole):
+    def wrong_for_integers(x):
+        return whole(1.5 * x + 0.2) if x.dtype.kind == "i" else x / 2
+
+    cases = lambda rng: [(np.array([1.5, 0.25]),), (np.array([3.0, 5.0]),)]  # noqa: E731
+    mistake = judge(replace(HALF, cases=cases), LocalFunction(wrong_for_integers)).mistake
+    assert mistake.name == "the answer is wrong for arrays of integers only"
 
 
 TINY_ROTATIONS = replace(

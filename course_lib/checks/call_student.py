@@ -186,13 +186,19 @@ def _first_change(before, after, place=""):
         return ""  # another type of numbers, for example
     if isinstance(before, list | tuple) and isinstance(after, list | tuple):
         if len(after) != len(before):
-            return f"{place} had {len(before)} items before the call and has {len(after)} after it"
+            items = "item" if len(before) == 1 else "items"
+            return (
+                f"{place} had {len(before)} {items} before the call and has {len(after)} after it"
+            )
         for k, (old, new) in enumerate(zip(before, after, strict=True)):
-            if repr(old) != repr(new):
+            # repr shows eight digits of an array, and not all entries of a long one.
+            if repr(old) != repr(new) or not _as_it_was(old, new):
                 return _first_change(old, new, f"{place}[{k}]")
     old, new = (f"{x:.6g}" if isinstance(x, float) else repr(x) for x in (before, after))
     if old == new:  # in digits that these do not show
         old, new = repr(before), repr(after)
+    if old == new:  # another type of numbers, for example
+        return ""
     return f"{place} was {old} before the call and is {new} after it"
 
 

@@ -198,7 +198,9 @@ def _side_by_side(blocks):
     rows = []
     for block in blocks:
         both = [block]
-        if rows and not rows[-1][0].endswith((" that begins with", "] is")):
+        if rows and rows[-1][0].endswith((" that begins with", "] is")):
+            both = [rows[-1], block]  # or the next argument would stand within this sentence
+        elif rows:
             width = 3 + max(map(len, rows[-1]))
             pairs = itertools.zip_longest(rows[-1], block, fillvalue="")
             both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]

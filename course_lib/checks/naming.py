@@ -55,8 +55,8 @@ class Naming:
         own = self.exercise.mistakes
         of_digits = self._shortened(wrong)
         if of_digits is None and self._is_for_whole_numbers_only(wrong):
-            whole = all(attempt(is_whole, np.asarray(self.values[i])) for i in wrong)
-            of_digits = Mistake(*(CUT_OFF_OF_WHOLE_NUMBERS if whole else WRONG_FOR_INTEGERS))
+            cut_off = all(attempt(_is_cut_off, self.values[i], self.right(i)) for i in wrong)
+            of_digits = Mistake(*(CUT_OFF_OF_WHOLE_NUMBERS if cut_off else WRONG_FOR_INTEGERS))
         if of_digits is not None:
             return of_digits
         for known in own:
@@ -301,6 +301,8 @@ def _is_short(array):
 
 
 def _is_cut_off(array, right):
-    """Return whether whole numbers are those before the point, up to rounding."""
+    """Return whether the numbers are whole, and those before the point up to rounding."""
+    if not is_whole(array):
+        return False
     smaller = np.abs(array) <= np.abs(right) + EXACT
     return bool(smaller.all() and (np.abs(right - array) < 1).all())

@@ -202,8 +202,10 @@ def distance_of_lists(answer, right, *arguments):
 
 def _distance_to_nearest(items, others):
     """Return the largest distance of an item from the nearest of the others; 0 without items."""
-    nearest = [min((angle_gap(item, other) for other in others), default=np.inf) for item in items]
-    return max(nearest, default=0.0)
+    nearest = [
+        np.min([angle_gap(item, other) for other in others], initial=np.inf) for item in items
+    ]
+    return np.max(nearest, initial=0.0)  # unlike max(), this keeps nan wherever it stands
 
 
 def orthogonality_error(R):

@@ -194,7 +194,8 @@ def _pictures(graded_class: GradedClass) -> Iterable[Entry]:
         yield Entry(
             "These written answers hold pictures, which questions.csv cannot show. Look at them in "
             "the notebooks before you type the marks.",
-            tuple(shown),
+            tuple(dict.fromkeys(shown)),  # the file of a group is one, though each member has it
+            graded_class.command(),
         )
 
 
@@ -226,8 +227,17 @@ def _times(graded_class: GradedClass) -> Iterable[Entry]:
     if not graded_class.deadline:
         return
     unknown = without_time(graded_class.everything, graded_class.deadline)
-    table = graded_class.settings.get("TIMES") or "times.csv"
-    write_it = f"Write it into {table}, a table with the columns student, notebook and time."
+    named_table = graded_class.settings.get("TIMES")
+    columns = "with the columns student, notebook and time"
+    if named_table:
+        # It may be a folder of tables already, or a platform's own export.
+        write_it = (
+            f"Write it into a table of your own, {columns}. TIMES= may name a folder with several "
+            f"tables: put {named_table} and yours into one."
+        )
+    else:
+        write_it = f"Write it into times.csv, a table {columns}."
+    table = named_table or "times.csv"
     if not graded_class.deadline.times and named(graded_class.settings.get("LMS", "")).marks_late:
         # What the platform did not mark was in time, so nothing is to be done about it.
         unknown = [file for file in unknown if file.submission.late]

@@ -58,7 +58,7 @@ def what_it_is(content: bytes, problem: Exception) -> str:
 def _no_json(problem: json.JSONDecodeError) -> str:
     if not problem.doc.lstrip("\ufeff \t\r\n").startswith("{"):
         return "It is not a notebook: it does not begin with {, as every notebook does."
-    at_the_end = problem.pos >= len(problem.doc.rstrip()) - 1
+    at_the_end = problem.pos >= len(problem.doc.rstrip()) and problem.msg != "Extra data"
     if at_the_end or problem.msg.startswith("Unterminated string"):
         return f"It ends in the middle, in line {problem.lineno}."
     return f"It is not a notebook: line {problem.lineno} is not as JSON demands."

@@ -39,7 +39,7 @@ def symbols_in(mathml: str) -> tuple[str, ...]:
 
 
 def _collect(node: ElementTree.Element, symbols: list[str]) -> None:
-    """Append the symbols of a node of MathML to `found`, in the order of reading."""
+    """Append the symbols of a node of MathML to `symbols`, in the order of reading."""
     kind = node.tag.rpartition("}")[2]
     if kind in ("mi", "mo"):
         name = _name(node)

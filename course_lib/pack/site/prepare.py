@@ -97,8 +97,8 @@ def name_figures(book: nbformat.NotebookNode, name: str) -> None:
     """Replace the links to cells by links to the figures that these cells show, "Figure 5.1".
 
     `book` is a prepared notebook, and `name` that of its file. The words of a link are kept where
-    its cell shows no figure with a number, and where the figure is on another page. Raises
-    SiteError, which names notebook and cell, if there is no such cell.
+    its cell shows no figure with a number, and where the figure is on another page: such links are
+    not looked up. Raises SiteError, which names notebook and cell, if a notebook has no such cell.
     """
     notebook = notebook_number(name)
     cells = {cell.id for cell in book.cells}
@@ -110,7 +110,8 @@ def name_figures(book: nbformat.NotebookNode, name: str) -> None:
 
         def named(link: re.Match, place: str = place) -> str:
             words, page, cell_id = link.groups()
-            if not page and cell_id not in cells:
+            # The errors of all reports are on a page of their own, without the notebooks' cells.
+            if notebook and not page and cell_id not in cells:
                 raise SiteError(f"{place} links to the cell {cell_id}, which is not there.")
             if page or cell_id not in numbers:
                 return words
@@ -159,21 +160,27 @@ def _show_attached(cell, place: str, folder: Path) -> None:
     for name, forms in cell.attachments.items():
         kind = next((kind for kind in IMAGES if kind in forms), None)
         reference = re.compile(
-            rf"!\[([^]]*)\]\(attachment:(?:{re.escape(name)}|{re.escape(quote(name))})"
+            rf"!\[([^]]*)\]\(attachment:(?:{re.escape(name)}|{re.escape(quote(name))})(?=[)\s])"
         )
-        shown = reference.search(cell.source)
+        shown = reference.findall(cell.source)
         if not (kind and shown):
             continue
-        alt = shown[1].strip()
-        if not alt or alt == name or re.fullmatch(r"[\w-]+\.\w{3,4}", alt):
-            raise SiteError(
-                f"{place} shows a picture without alternative text. Write what it shows between "
-                f"the brackets: ![the arm at rest](attachment:{name})."
-            )
+        for alt in map(str.strip, shown):
+            if not alt or alt == name or re.fullmatch(r"[\w-]+\.\w{3,4}", alt):
+                raise SiteError(
+                    f"{place} shows a picture without alternative text. Write what it shows "
+                    f"between the brackets: ![the arm at rest](attachment:{name})."
+                )
         text = forms[kind]
         content = text.encode() if kind == "image/svg+xml" else base64.b64decode(text)
         path = _path_of(content, IMAGES[kind], folder)
         cell.source = reference.sub(rf"![\1]({path.as_posix()}", cell.source)
+    left = re.search(r"(?:src=[\"']?|\]\()attachment:([^)\s\"'>]*)", cell.source)
+    if left:
+        raise SiteError(
+            f"{place} refers to the picture attachment:{left[1]} in a form that a page does not "
+            f"show. Write ![what it shows](attachment:{left[1]}), and paste the picture there."
+        )
 
 
 def _move_captions(cell) -> None:

@@ -93,10 +93,28 @@ def _beside_the_bound(rng, gap):
 
 def _excess(q_dot, *case):
     least = _cost(right(*case), *case)
-    return (
-        f"Your answer makes this sum {_cost(q_dot, *case) - least:.2g} larger than the least sum, "
-        f"{least:.6g}."
-    )
+    excess = _cost(q_dot, *case) - least
+    if excess <= 0:  # by velocities just outside the bounds
+        _, _, bound, _ = case
+        return f"Your fastest joint exceeds the bound by {np.abs(q_dot).max() - bound:.2g}."
+    return f"Your answer makes this sum {excess:.2g} larger than the least sum, {least:.6g}."
+
+
+_FASTER = Mistake(
+    "a joint is faster than the argument `bound`",
+    "Where does your code use `bound`, and for which joints?",
+)
+_OTHERS_ARE_BETTER = Mistake(
+    "other velocities within the bounds are better",
+    "Change one joint velocity of your answer by 0.01, up and down, within the bounds. For which "
+    "joint does the sum in the task become smaller?",
+)
+
+
+def _of_velocities(q_dot, *case):
+    """Return the Mistake of velocities that are not the best ones."""
+    is_better = _cost(q_dot, *case) <= _cost(right(*case), *case)
+    return _FASTER if is_better else _OTHERS_ARE_BETTER
 
 
 def _alike(answer, predicted, *case):
@@ -118,34 +136,23 @@ EXERCISE = Exercise(
             says=lambda q_dot, J, v, bound, eps: (
                 f"Your fastest joint exceeds it by {np.abs(q_dot).max() - bound:.2g}."
             ),
-            mistake=Mistake(
-                "a joint is faster than the argument `bound`",
-                "Where does your code use `bound`, and for which joints?",
-            ),
+            mistake=_FASTER,
         ),
         Property(
             "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
             # By the velocities: the sum differs only by the square of their errors.
             lambda q_dot, *case: difference(q_dot, right(*case)) <= FOUR_DIGITS,
             says=_excess,
-            mistake=Mistake(
-                "other velocities within the bounds are better",
-                "Change one joint velocity of your answer by 0.01, up and down, within the "
-                ""
-                "bounds. For "
-                "which joint does the sum in the task become smaller?",
-            ),
+            mistake=_of_velocities,
         ),
     ),
     hints=(
         "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more "
-        ""
         "rows than J has.",
         "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x "
         "- "
         "b|^2 within bounds.",
         "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), "
-        ""
         "bounds=(-bound, bound)).x",
     ),
     library=right,

@@ -122,6 +122,9 @@ def joint_left_out(screws, M, q, joint):
     return products(np.delete(shared.exponentials(screws, q), joint, axis=0))[-1] @ M
 
 
+_SMALL_ANGLE = 0.01  # rad: the largest that somebody may take for 0
+
+
 @EXERCISE.mistake(
     "small angles are left out",
     "How far does an angle of 0.0005 rad move the end of an arm of 1 m?",
@@ -129,7 +132,9 @@ def joint_left_out(screws, M, q, joint):
 )
 def small_angles_left_out(T, screws, M, q):
     kept = [np.abs(q) > size for size in np.sort(np.abs(q))]
-    return any(same(T, shared.tool_pose(screws, M, np.where(used, q, 0.0))) for used in kept[:-1])
+    if np.abs(q).max() > _SMALL_ANGLE:
+        kept = kept[:-1]  # the largest angle is not small
+    return any(same(T, shared.tool_pose(screws, M, np.where(used, q, 0.0))) for used in kept)
 
 
 @EXERCISE.mistake(

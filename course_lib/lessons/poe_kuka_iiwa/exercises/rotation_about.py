@@ -73,15 +73,24 @@ _RODRIGUES = Mistake(
 )
 
 
+_CLEARLY_OFF = 0.01  # rad: two angles of which four digits show that they differ
+
+
 def _other_rotation(T, omega, point, theta):
     """Return the Mistake of a block R that is a rotation, but not the right one."""
     R = T[_R]
     if not near(R @ omega, omega):
         return _RODRIGUES
+    angle = log_so3(R) @ omega  # in (-pi, pi]: of theta this has lost the whole revolutions
+    off = (angle - theta + np.pi) % (2 * np.pi) - np.pi
+    differs = (
+        f"theta is {theta:.4g} rad, but your R rotates by {angle:.4g} rad."
+        if abs(off) > _CLEARLY_OFF
+        else f"The angle by which your R rotates differs from theta by {off:.2g} rad."
+    )
     return Mistake(
         "R rotates about omega, but by another angle than theta",
-        f"theta is {theta:.4g} rad, but your R rotates by {log_so3(R) @ omega:.4g} rad. What does "
-        "your code do with theta before it takes the sine and the cosine?",
+        f"{differs} What does your code do with theta before it takes the sine and the cosine?",
     )
 
 

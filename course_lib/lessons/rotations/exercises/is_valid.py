@@ -68,7 +68,14 @@ def _rotations(rng):
         2 * R,
     ]
     tight += [np.diag([2.0, 0.5, 1.0]), _unit_columns(0.6), np.zeros((3, 3))]
-    tight += [R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0]), np.eye(4), R[:, :2], R[:2], R[0]]
+    tight += [
+        R @ np.diag([NEARLY_ONE, 1 / NEARLY_ONE, 1.0]),
+        np.eye(4),
+        np.eye(5),
+        R[:, :2],
+        R[:2],
+        R[0],
+    ]
     # every entry of R^T R - I is 0.007, all of them together more than 0.01; so it is for R R^T too
     loose = [
         stretched,
@@ -121,6 +128,7 @@ def _quaternions(rng):
         np.array([1.0, 0, 0]),
         q[None, :],
         q.reshape(2, 2),
+        np.append(q, 0.0),
     ]
     return (
         [*tight, 0.5 * np.eye(4)],

@@ -116,15 +116,24 @@ def _between(k):
     return f"between {_EDGES[k]} and {_EDGES[k + 1]} degrees"
 
 
+# Standard deviations by which the share of an interval is off: chance explains 4 once in 3,000
+# samples with six intervals.
+_MIN_DEVIATIONS = 4
+
+
 def _off_most(R):
     """Return the numbers of the intervals whose angles come too often and too rarely, by the most
-    standard deviations."""
+    standard deviations; None if no interval is off by more than chance explains."""
     shares, right = _shares_of_angles(R)
-    excess = (shares - right) / np.sqrt(right)
-    return int(np.argmax(excess)), int(np.argmin(excess))
+    deviations = (shares - right) * np.sqrt(len(R) / right)
+    if np.abs(deviations).max() < _MIN_DEVIATIONS:
+        return None
+    return int(np.argmax(deviations)), int(np.argmin(deviations))
 
 
 def _tell_angles(R):
+    if _off_most(R) is None:
+        return "Within an interval of 30 degrees, some of your angles come too often."
     shares, right = _shares_of_angles(R)
     often, rarely = (
         f"{100 * shares[k]:.1f} % of your angles lie {_between(k)}, where {100 * right[k]:.1f} % "
@@ -135,9 +144,14 @@ def _tell_angles(R):
 
 
 def _other_angles(R):
-    often, rarely = map(_between, _off_most(R))
+    intervals = _off_most(R)
+    if intervals is None:
+        name = "within intervals of 30 degrees, some rotation angles come too often"
+    else:
+        often, rarely = map(_between, intervals)
+        name = f"rotation angles {often} come too often, and those {rarely} too rarely"
     return Mistake(
-        f"rotation angles {often} come too often, and those {rarely} too rarely",
+        name,
         "Compare the histogram of your angles with (1 - cos a)/pi. Which random numbers decide the "
         "angle? Do they have the right distribution, and are they drawn anew for each of the n?",
     )

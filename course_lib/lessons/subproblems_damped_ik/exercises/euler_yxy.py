@@ -150,8 +150,8 @@ EXERCISE = Exercise(
             lambda found, R: different(found) == 2,
             lambda found, R: (
                 "Your rows are the same triple, up to multiples of 2 pi."
-                if len(found) > 1
-                else f"Your array has {counted(len(found), 'triple')}."
+                if len(found) > 1 and different(found) == 1
+                else f"Your array has {counted(different(found), 'different triple')}."
             ),
             where=lambda R: not _end(R),
         ),

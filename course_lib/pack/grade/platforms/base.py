@@ -17,8 +17,8 @@ from course_lib.pack.grade.csv_text import printable, table_text
 FIELDS = ("id", "number", "login", "address", "full", "first", "last", "section")
 READ = (".ipynb", ".zip")  # the files that can hold a notebook
 # What is added to the name of a notebook that is downloaded: .json by Safari, .txt by Windows, and
-# .ipynb by a person to whom the ending is not shown.
-ADDED = re.compile(r"(?<=\.ipynb)(?:\.ipynb|\.json|\.txt)++$", re.IGNORECASE)
+# .ipynb by a person to whom the ending is not shown; and (1) before it by a second download.
+ADDED = re.compile(r"(?<=\.ipynb)(?:(?: ?\(\d+\))?(?:\.ipynb|\.json|\.txt))++$", re.IGNORECASE)
 # What JupyterLab, git and operating systems leave behind: not a student's work.
 CLUTTER = {
     ".ds_store",

@@ -45,7 +45,9 @@ PLURALS = {
 _PREDICTION = re.compile(r"^\s*check\.(\w+)\.predict\(", re.MULTILINE)
 _MERGE = re.compile(rb"^(<{7}|={7}|>{7})( |\r?$)", re.MULTILINE)
 # The name of a notebook, with what a download adds: .json by Safari, .txt by Windows.
-_NOTEBOOK = re.compile(r"[^.].*\.ipynb(\.ipynb|\.json|\.txt)*", re.IGNORECASE | re.DOTALL)
+_NOTEBOOK = re.compile(
+    r"[^.].*\.ipynb((?: ?\(\d+\))?(\.ipynb|\.json|\.txt))*", re.IGNORECASE | re.DOTALL
+)
 _CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # what nbformat 4.5 allows
 
 
@@ -82,9 +84,11 @@ def _notebooks_folder(folder: Path) -> Path | None:
     itself."""
     if (folder / "notebooks").is_dir():
         return folder / "notebooks"
-    if folder.is_dir() and any(folder.glob("*.ipynb")):
-        return folder
-    return None
+    try:
+        names = os.listdir(folder)
+    except OSError:  # there is no such folder, or it cannot be read
+        return None
+    return folder if any(map(_NOTEBOOK.fullmatch, names)) else None
 
 
 def _which_folder() -> str:
