@@ -16,7 +16,7 @@ from course_lib import figures, rigid, rotations
 from course_lib.arms import iiwa14, panda, planar_arm, ur5e
 from course_lib.figures.solids import Part
 from course_lib.figures.solids.meshes import ball
-from course_lib.figures.solids.model import AMBER
+from course_lib.figures.solids.model import AMBER, VIOLET
 from course_lib.figures.stills import TOY, stored_stills
 from course_lib.figures.toys.film import film, flat_film, still
 from course_lib.figures.toys.toy import ELSEWHERE, PARTS, SCRIPTS, is_live, script_names
@@ -394,3 +394,16 @@ def test_the_function_gets_what_is_clicked_and_the_figure_its_pose():
             words
             in asked(figure, lambda *case, T=wrong: T, pixels=pixels, depths=depths)["problem"]
         )
+
+
+@pytest.mark.parametrize("what", ["paths", "words", "arrows"])
+def test_a_line_in_a_colour_of_bodies_is_refused_since_the_script_cannot_draw_it(what):
+    drawn = {
+        "paths": [([[0, 0, 0], [1, 0, 0]], VIOLET, ())],
+        "words": [("here", [0, 0, 0], VIOLET)],
+        "arrows": [(0, VIOLET, np.zeros((3, 3)))],
+    }
+    parts = [Part(0, VIOLET, ball(np.zeros(3), 0.1))]
+    poses = np.tile(np.eye(4), (3, 1, 1, 1))
+    with pytest.raises(TypeError, match="must be a text like '#0072B2'; it is 11"):
+        film(parts, poses, [0.0, 1.0, 2.0], "A ball.", **{what: drawn[what]})

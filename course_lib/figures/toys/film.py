@@ -103,9 +103,12 @@ def film(
         # Two arrays, because each is rounded by its own largest number.
         "rotations": (np.round(log_so3(poses[..., :3, :3]) + OFF_TIES, 5) + 0.0).tolist(),
         "positions": (np.round(positions, 2) + 0.0).tolist(),
-        "paths": [[_rounded_path(points), colour, list(dash)] for points, colour, dash in paths],
+        "paths": [
+            [_rounded_path(points), _for_script(colour), list(dash)]
+            for points, colour, dash in paths
+        ],
         "words": [
-            [word, np.round(np.add(point, OFF_TIES), 4).tolist(), colour]
+            [word, np.round(np.add(point, OFF_TIES), 4).tolist(), _for_script(colour)]
             for word, point, colour in words
         ],
         "centre": ((low + high) / 2).round(3).tolist(),
@@ -122,7 +125,11 @@ def film(
         meta["near"] = np.round(near, 4).tolist()
     if arrows:
         meta["arrows"] = [
-            [body, colour, (np.round(np.asarray(vectors)[kept] + OFF_TIES, 4) + 0.0).tolist()]
+            [
+                body,
+                _for_script(colour),
+                (np.round(np.asarray(vectors)[kept] + OFF_TIES, 4) + 0.0).tolist(),
+            ]
             for body, colour, vectors in arrows
         ]
     if charts:
@@ -138,6 +145,20 @@ def film(
     return Toy("film", meta, alt, caption=caption)
 
 
+def _for_script(colour):
+    """Return the colour of a line or a word, which the script needs as a text like "#0072B2".
+
+    The colours of bodies are numbers instead, those of solids.model, and would leave the picture
+    empty.
+    """
+    if not isinstance(colour, str):
+        raise TypeError(
+            f"the colour of a line, an arrow or a word must be a text like '#0072B2'; it is "
+            f"{colour!r}, which is a colour of bodies"
+        )
+    return colour
+
+
 def _chart_over_time(title, label, curves, kept):
     """Return a chart for the script, with a margin around its curves and its name above them."""
     values = [np.asarray(values, float)[kept] for *_, values in curves]
@@ -145,7 +166,7 @@ def _chart_over_time(title, label, curves, kept):
     margin = max(0.08 * (high - low), 1e-3)
     low, high = round(float(low - margin), 3), round(float(high + 4 * margin), 3)
     lines = [
-        [name, colour, (np.round(line + OFF_TIES, 4) + 0.0).tolist()]
+        [name, _for_script(colour), (np.round(line + OFF_TIES, 4) + 0.0).tolist()]
         for (name, colour, _), line in zip(curves, values, strict=True)
     ]
     return {

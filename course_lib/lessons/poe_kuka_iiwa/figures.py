@@ -11,7 +11,7 @@ from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres
 from course_lib.figures.solids import Part, link_poses, scene, shell
 from course_lib.figures.solids.meshes import arrow, box, revolve
-from course_lib.figures.solids.model import DARK, LIGHT_BLUE, VIOLET
+from course_lib.figures.solids.model import AXIS, DARK, LIGHT_BLUE, VIOLET
 from course_lib.figures.style import (
     BLACK,
     BLUE,
@@ -474,7 +474,7 @@ def velocities_over_time(t, v, poses):
         "velocity at that time. The body twist and the hybrid twist have the same speed at each "
         "instant, because only their axes differ.",
         paths=[(path, BLUE, (7, 5))],
-        arrows=[(0, VIOLET, 0.6 * size / fastest * drawn_as_arrow)],
+        arrows=[(0, AXIS, 0.6 * size / fastest * drawn_as_arrow)],
         charts=charts_over_time,
         view=(0.1, 1.0, 0.5),
         ground=False,
