@@ -312,10 +312,11 @@ def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():
     alphas, epsilons = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5)
     errors = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
     runs = [(0.2, 2.0), (2.8, 2.0)]
-    heat, limit, dots = nb3.step_map(alphas, epsilons, errors, 2.5, runs).fig.data
-    np.testing.assert_allclose(np.array(heat.customdata)[..., 0], errors.T)
-    np.testing.assert_allclose(limit.x, 2 * (1 + epsilons / 2.5**2))
-    np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), runs)
+    model = nb3.step_map(alphas, epsilons, errors, 2.5, runs, np.zeros(4), [1, 2], 200).stored()
+    shown = str(model)
+    for numbers in (np.log10(errors.T).round(2), np.log10(alphas).round(4)):
+        assert str(numbers.tolist())[1:-1] in shown
+    assert "'runs': [[0.2, 2.0], [2.8, 2.0]]" in shown
 
 
 def test_bars_of_one_name_in_two_panels_have_one_colour():

@@ -315,8 +315,8 @@ def test_a_number_of_rows_that_int_explains_is_shown_with_its_division():
     ("change", "name"),
     [
         (lambda weights: np.ones(len(weights)), "each point counts as much as every other"),
-        (np.square, "the weights count as another power"),
-        (lambda weights: 1.0 * (weights > 0), "each weight above 0 counts as 1"),
+        (np.square, "another power of the weights is used"),
+        (lambda weights: 1.0 * (weights > 0), "each positive weight counts as 1"),
     ],
 )
 def test_weights_are_named_after_how_they_count(change, name):

@@ -1,4 +1,4 @@
-"""What a file is that bears a notebook's name and is none, said so that its student can mend it."""
+"""What a file with a notebook's name really is, in words with which its student can mend it."""
 
 import json
 import re

@@ -227,7 +227,7 @@ def _platform(setting: str) -> Callable[[str], str]:
 
 
 def _place(typed: str) -> str:
-    """Return a path that was typed; ~ is the home folder, also where the shell leaves it as it is.
+    """Return a path that was typed; ~ is the home folder, even if the shell leaves it as it is.
 
     zsh, the shell of macOS, does so in make grade SUBMISSIONS=~/folder.
     """

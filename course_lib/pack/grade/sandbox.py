@@ -91,7 +91,7 @@ class Sandbox:
     ) -> None:
         self._contents, self._limits, self._hidden = contents, limits, hidden
         self._isolated = isolation.isolated(isolate)
-        self._unread = bytearray()  # what came and is no whole message yet
+        self._unread = bytearray()  # the bytes that are not a whole message yet
         self._over = self._excess = ""  # why no message comes any more, which bound was exceeded
         self._ended = threading.Event()
         self.looks = 0

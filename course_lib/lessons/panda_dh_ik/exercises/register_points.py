@@ -205,7 +205,7 @@ def weights_not_used(src, dst, weights):
 
 
 @EXERCISE.mistake(
-    "each weight above 0 counts as 1",
+    "each positive weight counts as 1",
     "Which weight does your code use for w_i = 4?",
 )
 def weights_as_flags(src, dst, weights):
@@ -213,7 +213,7 @@ def weights_as_flags(src, dst, weights):
 
 
 @EXERCISE.mistake(
-    "the weights count as another power than the first",
+    "another power of the weights is used",
     "Which weights does your code use for w_i = 0, 1 and 4?",
     power=(np.square, np.sqrt),
 )

@@ -89,7 +89,7 @@ def _other_rotation(T, omega, point, theta):
         else f"The angle by which your R rotates differs from theta by {off:.2g} rad."
     )
     return Mistake(
-        "R rotates about omega, but by another angle than theta",
+        "R rotates about omega, but its angle is not theta",
         f"{differs} What does your code do with theta before it takes the sine and the cosine?",
     )
 

@@ -234,7 +234,7 @@ def stem_of(name: str) -> str:
 
 
 def ending_of(name: str) -> str:
-    """Return the ending of a file's name in small letters: .ipynb also for a.ipynb.json."""
+    """Return the ending of a file's name in small letters; a.ipynb.json ends in .ipynb."""
     return PurePath(ADDED.sub("", name)).suffix.lower()
 
 

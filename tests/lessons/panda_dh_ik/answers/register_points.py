@@ -81,7 +81,7 @@ def wrong_apart(src, dst, weights):
 
 
 def wrong_weights_missing(src, dst, weights):
-    """each weight above 0 counts as 1"""
+    """each positive weight counts as 1"""
     return right_kabsch(src, dst, np.ones(len(src)) * (weights > 0))
 
 
