@@ -399,8 +399,8 @@ def test_the_function_gets_what_is_clicked_and_the_figure_its_pose():
 @pytest.mark.parametrize("what", ["paths", "words", "arrows"])
 def test_a_line_in_a_colour_of_bodies_is_refused_since_the_script_cannot_draw_it(what):
     drawn = {
-        "paths": [([[0, 0, 0], [1, 0, 0]], VIOLET, ())],
-        "words": [("here", [0, 0, 0], VIOLET)],
+        "paths": [(np.array([[0.0, 0, 0], [1, 0, 0]]), VIOLET, ())],
+        "words": [("here", np.zeros(3), VIOLET)],
         "arrows": [(0, VIOLET, np.zeros((3, 3)))],
     }
     parts = [Part(0, VIOLET, ball(np.zeros(3), 0.1))]

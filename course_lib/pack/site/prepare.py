@@ -29,6 +29,7 @@ from course_lib.pack.site.answers import (
     leave_out,
 )
 from course_lib.pack.site.links import notebook_number
+from course_lib.pack.site.sections import PAGES as SECTION_PAGES
 
 OPENING = 4  # cells, with the first figure among them
 # The words of a prediction's box before its choices, and what a page says instead: it runs no code.
@@ -110,8 +111,10 @@ def name_figures(book: nbformat.NotebookNode, name: str) -> None:
 
         def named(link: re.Match, place: str = place) -> str:
             words, page, cell_id = link.groups()
-            # The errors of all reports are on a page of their own, without the notebooks' cells.
-            if notebook and not page and cell_id not in cells:
+            # A page of sections of all notebooks has not the cells of these notebooks.
+            if name.removesuffix(".ipynb") in SECTION_PAGES:
+                return words
+            if not page and cell_id not in cells:
                 raise SiteError(f"{place} links to the cell {cell_id}, which is not there.")
             if page or cell_id not in numbers:
                 return words
