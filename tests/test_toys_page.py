@@ -430,11 +430,11 @@ def test_toys_follow_a_change_of_theme_with_enough_contrast_and_keep_their_confi
             assert {
                 colour: contrast for colour, contrast in words.items() if contrast < 4.5
             } == {}, name
-            # The black lines of step_map lie on a map that has the same colours in both themes.
-            off = lines if name != "step_map" else {}
-            assert {colour: contrast for colour, contrast in off.items() if contrast < 3} == {}, (
-                name
-            )
+            faint = {colour for colour, contrast in lines.items() if contrast < 3}
+            if name == "step_map":  # a black curve with a white rim: one of the two is seen
+                assert not faint >= {"#000000", "#e8eaed"}
+                faint -= {"#000000", "#e8eaed"}
+            assert faint == set(), name
             assert text > 4.5, name
 
 

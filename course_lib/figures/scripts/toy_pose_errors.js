@@ -40,25 +40,13 @@
     const words = card.words([comment([1, 1, 1])]);
 
     function addHandles(key, title, colour) {
-      const position = () => state[key].slice(0, 2);
-      plane.handle({
-        name: `${title}, position`,
+      plane.poseHandles({
+        title,
         colour,
-        at: position,
-        describe: () => P.metres(position()),
-        moved: ([x, y]) => {
-          state[key] = [x, y, state[key][2]];
-        },
-      });
-      plane.handle({
-        name: `${title}, direction`,
-        colour,
-        small: true,
-        at: () => ahead(state[key], DIRECTION),
-        describe: () => P.degrees(state[key][2]),
-        moved: ([u, v]) => {
-          const [x, y] = state[key];
-          state[key][2] = Math.atan2(v - y, u - x);
+        pose: () => state[key],
+        ahead: () => ahead(state[key], DIRECTION),
+        moved: (pose) => {
+          state[key] = pose;
           rotation.set(rotationOf(state));
         },
       });

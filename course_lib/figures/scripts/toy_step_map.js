@@ -104,6 +104,8 @@
         Math.log10(2 * (1 + 10 ** eps / meta.largest ** 2)),
         eps,
       ]);
+      // With a white rim it is seen on each of the map's colours, and beside the map in the dark.
+      chart.line(limit, COLOURS.white, 5);
       chart.line(limit, COLOURS.shade, 2);
       for (const [alpha, eps] of meta.runs) {
         const place = [Math.log10(alpha), Math.log10(eps)];

@@ -28,30 +28,17 @@
       label: "Two poses, the motions between them and the pole",
       proportion: HEIGHT,
     });
-    addHandles("start", "Start", COLOURS.blue);
-    addHandles("goal", "Goal", COLOURS.orange);
-    function addHandles(key, title, colour) {
-      const position = () => state[key].slice(0, 2);
-      const angle = () => P.degrees(state[key][2]);
-      plane.handle({
-        name: `${title}, position`,
+    for (const [key, title, colour] of [
+      ["start", "Start", COLOURS.blue],
+      ["goal", "Goal", COLOURS.orange],
+    ]) {
+      plane.poseHandles({
+        title,
         colour,
-        at: position,
-        describe: () => `${P.metres(position())}, ${angle()}`,
-        moved: ([x, y]) => {
-          state[key] = [x, y, state[key][2]];
-        },
-      });
-      plane.handle({
-        name: `${title}, direction`,
-        colour,
-        small: true,
-        at: () => pointOf(state[key], DIRECTION),
-        describe: angle,
-        moved: ([u, v]) => {
-          const [x, y, theta] = state[key];
-          const change = M.wrap(Math.atan2(v - y, u - x) - theta);
-          state[key] = [x, y, theta + change]; // beyond half a revolution, too
+        pose: () => state[key],
+        ahead: () => pointOf(state[key], DIRECTION),
+        moved: (pose) => {
+          state[key] = pose;
         },
       });
     }

@@ -261,7 +261,7 @@ def flat_film(
         "times": np.subtract(times, times[0]).round(4).tolist(),
         "shapes": [(np.round(corners, 3) + 0.0).tolist() for corners in shapes],
         "still": [
-            [(np.round(points, 3) + 0.0).tolist(), colour, list(dash), *number]
+            [(np.round(points, 3) + 0.0).tolist(), _for_script(colour), list(dash), *number]
             for points, colour, dash, *number in still
         ],
         "half": half,
@@ -271,7 +271,7 @@ def flat_film(
         "movie": name,
     }
     if colours:
-        meta["colours"] = list(colours)
+        meta["colours"] = list(map(_for_script, colours))
     if names:
         meta["names"] = list(names)
     if ghosts:

@@ -201,6 +201,34 @@
     const stride = width / STEPS_ACROSS;
     plane.handle = (options) =>
       stage.handle({ stride, ...options }, { toPixels, fromPixels, step: M.add });
+    /**
+     * The two handles of a pose (x, y, theta), for its position and its direction.
+     * @param {{title: string, colour: string, pose: () => number[], ahead: () => number[],
+     *   moved: (pose: number[]) => void}} options ahead: where the handle of the direction is
+     */
+    plane.poseHandles = ({ title, colour, pose, ahead, moved }) => {
+      const position = () => pose().slice(0, 2);
+      const angle = () => P.degrees(pose()[2]);
+      plane.handle({
+        name: `${title}, position`,
+        colour,
+        at: position,
+        describe: () => `${P.metres(position())}, ${angle()}`,
+        moved: ([x, y]) => moved([x, y, pose()[2]]),
+      });
+      plane.handle({
+        name: `${title}, direction`,
+        colour,
+        small: true,
+        at: ahead,
+        describe: angle,
+        moved: ([u, v]) => {
+          const [x, y, theta] = pose();
+          const change = M.wrap(Math.atan2(v - y, u - x) - theta);
+          moved([x, y, theta + change]); // beyond half a revolution, too
+        },
+      });
+    };
     return plane;
   };
 
