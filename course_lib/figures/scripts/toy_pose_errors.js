@@ -69,7 +69,7 @@
       // Beside an arrow that ends in the target or may leave the picture, else beyond its tip.
       const [dx, dy] = M.scale(arrow, 1 / length);
       const place = isBeside
-        ? M.add(M.add(from, [dx, dy], Math.min(0.5 * length, 0.4)), [-dy, dx], 0.12)
+        ? M.add(M.add(from, [dx, dy], Math.min(0.35 * length, 0.4)), [-dy, dx], 0.12)
         : M.add(to, [dx, dy], 0.09);
       plane.text(place, name, colour);
     }
