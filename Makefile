@@ -72,7 +72,7 @@ test: environment ## run the linters, the tests, and every notebook against its 
 		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules \
 		$(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)
 
-html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no leaves the solutions out and writes build/html-students/, SOLUTIONS=model shows there the answers to the written questions; REPOSITORY=https://github.com/owner/name adds buttons that open the notebooks of its branch main on Binder and on Colab
+html: environment ## export the notebooks as a static site, build/html/index.html; SOLUTIONS=no leaves the solutions out and writes build/html-students/, SOLUTIONS=model shows there the answers to the written questions; REPOSITORY=https://github.com/owner/name adds buttons that open the notebooks of its branch main on Binder and on Colab and on Colab
 	@$(PY) -m course_lib.pack.site $(if $(SOLUTIONS),--solutions "$(SOLUTIONS)") \
 		$(if $(REPOSITORY),--repository "$(REPOSITORY)")
 

@@ -46,9 +46,10 @@ def test_files_that_are_no_notebooks_are_listed_with_the_reason(tmp_path, capsys
     both(said, page, "bob.docx: It is not a notebook: its name does not end in .ipynb.")
 
 
-def test_the_file_of_a_group_is_listed_once(tmp_path, capsys):
+def hand_in_by_two(tmp_path, **options):
+    """Store the notebook of two partners as Gradescope exports it."""
     export = tmp_path / "in/assignment_7_export"
-    hand_in(export, "submission_5/01_rotations.ipynb", do="raise")
+    hand_in(export, "submission_5/01_rotations.ipynb", **options)
     members = "".join(
         f"  - :name: {name}\n    :sid: {name}\n    :email: {name}@uni.example\n"
         for name in ("ana", "bo")
@@ -56,9 +57,20 @@ def test_the_file_of_a_group_is_listed_once(tmp_path, capsys):
     (export / "submission_metadata.yml").write_text(
         f"---\nsubmission_5:\n  :submitters:\n{members}"
     )
+
+
+def test_the_file_of_a_group_is_listed_once(tmp_path, capsys):
+    hand_in_by_two(tmp_path, do="raise")
     said, page = run(tmp_path, capsys)
     both(said, page, "The grader failed on 1 file: the same command tries again.")
     assert said.count("01_rotations.ipynb: The grader failed") == 1
+
+
+def test_the_picture_in_the_answer_of_a_group_is_listed_once(tmp_path, capsys):
+    hand_in_by_two(tmp_path, points=[2], texts=["![](sketch.png)"])
+    said, page = run(tmp_path, capsys)
+    both(said, page, "These written answers hold pictures, which questions.csv cannot show.")
+    assert said.count("01_rotations.ipynb: explain_0") == 1
 
 
 def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
