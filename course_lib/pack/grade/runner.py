@@ -24,11 +24,14 @@ import shutil
 import signal
 import sys
 import threading
+import time
 import types
 from collections.abc import Callable
 from typing import IO
 
 PATIENCE = 20  # seconds in which a child reads an answer
+ROOM_PATIENCE = 5  # seconds in which killed processes end and leave room for another one
+ROOM_PAUSE = 0.01  # seconds between two attempts to make a process
 TOO_LONG = "its answer is too long"
 TOO_OFTEN = "it calls the functions that it tests too often"
 NOT_READING = "it does not read what the functions that it calls answer"
@@ -199,7 +202,7 @@ def in_a_child(asked: dict, answer: Callable, checks: types.ModuleType, pass_on:
     from_child, to_parent = os.pipe()
     from_parent, to_child = os.pipe()
     try:
-        child = os.fork()
+        child = fork_when_there_is_room()
     except OSError as error:
         return {"ended": f"no process for it could be made, {error}"}
     if child == 0:
@@ -219,6 +222,21 @@ def in_a_child(asked: dict, answer: Callable, checks: types.ModuleType, pass_on:
         return {"reply": text[:-1]}
     computed = usage.ru_utime + usage.ru_stime
     return {"ended": reason, "status": os.waitstatus_to_exitcode(status), "computed": computed}
+
+
+def fork_when_there_is_room() -> int:
+    """Return what os.fork returns; wait a while if there are as many processes as are allowed.
+
+    Those that an earlier answer started are killed with it, but count until they have ended.
+    """
+    end = time.monotonic() + ROOM_PATIENCE
+    while True:
+        try:
+            return os.fork()
+        except BlockingIOError:
+            if time.monotonic() > end:
+                raise
+            time.sleep(ROOM_PAUSE)
 
 
 def read_reply(
