@@ -13,9 +13,9 @@ from course_lib.figures.stills import TOY
 
 
 def be_patient(browser):
-    """Let what fails wait two minutes for each process that wants to run: a busy machine takes so
-    many times longer."""
-    milliseconds = 120_000 * max((1, *getattr(os, "getloadavg", tuple)()))
+    """Let what fails wait a minute for each process that wants to run: a busy machine takes so many
+    times longer."""
+    milliseconds = 60_000 * max((1, *getattr(os, "getloadavg", tuple)()))
     expect.set_options(timeout=milliseconds)
     for context in browser.contexts:
         context.set_default_timeout(milliseconds)
