@@ -17,6 +17,16 @@ _INDICES = Mistake(
     "the indices of some matches are returned",
     "The answer is True or False for each of the n matches.",
 )
+_TOO_MANY = Mistake(
+    "matches count as good that are farther than tol from where the pose takes them",
+    "Print the n distances for one triple: are they in metres, or squared, or rounded? Compare "
+    "them with tol by eye.",
+)
+_NOT_LARGEST = Mistake(
+    "the set that is returned is not the largest one",
+    "Print, for each triple, how many of the n distances are below tol. Which triple has the "
+    "largest number, and which set do you return?",
+)
 _TOL = 0.005  # m
 
 
@@ -145,11 +155,8 @@ EXERCISE = Exercise(
                 f"Here the largest set has {int(right(*case).sum())} matches; yours has "
                 f"{int(good.sum())}."
             ),
-            mistake=Mistake(
-                "the set that is returned is not the largest one",
-                "Print, for each triple, how many of the n distances are below tol. Which "
-                "triple has "
-                "the largest number, and which set do you return?",
+            mistake=lambda good, *case: (
+                _TOO_MANY if good.sum() > right(*case).sum() else _NOT_LARGEST
             ),
         ),
     ),

@@ -189,8 +189,9 @@ EXERCISE.mistake(POINTS_MOVED, form=are_points)
 
 EXERCISE.mistake(
     Mistake(
-        "rigid.transform gets a reflection",
-        "Which sign makes U V^T a rotation, and at which singular value does it cost least?",
+        "rigid.transform gets a matrix that is not a rotation",
+        "The determinant of a rotation is 1. Which sign makes U V^T a rotation, and at which "
+        "singular value does it cost least?",
     ),
     raises=("ValueError", "is not a rotation"),
 )

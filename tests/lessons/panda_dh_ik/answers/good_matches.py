@@ -45,3 +45,12 @@ def wrong_pose(src, dst, tol):
     """a pose is returned"""
     good = right_all_triples(src, dst, tol)
     return register_points(src[good], dst[good])
+
+
+def wrong_squares_compared_with_tol(src, dst, tol):
+    """matches count as good that are farther than tol"""
+    triples = map(list, itertools.combinations(range(len(src)), 3))
+    return max(
+        (residuals(register_points(src[t], dst[t]), src, dst) ** 2 < tol for t in triples),
+        key=np.sum,
+    )
