@@ -162,7 +162,11 @@ def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_
 
 
 @pytest.mark.parametrize(
-    ("browser", "said"), [("/nowhere/chrome", "no Chrome or"), ("/bin/false", "/bin/false failed")]
+    ("browser", "said"),
+    [
+        ("/nowhere/chrome", "BROWSER_PATH=/nowhere/chrome is not a program"),
+        ("/bin/false", "/bin/false failed"),
+    ],
 )
 def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(
     write, monkeypatch, capsys, browser, said

@@ -347,7 +347,7 @@ def test_a_failed_build_gives_its_reason_in_a_sentence(tmp_path, monkeypatch, ca
         )
         bare.delenv("BROWSER_PATH", raising=False)
         bare.setattr(sys, "argv", [*sys.argv, "--pdf", str(tmp_path / "course.pdf")])
-        assert "A PDF needs Chromium or Chrome: install one" in run()
+        assert "No site was built. A browser prints the PDF, and no Chrome or Chromium" in run()
     write(books, "01.ipynb", cell())
     assert "01.ipynb holds no outputs" in run()
     (books / "01.ipynb").write_text("<<<<<<< two versions of a notebook")

@@ -9,7 +9,7 @@ from nbformat.v4 import new_markdown_cell
 from site_notebooks import write
 from sphinx_builds import build
 
-from course_lib.pack.site import pdf
+from course_lib.pack.site import SiteError, pdf
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +54,15 @@ def test_no_bookmark_says_its_name_twice():
     assert b"<FEFF0031002000B7>" in named
     assert b"(Once)" in named
     assert len(named) == len(PRINTED), "the places of the objects stay"
+
+
+def test_a_pdf_stays_as_it_was_if_the_browser_fails(site, tmp_path, monkeypatch):
+    file = tmp_path / "course.pdf"
+    file.write_bytes(b"the PDF of yesterday")
+    monkeypatch.setenv("BROWSER_PATH", "/bin/false")
+    with pytest.raises(SiteError, match="A browser prints the PDF, and the browser /bin/false"):
+        pdf.write_pdf(site, file)
+    assert file.read_bytes() == b"the PDF of yesterday"
 
 
 @pytest.mark.tools("pdftotext")

@@ -16,6 +16,10 @@ from PIL import Image
 
 from course_lib.figures.toys.toy import script
 
+INSTALL_BROWSER = (
+    "install one (on Debian: sudo apt install chromium), or name it with "
+    "BROWSER_PATH=/path/to/chromium"
+)
 WIDTH = 720  # pixels
 MAX_HEIGHT = 1600  # pixels, of the window in which a toy is drawn
 MAX_SECONDS = 600  # for a picture, on a busy machine
@@ -135,6 +139,8 @@ def find_browser() -> str:
 
     named = os.environ.get("BROWSER_PATH")
     browser = shutil.which(named) if named else Chromium.find_browser(skip_local=False)
+    if named and not browser:
+        raise TimeoutError(f"BROWSER_PATH={named} is not a program: {INSTALL_BROWSER}")
     if not browser:
-        raise TimeoutError("no Chrome or Chromium was found; BROWSER_PATH may name one")
+        raise TimeoutError(f"no Chrome or Chromium was found: {INSTALL_BROWSER}")
     return str(browser)

@@ -4,19 +4,17 @@ It has a title, contents, and the articles.
 """
 
 import re
+import tempfile
 from datetime import date
 from importlib.metadata import version
 from pathlib import Path
 
 from bs4 import BeautifulSoup
 
+from course_lib.pack.files import write_atomically
 from course_lib.pack.photograph import find_browser, headless
 from course_lib.pack.release.bundle import release_date
 from course_lib.pack.site import SiteError
-
-NEEDED = (
-    "A PDF needs Chromium or Chrome: install one, or name it with BROWSER_PATH=/path/to/chromium."
-)
 
 
 def check_browser() -> None:
@@ -24,38 +22,39 @@ def check_browser() -> None:
     try:
         find_browser()
     except TimeoutError as error:
-        raise SiteError(NEEDED) from error
+        raise SiteError(f"A browser prints the PDF, and {error}.") from error
 
 
 def write_pdf(site: Path, file: Path) -> None:
     """Print a site to `file`; raises SiteError if there is no browser, or it prints nothing."""
-    file.parent.mkdir(parents=True, exist_ok=True)
     # Only what is printed says on which page a chapter begins, so it is printed twice: a browser
     # cannot write a page's number beside a link to it.
-    pages = first_pages(_print(site, _book(site, {}), file))
-    content = _print(site, _book(site, pages), file)
-    file.write_bytes(name_bookmarks_once(content))
+    pages = first_pages(_print(site, _book(site, {})))
+    content = _print(site, _book(site, pages))
+    write_atomically(file, name_bookmarks_once(content), mode=0o644)
 
 
-def _print(site: Path, text: str, file: Path) -> bytes:
-    """Print a page of a site to `file`, and return what the file then holds."""
+def _print(site: Path, text: str) -> bytes:
+    """Return the PDF that a browser prints of a page of a site."""
     book = site / "book.html"  # beside the pictures that it shows
     book.write_text(text, encoding="utf-8")
-    file.unlink(missing_ok=True)
-    try:  # page numbers are the style sheet's
-        headless(
-            book,
-            "--no-pdf-header-footer",
-            "--generate-pdf-document-outline",
-            f"--print-to-pdf={file.resolve()}",
-        )
-    except TimeoutError as error:
-        raise SiteError(f"{NEEDED} ({error})") from error
-    finally:
-        book.unlink()
-    if not file.is_file():
-        raise SiteError("The browser printed nothing.")
-    return file.read_bytes()
+    # Not in /tmp, to which a browser that Ubuntu installs as a snap cannot write.
+    with tempfile.TemporaryDirectory(dir=site.parent, prefix="pdf-") as folder:
+        file = Path(folder, "book.pdf").resolve()
+        try:  # page numbers are the style sheet's
+            headless(
+                book,
+                "--no-pdf-header-footer",
+                "--generate-pdf-document-outline",
+                f"--print-to-pdf={file}",
+            )
+        except TimeoutError as error:
+            raise SiteError(f"A browser prints the PDF, and {error}.") from error
+        finally:
+            book.unlink()
+        if not file.is_file():
+            raise SiteError("The browser printed nothing.")
+        return file.read_bytes()
 
 
 def first_pages(content: bytes) -> dict[str, int]:
