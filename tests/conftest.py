@@ -9,7 +9,7 @@ import nbformat
 import numpy as np
 import pytest
 from hypothesis import settings
-from tools import Machine
+from tools import Machine, report_missing
 
 pytest.register_assert_rewrite("site_visits")  # so that it says what differs, as the tests do
 
@@ -141,6 +141,11 @@ def pytest_configure(config):
     )
     config.machine = Machine()
     config.browser, config.to_close = None, ExitStack()
+
+
+def pytest_report_header(config):
+    """Say before the first test which programs are missing."""
+    return report_missing(config.machine.found)
 
 
 def pytest_unconfigure(config):

@@ -8,6 +8,9 @@ import importlib
 import os
 import re
 import shutil
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +19,13 @@ from course_copy import ROOT, copied, made, run
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from numpy.testing import assert_allclose
 from site_notebooks import cell, output, write
+from tools import FIXTURES, PACKAGES, report_missing
 
 from course_lib import trajectory
 from course_lib.arms import iiwa14
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
+from course_lib.pack import STOPPED
 from course_lib.pack.data import end_effector_velocity
 from course_lib.pack.grade import options
 
@@ -52,6 +57,40 @@ def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(cours
 def test_make_test_says_that_javascript_is_not_checked_without_biome(course):
     done = run(course, "make", "test", "ONLY=exp_so33")
     assert "JavaScript is not checked, because Biome is not installed" in done.stdout
+
+
+def test_make_test_begins_with_what_it_does_and_how_long_and_how_to_run_a_part(course):
+    fault = course / "course_lib/fault.py"
+    fault.write_text("import os\n")  # the linter stops at it, before the first test
+    whole = run(course, "make", "test").stdout.splitlines()
+    part = run(course, "make", "test", "ONLY=unhat").stdout
+    fault.unlink()
+    assert "all tests and all notebooks" in whole[0]
+    assert "half an hour" in whole[0]
+    (exercise,) = re.findall(r"make test ONLY=(\w+)", whole[0])
+    assert list(ROOT.glob(f"course_lib/lessons/*/exercises/{exercise}.py"))
+    assert "half an hour" not in part
+
+
+@pytest.mark.parametrize("ci", [False, True])
+def test_pytest_begins_with_the_programs_that_are_missing(monkeypatch, ci):
+    monkeypatch.delenv("CI", raising=False)
+    if ci:
+        monkeypatch.setenv("CI", "true")
+    places = dict.fromkeys(PACKAGES, "/usr/bin/true")
+    assert report_missing(places) == []
+    first, second = report_missing(places | {"browser": None, "pdftotext": None})
+    assert "not installed: browser, pdftotext." in first
+    assert ("are skipped" in first) is not ci
+    assert second.endswith("sudo apt install chromium poppler-utils")
+
+
+def test_every_tool_that_a_test_declares_has_a_package():
+    declared = set(FIXTURES.values())
+    for path in (ROOT / "tests").glob("*.py"):
+        marks = re.findall(r"mark\.tools\(([^)]*)\)", path.read_text(encoding="utf-8"))
+        declared.update(re.findall(r'"(\w+)"', " ".join(marks)))
+    assert declared == PACKAGES.keys()
 
 
 @pytest.mark.parametrize("place", ["bin", "node_modules/.bin"])
@@ -223,6 +262,56 @@ def test_every_command_explains_itself(command, capsys):
     lines = re.sub(r"\n {8,}", " ", text.partition("\n\n")[2])  # each option with its help on one
     for line in re.findall(r"^  (?:-|[A-Z]).*$", lines, re.MULTILINE):
         assert len(line.split()) > 4, f"{line} has no help"
+
+
+# Has Ctrl-C pressed when a command imports the first package after its own.
+PRESS_CTRL_C = """
+import runpy, signal, sys
+
+def press(event, arguments):
+    if event == "import" and arguments[0] == "argparse":
+        signal.raise_signal(signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.addaudithook(press)
+runpy.run_module(sys.argv[1], run_name="__main__", alter_sys=True)
+"""
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_ctrl_c_while_a_command_imports_packages_ends_it_with_a_sentence(command):
+    done = subprocess.run(
+        [sys.executable, "-c", PRESS_CTRL_C, f"course_lib.pack.{command}"],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+    )
+    assert done.returncode == -signal.SIGINT, "so that make ends too"
+    assert done.stderr.strip() == STOPPED
+
+
+def test_ctrl_c_while_a_notebook_runs_leaves_the_file_and_no_traceback(course):
+    path = course / "notebooks/02_slow.ipynb"
+    write(path.parent, path.name, new_code_cell("import time\ntime.sleep(600)"))
+    before = path.read_bytes()
+    command = ["make", "notebooks", f"NOTEBOOKS=notebooks/{path.name}"]
+    with subprocess.Popen(
+        command,
+        cwd=course,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    ) as running:
+        assert running.stdout.read(len(f"notebooks/{path.name}")) == f"notebooks/{path.name}"
+        os.killpg(running.pid, signal.SIGINT)
+        _, errors = running.communicate(timeout=600)
+    assert path.read_bytes() == before
+    path.unlink()
+    assert running.returncode != 0
+    assert STOPPED in errors
+    assert "Traceback" not in errors
 
 
 def test_grading_has_a_group_of_options_for_each_question():

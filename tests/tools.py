@@ -20,8 +20,31 @@ TOOLS = {
     "pdftotext": ("pdftotext",),
     "uv": ("uv",),
 }
+# The packages of Debian and Ubuntu that hold the tools which tests declare.
+PACKAGES = {
+    "browser": "chromium",
+    "bwrap": "bubblewrap",
+    "git": "git",
+    "pdftotext": "poppler-utils",
+}
 FIXTURES = {"browser": "browser", "isolated": "bwrap"}  # which stand for a tool
 NO_BROWSER = "/no/browser"  # else a browser would be found where browsers usually are
+
+
+def report_missing(places):
+    """Return lines on the tools that are not installed and how to install them, or no lines.
+
+    `places` is {tool: its path or None}.
+    """
+    missing = [tool for tool in PACKAGES if places[tool] is None]
+    if not missing:
+        return []
+    happens = "fail, because CI is set" if "CI" in os.environ else "are skipped"
+    packages = " ".join(PACKAGES[tool] for tool in missing)
+    return [
+        f"not installed: {', '.join(missing)}. Tests that need them {happens}.",
+        f"To install them on Debian: sudo apt install {packages}",
+    ]
 
 
 class Machine:
