@@ -316,6 +316,22 @@ def test_no_text_has_a_carried_over_idiom(path):
     assert not found, "\n".join([name, *found])
 
 
+# Three words or more that are followed by the same words, with nothing between them. Two words may be
+# right, as in "list of list of".
+SAID_TWICE = re.compile(r"\b((?:[^\W\d_]+ ){2,}[^\W\d_]+) \1\b")
+
+
+def test_words_that_are_said_twice_are_found():
+    assert SAID_TWICE.search("on Binder and on Colab and on Colab")
+    assert not SAID_TWICE.search("on Binder and on Colab, and on Colab alone")
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_no_text_says_the_same_words_twice_in_a_row(path):
+    found = [match[0] for text in paragraphs(path) for match in SAID_TWICE.finditer(text)]
+    assert not found
+
+
 def test_every_allowance_is_needed():
     found = [
         (path.relative_to(ROOT).as_posix(), around)

@@ -109,6 +109,34 @@ def test_the_workflow_for_changes_tests_every_version_of_python():
     assert {line["versions"] for line in matrix["include"]} == {"lowest-direct", "highest"}
 
 
+# {action: its first version that runs on Node.js 24}, as the release notes of each say. GitHub's
+# machines had Node.js 20, on which earlier versions run, until September 2026.
+ON_NODE_24 = {
+    "actions/checkout": 5,
+    "actions/setup-python": 6,
+    "actions/upload-artifact": 6,
+    "actions/download-artifact": 7,
+    "actions/upload-pages-artifact": 5,
+    "actions/deploy-pages": 5,
+}
+
+
+@pytest.mark.parametrize("name", ["notebooks", "test"])
+def test_no_action_of_a_workflow_needs_a_node_that_github_has_removed(name):
+    jobs = workflow(name)["jobs"].values()
+    used = {step["uses"] for job in jobs for step in job["steps"] if "uses" in step}
+    assert used
+    for action in used:
+        action_name, _, version = action.partition("@v")
+        assert int(version) >= ON_NODE_24[action_name], action
+
+
+def test_the_guides_say_that_a_fork_enables_workflows_first():
+    guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
+    for text in (README, guide):
+        assert re.search(r"enable\w*\s.*?fork's\s+tab\s+\*Actions\*", text, re.DOTALL)
+
+
 def sections(number):
     (path,) = (ROOT / "notebooks").glob(f"0{number}_*.ipynb")
     words = [cell.source for cell in nbformat.read(path, 4).cells if cell.cell_type == "markdown"]

@@ -16,6 +16,8 @@ from PIL import Image, ImageSequence
 
 from course_lib.lessons.rotations import check
 from course_lib.pack import pictures
+from course_lib.pack.grade import isolation
+from course_lib.pack.photograph import INSTALL_BROWSER
 from course_lib.pack.site.gather import PAGE, hours_in_words, sittings
 
 ROOT = Path(__file__).parent.parent
@@ -107,6 +109,20 @@ def test_every_command_and_file_it_names_is_there():
         assert re.search(rf"^{target}:.*## ", makefile, re.MULTILINE), target
     for name in re.findall(r"`((?:course_lib|tests|notebooks|\.ci|\.github)/[\w./]+)`", README):
         assert (ROOT / name).exists(), name
+
+
+def test_every_program_that_a_command_needs_is_listed_with_its_package(monkeypatch):
+    table = README.partition("| `sudo apt install` |")[2].partition("\n\n")[0]
+    rows = re.findall(r"^\| ([\w ]+) \| .* \| `(\w+)` \|$", table, re.MULTILINE)
+    assert dict(rows) == {
+        "Chromium or Chrome": "chromium",
+        "bubblewrap": "bubblewrap",
+        "ffmpeg": "ffmpeg",
+    }
+    assert "sudo apt install chromium" in INSTALL_BROWSER
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setattr("shutil.which", lambda name: None)
+    assert "sudo apt install bubblewrap" in isolation.problem()
 
 
 ONLY_ON_UNIX = ("fcntl", "grp", "pwd", "resource", "syslog", "termios")
