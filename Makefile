@@ -39,8 +39,9 @@ environment:
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told to. The settings of the folder named first keep it from
-# asking about news and updates, from warning of plain-text connections to kernels, and from loading
-# nbgrader, which only authors have.
+# asking about news and updates, from warning of plain-text connections to kernels, from listing the
+# language servers that are not installed below the address, and from loading nbgrader, which only
+# authors have.
 JUPYTER_SETTINGS = $(CURDIR)/course_lib/jupyter
 lab: environment ## open the exercises in JupyterLab, from exercises/; SOLUTIONS=yes opens the authors' notebooks
 	@$(if $(filter yes,$(SOLUTIONS)),,$(PY) -m course_lib.pack.release.exercises)

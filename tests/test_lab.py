@@ -237,6 +237,8 @@ def test_a_notebook_keeps_every_result_and_its_connection(server, browser, folde
     # while a file is saved, and while a new kernel is busy
     known += r"|/\.~\S+ doesn't exist|Nudge: attempt"
     assert [line for line in warnings if not re.search(known, line)] == []
+    # A long list that would stand below the address that is to be opened.
+    assert "Skipped non-installed server" not in server.read_text()
 
 
 # ---- toys ----
