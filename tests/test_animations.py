@@ -82,6 +82,13 @@ def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
     assert message in capsys.readouterr().err
 
 
+def test_a_notebook_that_is_not_there_is_named_without_an_error_number(tmp_path, capsys):
+    path = tmp_path / "07_x.ipynb"
+    assert animations.main([str(path)]) == 1
+    message = f"A notebook cannot be read. {path}: No such file or directory\n"
+    assert capsys.readouterr().err == message
+
+
 @pytest.mark.parametrize("old", [None, b"whole film"])
 def test_a_film_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
     old, tmp_path, monkeypatch

@@ -25,7 +25,7 @@ from course_lib import trajectory
 from course_lib.arms import iiwa14
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
-from course_lib.pack import STOPPED
+from course_lib.pack import OF_THE_MACHINE, STOPPED, report
 from course_lib.pack.data import end_effector_velocity
 from course_lib.pack.grade import options
 
@@ -288,6 +288,20 @@ def test_ctrl_c_while_a_command_imports_packages_ends_it_with_a_sentence(command
     )
     assert done.returncode == -signal.SIGINT, "so that make ends too"
     assert done.stderr.strip() == STOPPED
+
+
+@pytest.mark.parametrize("number", OF_THE_MACHINE)
+def test_a_file_that_cannot_be_written_is_named_without_a_traceback(number, capsys):
+    error = OSError(number, os.strerror(number), "build/course.pdf")
+    report(type(error), error, None)
+    reason = f"build/course.pdf: {os.strerror(number)}"
+    expected = f"Stopped. {reason}. Correct this and repeat the command.\n"
+    assert capsys.readouterr().err == expected
+
+
+def test_an_error_of_the_project_keeps_its_traceback(capsys):
+    report(ValueError, ValueError("a mistake of ours"), None)
+    assert "ValueError: a mistake of ours" in capsys.readouterr().err
 
 
 def test_ctrl_c_while_a_notebook_runs_leaves_the_file_and_no_traceback(course):

@@ -18,6 +18,7 @@ from PIL import Image
 from tqdm import tqdm
 
 from course_lib.figures.stills import TOY
+from course_lib.pack import in_words
 from course_lib.pack.files import write_atomically
 from course_lib.pack.notebooks import figure_outputs
 from course_lib.pack.photograph import film_pictures
@@ -45,7 +46,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             for movie in stored_movies(nbformat.read(path, as_version=4))
         ]
     except (OSError, ValueError, AttributeError, nbformat.ValidationError) as error:
-        print(f"A notebook cannot be read: {str(error).splitlines()[0]:.200}", file=sys.stderr)
+        reason = in_words(error).splitlines()[0]
+        print(f"A notebook cannot be read. {reason:.200}", file=sys.stderr)
         return 1
     if not movies:
         print(

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from course_lib.pack import in_words
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named, release_date, write_zip
 
@@ -44,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         release, files = named(collect(chosen.root, chosen.more == "yes"))
         write_zip(chosen.output, files, release_date(chosen.root))
     except (ReleaseError, OSError) as error:
-        print(f"No release was written. {error}", file=sys.stderr)
+        print(f"No release was written. {in_words(error)}", file=sys.stderr)
         return 1
     notebooks = sum(name.endswith(".ipynb") for name in files)
     size = chosen.output.stat().st_size / 1000

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from course_lib.pack import in_words
 from course_lib.pack.files import write_atomically
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named
@@ -53,7 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (ReleaseError, OSError) as error:
         _print(lines)
         failure = "updated; it stays as it was" if update else "made"
-        print(f"{FOLDER}/ could not be {failure}. {error}", file=sys.stderr)
+        print(f"{FOLDER}/ could not be {failure}. {in_words(error)}", file=sys.stderr)
         return 1
     _print(lines)
     origin = Origin.of(root / FOLDER)
