@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -25,6 +26,7 @@ from course_lib.checks.exercise import (
 )
 from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.write_test import Version, _kinds
 
 
 class Forged:
@@ -133,6 +135,15 @@ def test_versions_that_slip_through_are_described_and_cost_points_in_proportion(
     assert "accepts 1 of 6 wrong ones (one that is wrong only near half a turn)" in describe(
         verdict
     )
+
+
+@pytest.mark.parametrize("kinds", ["a", "ab", "aab", "abcd", "abcdd", "abcde", "aabbccddee"])
+def test_named_and_other_versions_add_up(kinds):
+    versions = [Version(f"that is {kind}", abs) for kind in kinds]
+    text = _kinds(versions)
+    others = re.search(r"and (\d+) others?\)", text)
+    assert text.count("one that") + int(others[1] if others else 0) == len(versions)
+    assert text.count("; ") == text.count("one that") - 1 + bool(others)
 
 
 def test_a_test_with_asserts_refuses_by_raising():

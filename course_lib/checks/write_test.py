@@ -230,10 +230,16 @@ class _Case(Candidate):
 
 def _kinds(versions):
     """Return the kinds of the versions, in brackets, of more than four only three; without their
-    names."""
+    names.
+
+    Several versions may be of one kind. Each that is not named is one of the others, so that the
+    numbers in a message add up.
+    """
     kinds = list(dict.fromkeys(version.kind for version in versions))
     if not kinds:
         return ""
     shown = kinds if len(kinds) <= _MAX_KINDS else kinds[:3]
-    others = f"; and {len(kinds) - len(shown)} others" if len(kinds) > len(shown) else ""
+    n_others = len(versions) - len(shown)
+    noun = "other" if n_others == 1 else "others"
+    others = f"; and {n_others} {noun}" if n_others else ""
     return f" (one {'; one '.join(shown)}{others})"
