@@ -14,7 +14,7 @@ from course_lib.arms import panda
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Exercise, Property, Verdict
 from course_lib.checks.messages import describe
-from course_lib.checks.notebook import Check, Predict, Progress
+from course_lib.checks.notebook import _HAND_IN, Check, Predict, Progress
 from course_lib.checks.prediction import Prediction
 
 
@@ -179,7 +179,9 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     for each in checks:
         each.verdict = checks[0].verdict
     progress()
-    assert words(shown[-1]).endswith("All exercises of the core are done.")
+    done, hand_in = words(shown[-1]).splitlines()[-1].split(". ")
+    assert done == "All exercises of the core are done"
+    assert "Restart Kernel and Run All Cells" in hand_in
 
 
 def test_progress_tells_the_two_sittings_apart_and_where_the_second_begins(shown):
@@ -208,7 +210,7 @@ def test_progress_tells_core_from_more_once_more_is_begun(shown):
     assert words(shown[-1]).splitlines() == [
         "████████████████████ Core: 3 of 3 points",
         "✓ nearest_so: right (3 of 3)",
-        "All exercises of the core are done.",
+        _HAND_IN,
     ]
     more(lambda x, tol: True)
     progress()

@@ -71,6 +71,13 @@ def test_has_all_its_rooms_and_folds_those_of_more(path):
     assert parts in ((REPORT, REPORT[:-1]) if "Appendix: the report" in titles else ([],))
 
 
+def test_lists_each_source_once(path):
+    (cell,) = [c for c in nbformat.read(path, 4).cells if c.source.startswith("## Sources\n")]
+    sources = [line for line in cell.source.splitlines() if line.startswith("- ")]
+    assert sources
+    assert sorted(set(sources)) == sorted(sources)
+
+
 def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     notebook, stop = nbformat.read(path, 4), checks_of(path).progress.stop
     cells = [

@@ -1,9 +1,12 @@
 """What the checks show in a notebook, and what they ask of the IPython shell that runs it."""
 
+import ast
+import builtins
 import contextlib
 import ctypes
 import html
 import os
+import re
 import sys
 import types
 
@@ -51,6 +54,104 @@ def keep_the_name(module):
             )
 
     shell.events.register("post_run_cell", after)
+
+
+class NotDefined:
+    """Stands for a name that a cell passes to a check and that no cell has defined.
+
+    Parameters
+    ----------
+    name : str
+    """
+
+    def __init__(self, name: str):
+        self.name = name
+
+
+def stand_in_for_undefined_names() -> None:
+    """Let a cell that passes an undefined name to a check run, so that the check can say so.
+
+    Otherwise Python ends the cell with a traceback, and *Run all* with it, before the check is
+    called: after a restart, if the answer cell was deleted or has not run, or if the letter of a
+    prediction has no quotes.
+    """
+    shell = ipython_shell()
+    if shell is None:
+        return
+    placed = {}
+
+    def before(info):
+        # The names of builtins, such as `sum`, are defined in every cell.
+        names = names_passed_to_checks(info.raw_cell)
+        for name in names - set(shell.user_ns) - set(dir(builtins)):
+            shell.user_ns[name] = placed[name] = NotDefined(name)
+
+    def after(result):
+        while placed:
+            name, stand_in = placed.popitem()
+            # The cell may have defined the name itself.
+            if shell.user_ns.get(name) is stand_in:
+                del shell.user_ns[name]
+
+    shell.events.register("pre_run_cell", before)
+    shell.events.register("post_run_cell", after)
+
+
+def names_passed_to_checks(cell: str) -> set[str]:
+    """Return the names that a cell passes to `check.f(...)`, `.use(...)` and `.predict(...)`.
+
+    Parameters
+    ----------
+    cell : str
+        Its source. A cell that is not Python, because of a magic command for example, passes none.
+
+    Examples
+    --------
+    >>> names_passed_to_checks("orientations = check.gyroscope.use(gyroscope)")
+    {'gyroscope'}
+    """
+    try:
+        tree = ast.parse(cell)
+    except (SyntaxError, ValueError):
+        return set()
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and _is_of_the_checks(node.func):
+            names |= {argument.id for argument in node.args if isinstance(argument, ast.Name)}
+    return names
+
+
+def _is_of_the_checks(node: ast.expr) -> bool:
+    """Return whether an expression is `check.f`, `check.f.use` and so on."""
+    if not isinstance(node, ast.Attribute):
+        return False
+    while isinstance(node, ast.Attribute):
+        node = node.value
+    return isinstance(node, ast.Name) and node.id == "check"
+
+
+def syntax_error_of_newest_cell(name: str) -> SyntaxError | None:
+    """Return the error because of which Python did not run the newest cell that defines a function.
+
+    Python then keeps the function of an older cell, which a student no longer sees. None if the
+    newest cell is Python, if there is no such cell, and outside a notebook.
+
+    Parameters
+    ----------
+    name : str
+        Of the function.
+    """
+    shell = ipython_shell()
+    history = getattr(getattr(shell, "history_manager", None), "input_hist_raw", ())
+    defines = re.compile(rf"^\s*def\s+{re.escape(name)}\b", re.MULTILINE)
+    newest = next((cell for cell in reversed(history) if defines.search(cell)), None)
+    if newest is None:
+        return None
+    try:
+        shell.compile.ast_parse(shell.transform_cell(newest))
+    except SyntaxError as error:
+        return error
+    return None
 
 
 @contextlib.contextmanager

@@ -24,6 +24,10 @@ from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import namespace_of
 
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
+_HAND_IN = (
+    "All exercises of the core are done. Before you hand in the notebook, answer the questions of "
+    "“Explain”, choose “Restart Kernel and Run All Cells” in the menu “Kernel”, and save."
+)
 _NOTHING = object()
 _CALLS_SECONDS = 2  # of computing, to see which functions an answer calls
 
@@ -61,6 +65,7 @@ def namespace(module, exercises, predictions, more=(), stop=None):
     asked = {prediction.name: Predict(prediction) for prediction in predictions}
     progress = Progress(checks, list(asked.values()), stop)
     kernel.keep_the_name(module)
+    kernel.stand_in_for_undefined_names()
     return names | asked | {"CHECKS": checks, "progress": progress}
 
 
@@ -106,7 +111,12 @@ class Check:
 
         Under nbgrader a wrong answer raises, so that points follow.
         """
-        if more or not callable(function):
+        broken = kernel.syntax_error_of_newest_cell(self.exercise.name)
+        if isinstance(function, kernel.NotDefined):
+            self.verdict = Verdict(self.exercise, NOT_ATTEMPTED, self._not_defined(function.name))
+        elif broken:
+            self.verdict = Verdict(self.exercise, ERROR, _did_not_run(broken))
+        elif more or not callable(function):
             self.verdict = Verdict(self.exercise, ERROR, self._how_to_call(function))
         elif files := _files_not_handed_in(function):
             self.verdict = Verdict(self.exercise, ERROR, self._not_in_the_notebook(files))
@@ -176,6 +186,12 @@ class Check:
             "in, so what stands in that file will not count. Copy it into a cell."
         )
 
+    def _not_defined(self, name):
+        return (
+            f"no cell that has run defines {name}. Run the cell that begins with "
+            f"`def {self.exercise.name}`, and then this check."
+        )
+
     def _how_to_call(self, function):
         name = self.exercise.name
         if function is _NOTHING:
@@ -204,7 +220,8 @@ class Check:
         `whose`, "yours" or "the library's"; the student's function then returns its answers as the
         check reads them, such as an array in place of a list.
         """
-        mine = self.verdict.state == RIGHT and not self.verdict.instead
+        is_defined = not isinstance(function, kernel.NotDefined)
+        mine = is_defined and self.verdict.state == RIGHT and not self.verdict.instead
         used = _as_checked(function, self.exercise) if mine else functools.partial(self.library)
         used.whose = "yours" if mine else "the library's"
         if self.verdict.state in (WRONG, ERROR) and callable(function):
@@ -218,6 +235,18 @@ class Check:
             "course-use",
         )
         return used
+
+
+def _did_not_run(error):
+    """Return the reason why the function of an older cell is not judged."""
+    line = f"Line {error.lineno} of its cell"
+    if error.text and error.text.strip():
+        line += f", `{error.text.strip()}`"
+    return (
+        f"{line}, is not valid Python: {error.msg}.\nSo the cell did not run, and Python still "
+        "has the function of the cell as it was before. Correct the line, run the cell, and then "
+        "run this check."
+    )
 
 
 def _is_right(exercise, function):
@@ -278,8 +307,13 @@ class Predict:
             return
         letter = str(choice).strip().lower()
         if letter not in self.prediction.replies:
+            letters = ", ".join(self.prediction.replies)
+            example = getattr(choice, "name", letters[0])
+            example = example if example in self.prediction.replies else letters[0]
+            call = f'check.{self.prediction.name}.predict("{example}")'
             kernel.show(
-                f"○ Choose one of {', '.join(self.prediction.replies)}.", MARKS[NOT_ATTEMPTED][1]
+                f"○ Choose one of {letters}. The letter stands in quotes, as in {call}.",
+                MARKS[NOT_ATTEMPTED][1],
             )
             return
         self.choice = letter
@@ -346,7 +380,7 @@ class Progress:
                 f"Predictions made: {len(choices) - choices.count(None)} of {len(choices)}"
             )
         following = next((v.exercise.name for v in core if v.state != RIGHT), None)
-        lines.append(f"Next: {following}" if following else "All exercises of the core are done.")
+        lines.append(f"Next: {following}" if following else _HAND_IN)
         later = core[names.index(last) + 1 :] if last else []
         if (
             later
