@@ -189,6 +189,42 @@ def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, tim
     )
 
 
+def test_a_version_computes_its_answer_to_the_same_arguments_once():
+    computed = []
+
+    def counted(R):
+        computed.append(R)
+        return rotations.log_so3(R)
+
+    exercise = replace(TEST_LOG, versions=(Version("that is counted", counted, right=True),))
+    answers = []
+    for seed in (1, 2):  # grading asks each version several times
+        _, consult = exercise.questions(np.random.default_rng(seed))
+        requests = [_request(0, rotations.rot_z(angle)) for angle in (0.5, 0.7)]
+        answers.append([json.loads(consult(request)) for request in requests])
+    assert len(computed) == 2
+    assert answers[0] == answers[1]
+    assert answers[0][0] != answers[0][1]
+
+
+def test_each_version_has_its_own_answer_to_the_same_arguments():
+    _, consult = TEST_LOG.questions(np.random.default_rng(0))
+    asked = rotations.exp_so3(np.array([0.1, 0.2, 0.3]))
+    first = [consult(_request(number, asked)) for number in range(len(TEST_LOG.versions))]
+    again = [consult(_request(number, asked)) for number in range(len(TEST_LOG.versions))]
+    assert first == again
+    assert len(set(first)) > 5
+
+
+def test_what_is_kept_of_answers_is_bounded(monkeypatch):
+    monkeypatch.setattr("course_lib.checks.write_test._MAX_KEPT", 3)
+    exercise = replace(TEST_LOG)
+    _, consult = exercise.questions(np.random.default_rng(0))
+    for angle in np.linspace(0, 1, 9):
+        consult(_request(0, rotations.rot_z(angle)))
+    assert len(exercise._kept) == 3
+
+
 def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
     def by_number(log):
         return log._number in numbers

@@ -7,10 +7,14 @@ A submission holds several of them, each for an exercise of its own, which no ot
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hostile.build import SEED, SHORT, book, left_over, processes, traces
 from toy_exercises import DOUBLE, TEST_LOG
 
+from course_lib import rotations
+from course_lib.checks.exercise import ERROR, RIGHT, LocalFunction, judge
+from course_lib.checks.messages import describe
 from course_lib.pack.grade import notebook_file, student, submission
 from course_lib.pack.grade.notebook_file import Course
 
@@ -34,16 +38,15 @@ def graded(monkeypatch):
     """Return a function that takes {name: the source of a test} and returns {name: its row}, of one
     submission."""
 
-    def graded(tests, versions=TEST_LOG.versions):
+    def graded(tests, versions=TEST_LOG.versions, cpu_seconds=10):
         named = {f"test_log_{number}": name for number, name in enumerate(tests)}
         exercises = tuple(replace(TEST_LOG, name=exercise, versions=versions) for exercise in named)
         known = {"09_toys": Course("09_toys", "toys", (DOUBLE, *exercises), ())}
         monkeypatch.setattr(notebook_file, "courses", lambda: known)
         cells = [re.sub(r"\btest_log\b", each, tests[name]) for each, name in named.items()]
         before = processes(), traces()
-        limits = replace(
-            SHORT, cpu_seconds=10
-        )  # a call of what is judged takes longer on a busy machine
+        # A call of what is judged takes longer on a busy machine.
+        limits = replace(SHORT, cpu_seconds=cpu_seconds)
         result = submission.grade(book(*BEGIN, *cells), "09_toys", SEED, limits)
         assert (left_over(before[0]), traces()) == (set(), before[1])
         double, *rows = result["exercises"]
@@ -72,6 +75,65 @@ def test_a_test_earns_points_by_the_versions_that_it_judges_rightly(graded):
     calls = "more than 5,000 calls of the function that it tests."
     assert calls in rows["without an end"]["message"], "it is refused before its time is up"
     assert "one that is wrong only near half a turn" in rows["superficial"]["message"]
+
+
+MANY_CALLS = """
+def test_log(log):
+    answers = [np.asarray(log(rotations.rot_z(0.5)), float) for _ in range(CALLS)]
+    return bool(np.allclose(answers, [0, 0, 0.5]))
+"""
+
+
+def test_the_notebook_and_grading_agree_for_every_number_of_calls(graded):
+    versions = (TEST_LOG.versions[0], TEST_LOG.versions[3])  # a right one and a wrong one
+    tests = {calls: MANY_CALLS.replace("CALLS", str(calls)) for calls in (5_000, 5_001)}
+    rows = graded(tests, versions)
+    for calls, test in tests.items():
+        notebook = {"np": np, "rotations": rotations}
+        exec(test, notebook)
+        verdict = judge(replace(TEST_LOG, versions=versions), LocalFunction(notebook["test_log"]))
+        too_many = calls > 5_000
+        assert verdict.state == (ERROR if too_many else RIGHT), calls
+        assert (rows[calls]["state"], rows[calls]["points"]) == (verdict.state, verdict.points)
+        for message in (describe(verdict), rows[calls]["message"]):
+            assert ("more than 5,000 calls of the function" in message) == too_many, message
+
+
+def test_the_calls_of_all_versions_together_are_not_bounded(graded, monkeypatch):
+    monkeypatch.setattr(student, "MAX_CALLS", 8)
+    rows = graded({"three calls of each": THOROUGH}, TEST_LOG.versions[:4])
+    assert rows["three calls of each"]["state"] == RIGHT, rows
+
+
+SLOW = """
+import time
+
+def test_log(log):
+    end = time.process_time() + 0.7
+    while time.process_time() < end:
+        pass
+    return bool(np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5]))
+"""
+
+
+def test_a_test_has_the_time_of_an_exercise_for_each_version(graded):
+    rows = graded({"slow": SLOW}, TEST_LOG.versions[:6], cpu_seconds=1)
+    assert rows["slow"]["state"] == RIGHT, rows
+
+
+def test_a_test_without_an_end_has_that_time_for_one_version_only(graded, monkeypatch):
+    asked, about_one = [], student.Student.about_one
+
+    def counted(self, questions, number, *more):
+        asked.append(number)
+        return about_one(self, questions, number, *more)
+
+    monkeypatch.setattr(student.Student, "about_one", counted)
+    endless = "def test_log(log):\n    while True:\n        pass"
+    rows = graded({"endless": endless}, cpu_seconds=1)
+    assert rows["endless"]["state"] == ERROR
+    assert "more than 1 seconds of computing" in rows["endless"]["message"], rows
+    assert set(asked) == {0}
 
 
 PLURALITY = """

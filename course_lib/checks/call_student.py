@@ -27,7 +27,7 @@ CPU_SECONDS = 20
 _MAX_CALLS = 5_000  # of one candidate, by a test; the tasks say so
 _MAX_WARNING = 300  # characters of a warning or an error's message
 _MODULES_OF_CHECKS = ("course_lib.lessons.", "course_lib.checks.")
-_ENDS_ALL = ("TimeUp", "NotAllowed", "KeyboardInterrupt")  # errors after which no case is asked
+ENDS_ALL = ("TimeUp", "NotAllowed", "KeyboardInterrupt")  # errors after which no case is asked
 
 
 def reply(
@@ -94,7 +94,7 @@ def reply(
             if any(isinstance(argument, Candidate) for argument in case):
                 start_again()  # a test has its time for each candidate, as in grading
             answers.append(refused or _answer(function, case, through, names, consult))
-            if answers[-1].get("error", {}).get("type") in _ENDS_ALL:
+            if answers[-1].get("error", {}).get("type") in ENDS_ALL:
                 last = answers[-1]
                 break
     answers += [last] * (len(cases) - len(answers))  # the other cases would end in the same way

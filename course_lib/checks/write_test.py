@@ -8,9 +8,10 @@ process of its own, to which only that one answers: so a test can distinguish ca
 their answers, and not by comparing one with another. Their order is drawn from the seed.
 """
 
+import hashlib
 import json
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -32,6 +33,10 @@ from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MAX_KINDS = 4  # of versions, which a message lists all
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
+# Of answers that are kept, of at most so many characters. About twenty versions are called up to
+# 5,000 times each. Together they take about 50 MB.
+_MAX_KEPT = 110_000
+_MAX_KEPT_CHARACTERS = 1_000
 _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
 
 ALWAYS_TRUE = Mistake(
@@ -98,14 +103,14 @@ class WriteTest(Exercise):
     shapes: tuple[tuple[int, ...], ...] = ()
     refuses: Mistake = ALWAYS_FALSE
     given: Callable | None = None
+    _kept: dict[bytes, str] = field(default_factory=dict, init=False, repr=False)
 
     def questions(self, rng):
         """Return a case for each version, in random order, and the function that answers calls of
         candidates."""
-        order = [self.versions[i] for i in rng.permutation(len(self.versions))]
-        return [
-            (_Case(number, version),) for number, version in enumerate(order)
-        ], self._consultant(order)
+        order = [int(index) for index in rng.permutation(len(self.versions))]
+        cases = [(_Case(number, self.versions[index]),) for number, index in enumerate(order)]
+        return cases, self._consultant(order)
 
     def verdict(self, cases, answers):
         """Return the Verdict on the student's judgements; an exception counts as refusing, as in
@@ -175,7 +180,10 @@ class WriteTest(Exercise):
         return Verdict(self, WRONG, reason, always, credit=credit)
 
     def _consultant(self, order):
-        """Return a function that answers a call of a candidate; a student controls its argument."""
+        """Return a function that answers a call of a candidate; a student controls its argument.
+
+        order: the index of the version that each candidate is.
+        """
 
         def consult(text, only=None):
             """Answer one call, in JSON; only: the number of the candidate that answers, whatever
@@ -187,9 +195,7 @@ class WriteTest(Exercise):
                 number = asked["candidate"] if only is None else only
                 if not isinstance(number, int) or not 0 <= number < len(order):
                     raise ValueError("there is no such function")
-                arguments = self._arguments([from_json(node) for node in asked["arguments"]])
-                with np.errstate(all="ignore"):
-                    return json.dumps({"value": to_json(order[number].function(*arguments))})
+                return self._answer_of(order[number], asked["arguments"])
             except (
                 ValueError,
                 LookupError,
@@ -201,6 +207,24 @@ class WriteTest(Exercise):
                 return json.dumps({"error": str(problem)[:200]})
 
         return consult
+
+    def _answer_of(self, index, nodes):
+        """Return as JSON text what the version with this index answers.
+
+        A version answers the same arguments always alike. Grading asks a test two to eight times
+        about each version, and most tests call a version with the same arguments each time. So the
+        answers are kept, because computing one takes ten times as long as finding it.
+        """
+        key = hashlib.blake2b(json.dumps([index, nodes]).encode(), digest_size=16).digest()
+        answer = self._kept.get(key)
+        if answer is not None:
+            return answer
+        arguments = self._arguments([from_json(node) for node in nodes])
+        with np.errstate(all="ignore"):
+            answer = json.dumps({"value": to_json(self.versions[index].function(*arguments))})
+        if len(answer) <= _MAX_KEPT_CHARACTERS and len(self._kept) < _MAX_KEPT:
+            self._kept[key] = answer
+        return answer
 
     def _arguments(self, given):
         if len(given) != len(self.shapes):

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from course_lib.checks.exercise import ERROR, RIGHT, Exercise, Verdict
 from course_lib.checks.follow_through import answer_of, called_name, can_answer
-from course_lib.checks.wire import Candidate, read, write
+from course_lib.checks.wire import Candidate
 from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.cells import run_cells
@@ -199,34 +199,31 @@ class SeparateCandidates(Student):
         instead = attempted.instead.get(exercise.name, ())
         super().__init__(None, attempted.run, exercise, instead)
         self._attempt, self._at = attempted, at
-        self._one, self._reply_to_one = None, None  # the questions about one candidate, the reply
+        self._one, self._reply_to_one = None, None  # what asks about one candidate, and the reply
 
-    def reply(self, questions: str, consult: Callable | None = None) -> str:
-        """Return the answers about all candidates as one reply; see judge."""
-        asked, answers = read(questions), []
-        for case in asked["cases"]:
-            about_one = write(asked | {"cases": [[Candidate(0)]]})
-            only_this = functools.partial(consult, only=case[0].number)
-            text = "" if self._run.over() else self._about(about_one, only_this)
-            if not text:
-                self.ended = self.ended or time_is_up(self._run.limits)
-                return ""
-            answers += json.loads(text)["answers"]
-        return json.dumps({"answers": answers})
+    def about_one(self, questions: dict, number: int, consult: Callable, max_reply: int) -> str:
+        """Return the reply about one candidate, which knows no number but 0, or ""."""
+        if self._run.over():
+            self.ended = time_is_up(self._run.limits)
+            return ""
+        as_the_only_one = questions | {"cases": [[Candidate(0)]]}
+        only_this = functools.partial(consult, only=number)
+        self._one = functools.partial(super().about_one, as_the_only_one, 0, only_this, max_reply)
+        return self._in_a_sandbox_of_its_own()
 
     def ask_now(self, name: str, at: int) -> bool:
         """Ask about the candidate at the check at which all were asked; see run_cells."""
         if (name, at) == (self.exercise.name, self._at):
-            self._reply_to_one = super().reply(*self._one)
+            self._reply_to_one = self._one()
         return self._reply_to_one is not None
 
     def answer_cell(self, text: str) -> str:
         """Return what check.NAME.library answers to a call in a cell, as JSON text."""
         return self._attempt.answer_cell(text)
 
-    def _about(self, questions: str, consult: Callable) -> str:
-        """Return the reply about one candidate."""
-        self._one, self._reply_to_one = (questions, consult), None
+    def _in_a_sandbox_of_its_own(self) -> str:
+        """Run the cells once more, and return the reply about one candidate."""
+        self._reply_to_one = None
         self._attempt.asked = set()
         order = self._attempt.order([self.exercise.name])
         with self._run.sandbox(self._attempt.files) as self._sandbox:

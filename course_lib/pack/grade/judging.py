@@ -6,7 +6,16 @@ else earn its points nine times in ten, though the notebook, which asks many set
 
 from dataclasses import replace
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict, judge
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    WRONG,
+    Exercise,
+    Verdict,
+    judge,
+)
+from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.result import message_of
 from course_lib.pack.grade.run import Outcome, Run, Seed
@@ -14,6 +23,9 @@ from course_lib.pack.grade.student import UNREADABLE_REPLY, Student
 
 # Of the grader's own processor time for one exercise; a right answer takes less than one.
 JUDGING_SECONDS = 60
+# The same for a test. The grader also computes what twenty versions answer to 5,000 calls each,
+# which takes 15 to 70 seconds for the exercises of the course.
+JUDGING_SECONDS_OF_TEST = 120
 # Of cases, for all of which an answer must be right. Each costs a tenth of a second for a right
 # answer on average, and a second for the slowest.
 SETS = 3
@@ -79,11 +91,15 @@ def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
     return Verdict(verdict.exercise, WRONG, reason, credit=credit)
 
 
+def _seconds_for(exercise: Exercise) -> float:
+    return JUDGING_SECONDS_OF_TEST if isinstance(exercise, WriteTest) else JUDGING_SECONDS
+
+
 def judge_within_bounds(run: Run, student: Student, seed: Seed) -> Verdict:
     """Return the Verdict on a student's answers to one set of cases, formed within bounds."""
     exercise = student.exercise
     try:
-        with cpu_deadline(JUDGING_SECONDS):
+        with cpu_deadline(_seconds_for(exercise)):
             verdict = judge(exercise, student, seed, run.limits.cpu_seconds)
             message_of(verdict)  # showing an answer of any size may take long too, or fail
     except CpuDeadline as deadline:

@@ -13,11 +13,15 @@ from course_lib.checks.exercise import (
     Exercise,
     Verdict,
 )
+from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.sandbox import Limits, Sandbox
 
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
 Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
+# Of the grader's own processor time, after which it asks for no further exercise. It would be ended
+# after CPU_SECONDS, and every exercise would be lost.
+MAX_JUDGING_SECONDS = CPU_SECONDS // 2
 WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
 
 
@@ -120,11 +124,12 @@ class Run:
 
     def over(self) -> bool:
         """Return whether the submission has used all its time."""
-        computed = sum(sandbox.computed for sandbox in self.sandboxes)
-        computed += time.process_time() - self.begin
+        judged = time.process_time() - self.begin
+        computed = sum(sandbox.computed for sandbox in self.sandboxes) + judged
         asleep = sum(sandbox.asleep for sandbox in self.sandboxes)
         limits = self.limits
-        return asleep > limits.submission_seconds or computed > limits.submission_cpu_seconds
+        too_long = asleep > limits.submission_seconds or computed > limits.submission_cpu_seconds
+        return too_long or judged > MAX_JUDGING_SECONDS
 
     def exercise(self, name: object) -> Exercise | None:
         """Return the exercise of this name, or None."""
@@ -137,8 +142,8 @@ class Run:
 
 def time_is_up(limits: Limits) -> str:
     """Return why an exercise was not graded for which no time was left."""
-    seconds = (
-        f"{limits.submission_cpu_seconds} seconds of computing, or {limits.submission_seconds} of "
-        f"waiting"
+    computing, waiting = limits.submission_cpu_seconds, limits.submission_seconds
+    return (
+        f"It was not graded: everything before it took {computing} seconds of computing, or "
+        f"{waiting} of waiting, or {MAX_JUDGING_SECONDS} of judging."
     )
-    return f"It was not graded: everything before it took {seconds}."

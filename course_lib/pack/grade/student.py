@@ -3,14 +3,17 @@
 import json
 from collections.abc import Callable, Iterable
 
+from course_lib.checks.call_student import ENDS_ALL
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.follow_through import RightOnes, answer_call, called_name, can_answer
+from course_lib.checks.wire import read, write
 from course_lib.pack.grade.claims import read_claims
 from course_lib.pack.grade.run import Run
 from course_lib.pack.grade.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.sandbox import Ended, Idle, Limits, Sandbox, Watch
 
-# of candidates, by one student's test: tasks allow 5,000 of each, and none has 20
+# By one function that is asked, of right functions and of a candidate. Of a candidate a test may
+# make 5,000, which call_student.py counts in the student's process.
 MAX_CALLS = 100_000
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 UNREADABLE_REPLY = "What came back cannot be read"
@@ -63,13 +66,52 @@ class Student:
 
     def reply(self, questions: str, consult: Callable | None = None) -> str:
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
-        limits, self.candidates = self._run.limits, consult is not None
+        self.candidates = consult is not None
+        if self.candidates:
+            return self._reply_about_each(questions, consult)
+        return self._reply(questions, self._run.limits.reply)
+
+    def about_one(self, questions: dict, number: int, consult: Callable, max_reply: int) -> str:
+        """Return the reply about one candidate as JSON text, or "".
+
+        number: of the candidate. max_reply: how many bytes the reply may have.
+        """
+        return self._reply(write(questions), max_reply, consult)
+
+    def _reply_about_each(self, questions: str, consult: Callable) -> str:
+        """Return the answers about all candidates as one reply, or "".
+
+        Each has a process and the time of one exercise, because a notebook gives a test that time
+        for each of its candidates, too.
+        """
+        asked, answers, hindered = read(questions), [], False
+        cases = asked["cases"]
+        for case in cases:
+            about_one = asked | {"cases": [case]}
+            text = self.about_one(about_one, case[0].number, consult, self._max_reply(cases))
+            if not text:
+                return ""
+            (answer,) = json.loads(text)["answers"]
+            hindered = hindered or self.hindered
+            answers.append(answer)
+            if answer.get("error", {}).get("type") in ENDS_ALL:
+                break
+        self.hindered = hindered
+        answers += [answers[-1]] * (len(cases) - len(answers))  # as call_student.reply does
+        return json.dumps({"answers": answers})
+
+    def _max_reply(self, cases: list) -> int:
+        return self._run.limits.reply // len(cases)
+
+    def _reply(self, questions: str, max_reply: int, consult: Callable | None = None) -> str:
+        """Return the reply to one request, or ""."""
+        limits = self._run.limits
         request = {
             "ask": self.exercise.name,
             "questions": questions,
             "cpu": limits.cpu_seconds + 2,
             "instead": self._right_ones.arguments,
-            "reply": limits.reply,
+            "reply": max_reply,
         }
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
         try:

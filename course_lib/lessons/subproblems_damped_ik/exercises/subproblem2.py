@@ -96,7 +96,7 @@ def pairs_by_the_text(k1, k2, p1, p2, power=2):
     lengths = np.linalg.norm(p1), np.linalg.norm(p2)
     if abs(lengths[0] - lengths[1]) > EXACT * max(lengths):
         return []
-    cosine, n = k1 @ k2, np.cross(k1, k2)
+    cosine, n = k1 @ k2, shared.cross(k1, k2)
     a, b = np.linalg.solve([[1, cosine], [cosine, 1]], [k1 @ p1, k2 @ p2])
     middle = a * k1 + b * k2
     c_squared = (p1 @ p1 - middle @ middle) / np.linalg.norm(n) ** power
