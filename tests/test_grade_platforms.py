@@ -266,6 +266,36 @@ def test_blackboard_finds_its_own_column_by_the_number_in_its_heading(tmp_path):
     ]
 
 
+def test_blackboards_own_gradebook_is_read_as_it_is_downloaded(tmp_path):
+    """Tabs and UTF-16 in a file .xls; headings as in nbeaver/offline-grades-upload, readme.rst."""
+    headings = [
+        *("Last Name", "First Name", "Username", "Student ID", "Last Access", "Availability"),
+        "Weighted Total [Total Pts: up to 0 Score] |664610",
+        "01_rotations [Total Pts: 12] |664617",
+    ]
+    line = ["Dœ", "Zoë", "jdoe", "00123", "2026-11-30 12:00:00", "Yes", "", ""]
+    text = "".join("\t".join(f'"{cell}"' for cell in cells) + "\r\n" for cells in (headings, line))
+    (tmp_path / "gc.xls").write_bytes(("\ufeff" + text).encode("utf-16-le"))
+    totals = Totals(OF, {"jdoe": POINTS}, identities={"jdoe": {"login": "jdoe"}})
+    table, missing, _ = gradebook_text("blackboard", totals, read_roster(tmp_path / "gc.xls"))
+    assert missing == []
+    assert rows(table) == [
+        ["Last Name", "First Name", "Username", "Student ID", headings[-1]],
+        ["Dœ", "Zoë", "jdoe", "00123", "7.5"],
+    ]
+
+
+def test_each_cell_for_blackboard_stands_in_quotation_marks():
+    """library.blackboard.com, "Uploading or Downloading Grade Center Items for Working Offline":
+    data of files with commas must be in quotation marks. A grader of several sections writes its
+    files so too (george-qiaozhi/grade_merger_for_Blackboard, README.md)."""
+    totals = Totals(OF, {"jdoe": POINTS}, identities={"jdoe": {"login": "jdoe"}})
+    text, _, _ = gradebook_text("blackboard", totals, None)
+    lines = text.splitlines()
+    assert lines[0].startswith('"Last Name","First Name","Username"')
+    assert lines[1] == '"","","jdoe","","7.5"'
+
+
 def test_a_new_column_of_blackboards_has_its_points_in_the_heading(tmp_path):
     table = gradebook(tmp_path, "blackboard", "jdoe", login="jdoe")
     assert table[0][-1] == "01_rotations [Total Pts: 12 Score]"

@@ -34,14 +34,17 @@ def table_text(
     lines: bool = False,
     formulas: bool = False,
     mark: bool = True,
+    quotes: bool = False,
 ) -> str:
     """Return a table as CSV text.
 
     lines: see `cell`. formulas: True leaves cells as they are, even if a spreadsheet takes them for
     formulas. mark: whether the text begins with the mark by which Excel knows that it is UTF-8.
+    quotes: whether each cell stands in quotation marks, not only those that need them.
     """
     file = io.StringIO(newline="")
-    writer = csv.writer(file, lineterminator="\n")
+    quoting = csv.QUOTE_ALL if quotes else csv.QUOTE_MINIMAL
+    writer = csv.writer(file, lineterminator="\n", quoting=quoting)
     for row in (columns, *rows):
         writer.writerow([clean(value) if formulas else cell(value, lines) for value in row])
     return (MARK if mark else "") + file.getvalue()

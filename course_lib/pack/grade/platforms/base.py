@@ -88,6 +88,8 @@ class Platform:
         Whether the gradebook's file may hold cells that a spreadsheet takes for formulas.
     mark : bool
         Whether that file, which is UTF-8, begins with the mark by which Excel knows that.
+    quotes : bool
+        Whether each cell of that file stands in quotation marks.
 
     """
 
@@ -107,6 +109,7 @@ class Platform:
     time_columns: tuple[str, ...] = ()
     formulas = False
     mark = True
+    quotes = False
 
     # ---- the export ----
 
@@ -194,7 +197,9 @@ class Platform:
     def table(self, headings: list[str], students: list[list], points: list) -> str:
         """Return the text of the gradebook's file; its arguments are those of `lines`."""
         first, *others = self.lines(headings, students, points)
-        return table_text(first, others, lines=True, formulas=self.formulas, mark=self.mark)
+        return table_text(
+            first, others, lines=True, formulas=self.formulas, mark=self.mark, quotes=self.quotes
+        )
 
 
 # ---- what the classes share ----

@@ -25,7 +25,9 @@ class Blackboard(Platform):
 
     Columns without a number become new ones of text (library.blackboard.com, "Uploading or
     Downloading Grade Center Items for Working Offline"), so the headings of the downloaded
-    gradebook, the roster, are used where they begin with a notebook's name.
+    gradebook, the roster, are used where they begin with a notebook's name. The same page wants
+    each cell of a file with commas in quotation marks. Such a file begins with one of them, so it
+    has no mark before it.
     """
 
     name = "blackboard"
@@ -39,6 +41,8 @@ class Blackboard(Platform):
     imports = "In Blackboard, choose Grade Center, Work Offline, Upload."
     folders = False
     carries_times = True
+    mark = False
+    quotes = True
 
     def read_name(self, name: str) -> HandIn | None:
         match = NAME.fullmatch(name)
