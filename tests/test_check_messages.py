@@ -286,6 +286,11 @@ def test_under_nbgrader_a_wrong_answer_raises_its_message(shown, monkeypatch):
         (lambda M: M[0, 0, 0], "an array has fewer axes than this line uses"),
         (lambda M: M @ np.ones(7), "two arrays are combined whose shapes do not fit"),
         (lambda M: np.vstack([]), "an empty list of arrays is stacked"),
+        (
+            lambda M: np.array([[M, M[:, 0]], [0, 1]]),
+            "parts that differ in shape are put into one array",
+        ),
+        (lambda M: np.zeros(3).__setitem__(0, M[0]), "an array is taken for one number"),
     ],
 )
 def test_errors_that_are_met_in_any_exercise_are_explained(shown, answer, expected):

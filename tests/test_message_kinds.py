@@ -26,6 +26,9 @@ from course_lib.lessons.rotations.exercises.random_quaternions import (
     EXERCISE as RANDOM_QUATERNIONS,
 )
 from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
+from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import (
+    EXERCISE as SUBPROBLEM1,
+)
 from course_lib.rotations import quaternion_to_matrix
 
 HOUSE = Path(course_lib.__file__).parent
@@ -324,3 +327,40 @@ def test_weights_are_named_after_how_they_count(change, name):
         return REGISTER_POINTS.library(src, dst, change(np.asarray(weights, float)))
 
     assert judged(REGISTER_POINTS, LocalFunction(other_weights)).mistake.name.startswith(name)
+
+
+# Angles in degrees
+
+
+ANSWERS_OF_ANGLES = [
+    "rigid_motion.exercises.two_link_angles",
+    "subproblems_damped_ik.exercises.subproblem2",
+    "subproblems_damped_ik.exercises.subproblem3",
+    "subproblems_damped_ik.exercises.subproblem4",
+    "subproblems_damped_ik.exercises.euler_yxy",
+    "subproblems_damped_ik.exercises.arm_angles",
+    "decomposition_ik.exercises.ik_2r",
+]
+
+
+@pytest.mark.parametrize("module", ANSWERS_OF_ANGLES)
+def test_degrees_are_named_whatever_full_revolutions_they_hold(module):
+    exercise = importlib.import_module(f"course_lib.lessons.{module}").EXERCISE
+
+    def in_degrees(*arguments):
+        angles = np.asarray(exercise.library(*arguments), float)
+        return np.rad2deg(np.mod(angles, 2 * np.pi))
+
+    verdict = judged(exercise, LocalFunction(in_degrees))
+    assert verdict.state == WRONG
+    assert verdict.mistake.name == "the answer is in degrees"
+
+
+def test_degrees_are_named_where_half_a_revolution_has_either_sign():
+    def in_degrees(k, p, g):
+        around_p, around_g = p - (k @ p) * k, g - (k @ g) * k
+        sine, cosine = k @ np.cross(around_p, around_g), around_p @ around_g
+        return np.rad2deg(np.arctan2(sine, cosine))
+
+    verdict = judged(SUBPROBLEM1, LocalFunction(in_degrees))
+    assert verdict.mistake.name == "the answer is in degrees"

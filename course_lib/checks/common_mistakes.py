@@ -5,7 +5,7 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.comparisons import attempt
+from course_lib.checks.comparisons import attempt, same
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake
 
@@ -38,7 +38,12 @@ def common_mistakes(naming):
         *_of_other_sign(right),
         *folds,
     ):
-        yield Mistake(name, hint, ChangedAnswer(lambda right, *case, change=change: change(right)))
+        yield Mistake(
+            name,
+            hint,
+            ChangedAnswer(lambda right, *case, change=change: change(right)),
+            alike=_alike_in_radians(exercise) if change is np.rad2deg else None,
+        )
     yield Mistake(*CUT_OFF, seen=_cut_off)
     for k, argument in enumerate(exercise.arguments):
         for name, hint, change in _OF_A_CHANGE:
@@ -61,6 +66,19 @@ def common_mistakes(naming):
         )
         for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
             yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
+
+
+def _alike_in_radians(exercise):
+    """Return how answers in degrees are compared with each other; None if number by number.
+
+    An exercise that does not compare number by number knows of full revolutions, which are 2 pi and
+    not 360, or compares what the angles, in radians, lead to.
+    """
+    if exercise.alike is same:
+        return None
+    return lambda value, predicted, *case: exercise.alike(
+        np.deg2rad(value), np.deg2rad(predicted), *case
+    )
 
 
 class ChangedAnswer:

@@ -17,8 +17,8 @@ _LIST_FOR_ARRAY = Mistake(
 )
 _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",
-    "float(...), the functions of math and `if` expect a single number. numpy's functions work on "
-    "whole arrays.",
+    "float(...), the functions of math, `if` and one entry of an array, as in x[0] = ..., expect a "
+    "single number. numpy's functions work on whole arrays.",
 )
 _NUMBER_FOR_ARRAY = Mistake(
     "a number is taken for an array or a list",
@@ -36,6 +36,11 @@ _READ_ONLY = Mistake(
     "array.",
 )
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
+_UNEVEN_PARTS = Mistake(
+    "parts that differ in shape are put into one array",
+    "np.array needs rows of equal length, and one number in each place. Which function puts a "
+    "matrix together from blocks? Or begin with np.zeros, and write each block into its place.",
+)
 _NOTHING_TO_STACK = Mistake(
     "an empty list of arrays is stacked",
     "For this input the list holds no array. What does the task ask for in this case?",
@@ -117,6 +122,8 @@ _KNOWN = (
         "matmul|could not be broadcast|must match exactly|same number of dim",
         _SHAPES,
     ),
+    ("ValueError", "inhomogeneous shape", _UNEVEN_PARTS),
+    ("ValueError", "setting an array element with a sequence", _ARRAY_FOR_NUMBER),
     ("ValueError", "need at least one array", _NOTHING_TO_STACK),
 )
 
