@@ -1,5 +1,7 @@
 """The project holds what its guides promise: folders, packages, workflows and sections."""
 
+import json
+import os
 import re
 import subprocess
 import sys
@@ -135,6 +137,33 @@ def test_the_guides_say_that_a_fork_enables_workflows_first():
     guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
     for text in (README, guide):
         assert re.search(r"enable\w*\s.*?fork's\s+tab\s+\*Actions\*", text, re.DOTALL)
+
+
+def test_a_development_container_sets_up_the_environment_that_make_uses():
+    text = (ROOT / ".devcontainer/devcontainer.json").read_text(encoding="utf-8")
+    container = json.loads(text)
+    program, target = container["postCreateCommand"].split()
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    assert program == "make"
+    assert re.search(rf"^{target}:", makefile, re.MULTILINE)
+    settings = container["customizations"]["vscode"]["settings"]
+    assert settings["python.defaultInterpreterPath"].endswith("/.venv/bin/python")
+    assert re.search(r"^PY := \.venv/bin/python$", makefile, re.MULTILINE)
+
+
+def test_containers_have_a_python_that_the_workflow_tests():
+    tested = workflow("test")["jobs"]["test"]["strategy"]["matrix"]["python"]
+    container = (ROOT / ".devcontainer/devcontainer.json").read_text(encoding="utf-8")
+    binder = (ROOT / ".binder/runtime.txt").read_text(encoding="utf-8")
+    (version,) = re.findall(r"/python:([\d.]+)", container)
+    assert version in tested
+    assert binder.strip().removeprefix("python-") in tested
+
+
+def test_binder_runs_a_program_that_installs_the_lock():
+    program = ROOT / ".binder/postBuild"
+    assert os.access(program, os.X_OK)
+    assert "pip install --no-cache-dir -r environment.txt -e ." in program.read_text()
 
 
 def sections(number):
