@@ -7,6 +7,7 @@ import linecache
 import signal
 import sys
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -17,9 +18,11 @@ from toy_exercises import NEAREST_SO, right
 
 from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
+from course_lib.checks.errors import explain_error
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.checks.wire import Seed
+from course_lib.lessons.panda_dh_ik import check as panda_dh_ik
 from course_lib.lessons.rotations import check
 
 has_clock = pytest.mark.skipif(
@@ -248,6 +251,31 @@ def test_what_cannot_be_an_answer_is_explained(function, state, words):
     verdict = judge(NEAREST_SO, LocalFunction(function), seconds=1)
     assert verdict.state == state
     assert all(each in describe(verdict) for each in words)
+
+
+def _slow(M):
+    """Return M after a tenth of a second of computing."""
+    end = time.process_time() + 0.1
+    while time.process_time() < end:
+        pass
+    return right(M)
+
+
+@has_clock
+def test_calls_that_are_slow_only_together_are_not_blamed_one_by_one():
+    verdict = judge(NEAREST_SO, LocalFunction(_slow), seconds=0.5)
+    assert verdict.state == ERROR
+    assert "took more than 0.5 seconds of computing in " in describe(verdict)
+    assert " calls together" in describe(verdict)
+    assert "no single call takes very long" in describe(verdict)
+    assert "a loop never ends" not in describe(verdict)
+
+
+def test_panda_ik_says_when_only_its_calls_together_are_slow():
+    exercise = panda_dh_ik.panda_ik.exercise
+    message = "more than 20 seconds of computing in 9 calls together"
+    *_, mistake, _ = explain_error(exercise, {"type": "TimeUp", "message": message})
+    assert "no single call takes very long" in mistake.name
 
 
 class Hostile(Exception):

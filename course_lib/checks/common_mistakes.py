@@ -451,7 +451,11 @@ OTHER_FORMS = (
         lambda x: x[:-1, :-1],
     ),
     ("only the last column is returned", "The whole matrix is asked for.", lambda x: x[:-1, -1]),
-    ("the last row is missing", "The whole matrix is asked for.", lambda x: x[:-1]),
+    (  # of a matrix; poses and numbers are items, below
+        "the last row is missing",
+        "The whole matrix is asked for.",
+        lambda x: _of_dimension(x, 2)[:-1],
+    ),
     ("only the first half is returned", "Both halves are asked for.", lambda x: x[: len(x) // 2]),
     ("only the second half is returned", "Both halves are asked for.", lambda x: x[len(x) // 2 :]),
     ("the last item is missing", "How many items are there, both ends included?", lambda x: x[:-1]),

@@ -2,6 +2,7 @@
 
 import re
 
+from course_lib.checks.call_student import CALLS_TOGETHER
 from course_lib.checks.mistake import Mistake
 
 UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
@@ -64,10 +65,20 @@ _TOO_LONG = Mistake(
     "Print how often each loop runs for this input. The passes of loops inside each other "
     "multiply.",
 )
+_TOO_LONG_TOGETHER = Mistake(
+    "no single call takes very long, but all of them together take longer than the check waits",
+    "Print how often each loop runs in each call. Which of these passes are not needed for the "
+    "result?",
+)
 _TOO_MANY_CALLS = Mistake(
     "the test calls the function more often than the task allows",
     "Count the calls. The passes of loops inside each other multiply.",
 )
+_OUT_OF_TIME = {  # words of the message, and the mistake; the first that fits
+    "calls of the function": _TOO_MANY_CALLS,
+    CALLS_TOGETHER: _TOO_LONG_TOGETHER,
+    "": _TOO_LONG,
+}
 _DIVIDED = Mistake(
     "something is divided by zero",
     "Which length or angle is 0 for this input? Treat that case separately, before the division.",
@@ -119,7 +130,7 @@ _KNOWN = (
     ("ValueError", "read-only", _READ_ONLY),
     (
         "ValueError",
-        "matmul|could not be broadcast|must match exactly|same number of dim",
+        "matmul|could not be broadcast|must match exactly|same number of dim|for cross product",
         _SHAPES,
     ),
     ("ValueError", "inhomogeneous shape", _UNEVEN_PARTS),
@@ -164,7 +175,9 @@ def explain_error(exercise, error):
         return "wrong", reason, _ANOTHER_SYMBOL, False
     own = [mistake for mistake in exercise.mistakes if mistake.is_raised(kind, message)]
     if kind == "TimeUp":
-        of_any_exercise = _TOO_MANY_CALLS if "calls of the function" in message else _TOO_LONG
+        of_any_exercise = next(
+            mistake for words, mistake in _OUT_OF_TIME.items() if words in message
+        )
         return "error", f"{call} took {message}.", own[0] if own else of_any_exercise, True
     of_any_exercise = [
         mistake

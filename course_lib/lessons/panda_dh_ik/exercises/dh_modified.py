@@ -145,6 +145,15 @@ def other_order(a, alpha, d, theta, order):
 
 
 @EXERCISE.mistake(
+    "the two poses are multiplied entry by entry",
+    "A * B multiplies each entry of A by one entry of B. Which operator is the product of two "
+    "matrices?",
+)
+def entry_by_entry(a, alpha, d, theta):
+    return _product("Xa", a, alpha, d, theta) * _product("Zd", a, alpha, d, theta)
+
+
+@EXERCISE.mistake(
     "the angles are taken for degrees, or converted to degrees",
     "In which unit are the angles given?",
     convert=(np.deg2rad, np.rad2deg),

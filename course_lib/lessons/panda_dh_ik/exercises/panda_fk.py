@@ -22,6 +22,12 @@ def _known_form(array, q):
             "there is one pose too many, perhaps that of the base",
             "Which frame does the task name as the first of the eight?",
         )
+    if array.shape == (7, 4, 4):
+        return Mistake(
+            "there is one pose too few",
+            "The task asks for eight poses: those of seven frames, and one more. Which one do you "
+            "not return?",
+        )
     if array.shape == (8, 3):
         return Mistake(
             "only the positions are returned", "Each of the eight is a pose of shape (4, 4)."

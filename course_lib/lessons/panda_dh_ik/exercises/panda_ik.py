@@ -6,6 +6,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
+from course_lib.checks.call_student import CALLS_TOGETHER
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
@@ -300,6 +301,14 @@ EXERCISE = Exercise(
 EXERCISE.mistake(
     Mistake("a pose is returned", "Inverse kinematics leads from a pose to joint angles."),
     form=(4, 4),
+)
+EXERCISE.mistake(
+    Mistake(
+        "no single call takes very long, but all of them together make too many steps",
+        "How many steps does a start take that converges? If it slows down near the target, what "
+        "makes its steps short there?",
+    ),
+    raises=("TimeUp", CALLS_TOGETHER),
 )
 EXERCISE.mistake(
     Mistake(

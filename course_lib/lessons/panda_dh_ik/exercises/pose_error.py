@@ -219,6 +219,15 @@ def away_from_the_target(T, T_target, signs):
 
 
 @EXERCISE.mistake(
+    "phi is in degrees",
+    "In which unit are the joint angles that the Jacobian multiplies?",
+)
+def in_degrees(T, T_target):
+    e = pose_error(T, T_target)
+    return np.append(e[:3], np.rad2deg(e[3:]))
+
+
+@EXERCISE.mistake(
     "the error, or one half of it, is seen from the end-effector",
     "Along the axes of which frame are the rows of the Jacobian?",
     halves=((True, True), (True, False), (False, True)),

@@ -41,3 +41,9 @@ def wrong_small_entries_set_to_0(a, alpha, d, theta):
     T = right_two_halves(a, alpha, d, theta)
     T[np.abs(T) < 1e-4] = 0
     return T
+
+
+def wrong_entry_by_entry(a, alpha, d, theta):
+    """the two poses are multiplied entry by entry"""
+    along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
+    return along_x * rigid.transform(rot_z(theta), [0, 0, d])

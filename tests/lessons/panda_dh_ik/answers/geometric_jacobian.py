@@ -46,3 +46,12 @@ def wrong_seven_joints_only(frames):
     return np.array(
         [np.r_[np.cross(frames[i, :3, 2], frames[7, :3, 3]), frames[i, :3, 2]] for i in range(7)]
     ).T
+
+
+def wrong_columns_in_the_cross_product(frames):
+    """two arrays are combined whose shapes do not fit"""
+    p, J = frames[-1, :3, 3:], np.zeros((6, len(frames) - 1))
+    for i, frame in enumerate(frames[:-1]):
+        J[:3, i] = np.cross(frame[:3, 2:3], p - frame[:3, 3:])
+        J[3:, i] = frame[:3, 2]
+    return J

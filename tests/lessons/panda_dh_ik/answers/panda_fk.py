@@ -67,3 +67,8 @@ def wrong_base_multiplied_in_place(q):
 def wrong_the_librarys_table(q):
     """course_lib.arms.SerialArm is called"""
     return KEPT @ arms.SerialArm.from_dh([arms.DHRow(*row) for row in TABLE], end=FLANGE).frames(q)
+
+
+def wrong_without_the_flange(q):
+    """there is one pose too few"""
+    return right_step_by_step(q)[:-1]

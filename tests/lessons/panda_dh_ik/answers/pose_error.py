@@ -57,3 +57,9 @@ def wrong_rotations_subtracted(T, T_target):
     return np.concatenate(
         [T_target[:3, 3] - T[:3, 3], rotations.log_so3(T_target[:3, :3] - T[:3, :3])]
     )
+
+
+def wrong_in_degrees(T, T_target):
+    """phi is in degrees"""
+    phi = np.rad2deg(rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T))
+    return np.concatenate([T_target[:3, 3] - T[:3, 3], phi])
