@@ -265,15 +265,17 @@ def _slow(M):
 def test_calls_that_are_slow_only_together_are_not_blamed_one_by_one():
     verdict = judge(NEAREST_SO, LocalFunction(_slow), seconds=0.5)
     assert verdict.state == ERROR
-    assert "took more than 0.5 seconds of computing in " in describe(verdict)
-    assert " calls together" in describe(verdict)
+    assert "took more than 0.5 seconds of computing in several calls together." in describe(verdict)
     assert "no single call takes very long" in describe(verdict)
     assert "a loop never ends" not in describe(verdict)
+    assert describe(verdict) == describe(
+        judge(NEAREST_SO, LocalFunction(_slow), seconds=0.4)
+    ).replace("0.4", "0.5"), "grading asks twice, and other cases may be the last"
 
 
 def test_panda_ik_says_when_only_its_calls_together_are_slow():
     exercise = panda_dh_ik.panda_ik.exercise
-    message = "more than 20 seconds of computing in 9 calls together"
+    message = "more than 20 seconds of computing in several calls together"
     *_, mistake, _ = explain_error(exercise, {"type": "TimeUp", "message": message})
     assert "no single call takes very long" in mistake.name
 

@@ -25,7 +25,9 @@ from course_lib.checks.right_ones import namespace_of, right_ones, written_funct
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-CALLS_TOGETHER = "calls together"  # of an error: no single call used up the time
+# Of an error: no single call used up the time. How many calls it takes depends on the machine, and
+# grading compares messages, so the number is not said.
+CALLS_TOGETHER = "in several calls together"
 _MAX_CALLS = 5_000  # of one candidate, by a test; the tasks say so
 _MAX_WARNING = 300  # characters of a warning or an error's message
 _MODULES_OF_CHECKS = ("course_lib.lessons.", "course_lib.checks.")
@@ -102,7 +104,7 @@ def reply(
                 # The clock runs for all cases. A call that took little of the time is not to blame.
                 in_this_call = time.process_time() - began
                 if error.get("message") == too_long and in_this_call < asked["seconds"] / 2:
-                    error["message"] = f"{too_long} in {len(answers)} {CALLS_TOGETHER}"
+                    error["message"] = f"{too_long} {CALLS_TOGETHER}"
                 last = answers[-1]
                 break
     answers += [last] * (len(cases) - len(answers))  # the other cases would end in the same way
