@@ -93,6 +93,15 @@ def test_an_undefined_name_elsewhere_still_raises(shell, shown, capsys):
     assert "NameError" in capsys.readouterr().out
 
 
+def test_a_cell_that_also_calls_an_undefined_function_raises_what_python_raises(
+    shell, shown, capsys
+):
+    assert not run(shell, f"nearest_so(np.eye(3))\n{CHECK}")
+    shown_error = capsys.readouterr().out
+    assert "name 'nearest_so' is not defined" in shown_error
+    assert "'NotDefined' object" not in shown_error
+
+
 @pytest.mark.parametrize("letter", ["b", "B", "x"])
 def test_a_letter_without_quotes_is_asked_for_with_quotes(shell, shown, letter):
     assert run(shell, f"check.order.predict({letter})")

@@ -67,6 +67,10 @@ class NotDefined:
     def __init__(self, name: str):
         self.name = name
 
+    def __call__(self, *arguments, **named):
+        """Raise what Python raises without a stand-in, if the cell also calls the function."""
+        raise NameError(f"name {self.name!r} is not defined")
+
 
 def stand_in_for_undefined_names() -> None:
     """Let a cell that passes an undefined name to a check run, so that the check can say so.
