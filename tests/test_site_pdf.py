@@ -11,12 +11,17 @@ from sphinx_builds import build
 
 from course_lib.pack.site import SiteError, pdf
 
+LONG_TITLE = "A section whose title is so long that a page has to set it in two lines, one below"
+
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pdf") / "notebooks"
     write(folder, "01_rotations.ipynb", new_markdown_cell("# Rotations\n\nSee [it](notation.md)."))
-    write(folder, "02_rigid_motion.ipynb", new_markdown_cell("# Rigid motion"))
+    rows = "".join(f"| row {number} | a text |\n" for number in range(60))
+    table = f"| number | text |\n| --- | --- |\n{rows}"
+    text = f"# Rigid motion\n\n## {LONG_TITLE}\n\n## A table\n\n{table}"
+    write(folder, "02_rigid_motion.ipynb", new_markdown_cell(text))
     (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     build(folder, folder.parent / "html")
     return folder.parent / "html"
@@ -65,16 +70,42 @@ def test_a_pdf_stays_as_it_was_if_the_browser_fails(site, tmp_path, monkeypatch)
     assert file.read_bytes() == b"the PDF of yesterday"
 
 
-@pytest.mark.tools("pdftotext")
-def test_the_contents_give_the_page_on_which_each_chapter_begins(site, tmp_path, browser):
-    pdf.write_pdf(site, tmp_path / "course.pdf")
+@pytest.fixture(scope="module")
+def course(site, tmp_path_factory, browser):
+    file = tmp_path_factory.mktemp("printed") / "course.pdf"
+    pdf.write_pdf(site, file)
+    return file
+
+
+@pytest.fixture(scope="module")
+def pages(course):
     printed = subprocess.run(
-        ["pdftotext", "-layout", tmp_path / "course.pdf", "-"],
-        capture_output=True,
-        text=True,
-        check=True,
+        ["pdftotext", "-layout", course, "-"], capture_output=True, text=True, check=True
     )
-    pages = printed.stdout.split("\f")
+    return printed.stdout.split("\f")
+
+
+@pytest.mark.tools("pdftotext")
+def test_the_contents_give_the_page_on_which_each_chapter_begins(pages):
     for title in ("Notation", "Rotations", "Rigid motion"):
         (number,) = re.findall(rf"^ *{title} +(\d+)$", pages[0], re.MULTILINE)
         assert pages[int(number) - 1].lstrip().startswith(title)
+
+
+@pytest.mark.tools("pdftotext")
+def test_a_table_longer_than_a_page_begins_below_its_heading(pages):
+    (first,) = [page for page in pages if "A table" in page]
+    assert "row 0 " in first
+    assert "row 59" not in first
+
+
+@pytest.mark.tools("pdftotext")
+def test_no_page_is_empty(pages):
+    *printed, after_the_last = pages
+    assert after_the_last == ""
+    for page in printed:
+        assert re.search("[A-Za-z]", page), "more than its number"
+
+
+def test_a_bookmark_keeps_the_space_at_which_its_heading_was_broken(course):
+    assert LONG_TITLE.encode() in course.read_bytes()

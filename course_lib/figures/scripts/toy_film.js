@@ -22,6 +22,9 @@
   const CHART = { beside: 0.3, below: 0.2 };
   const LAST_CHART = { beside: 0.38, below: 0.29 };
   const FITTED_TIMES = 12; // of a film, when the view is fitted
+  // On a phone a wide picture is higher than in proportion, because its words stay as large as they are.
+  const NARROW = 480; // pixels
+  const LEAST_PROPORTION = 0.65; // of a narrow picture, its height in widths
 
   P.toy(
     "film",
@@ -118,7 +121,7 @@
   }
 
   function filmInSpace(card, meta) {
-    const { times, centre, radius, azimuth, elevation, proportion, title, floor } = meta;
+    const { times, centre, radius, azimuth, elevation, title, floor } = meta;
     const solid = S.unpack(meta.solid);
     const pale = meta.pale && S.unpack(meta.pale);
     const poses = posesOf(meta);
@@ -126,6 +129,11 @@
       const [i, share] = placeOf(times, t);
       if (!share) return poses[i];
       return poses[i].map((from, k) => M.interpolate(from, poses[i + 1][k], share));
+    }
+    const isBesideCharts = Boolean(meta.charts);
+    function proportion() {
+      const own = meta.proportion ?? 0.75;
+      return view.width < NARROW && !isBesideCharts ? Math.max(own, LEAST_PROPORTION) : own;
     }
     const view = card.space({ radius, centre, azimuth, elevation, label: title, proportion });
     const charts = meta.charts ? chartsOf(card, meta) : null;

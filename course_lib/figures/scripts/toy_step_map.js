@@ -85,6 +85,16 @@
     }
     const tipAt = (k) => M.planarPoints(lengths, run[k]).at(-1);
 
+    /** The largest step size over the damping, as far as the map's right end. */
+    function limitWithin(end) {
+      const points = epsilons.map((eps) => [
+        Math.log10(2 * (1 + 10 ** eps / meta.largest ** 2)),
+        eps,
+      ]);
+      const within = points.filter(([alpha]) => alpha < end);
+      if (within.length === points.length) return points;
+      return [...within, [end, Math.log10(meta.largest ** 2 * (10 ** end / 2 - 1))]];
+    }
     function drawMap() {
       chart.begin();
       const [across, upwards] = [alphas, epsilons].map((list) => (list[1] - list[0]) * 0.6);
@@ -100,10 +110,7 @@
           chart.line(corners, colour, 0, { closed: true, fill: 1 });
         });
       });
-      const limit = epsilons.map((eps) => [
-        Math.log10(2 * (1 + 10 ** eps / meta.largest ** 2)),
-        eps,
-      ]);
+      const limit = limitWithin(x[1]);
       // With a white rim it is seen on each of the map's colours, and beside the map in the dark.
       chart.line(limit, COLOURS.white, 5);
       chart.line(limit, COLOURS.shade, 2);

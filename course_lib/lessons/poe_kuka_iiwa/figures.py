@@ -680,5 +680,5 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
         f"largest, {best[2]:.3f} m³, near r = {best[0]:.2f} m and z = {best[1]:.2f} m. It falls to "
         f"zero at the hole around axis 1, of radius {hole:.2f} m, and at the outer edge.",
         "The colour of a place shows the largest manipulability of all configurations that reach "
-        "it from above. The white places cannot be reached.",
+        "it from above. Places without a colour cannot be reached.",
     )

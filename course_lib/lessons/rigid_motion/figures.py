@@ -628,8 +628,8 @@ def arm_paths(contents):
         ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
         in_words.append(f"{title.capitalize()}: the path is {length:.2f} m long, {ends}.")
     caption = (
-        "On the left, the joints move in proportion to each other, and the path is a curve. On the "
-        "right, the path is a straight line."
+        "On the joint-space line, the joints move in proportion to each other, and the path of "
+        "the tip is a curve. On the task-space line, the path of the tip is straight."
     )
     return Picture(draw_arms(titled, 10), " ".join(in_words), caption)
 

@@ -411,9 +411,9 @@ def on_sphere(samples):
         f"short tick towards where it takes the y axis. {'; '.join(in_words)}."
     )
     caption = (
-        "Turn the spheres. On the left the dots crowd at the lower pole, and none is in the upper "
-        "half. On the right equal areas hold about equally many dots, and the ticks point in all "
-        "directions."
+        "Turn the spheres. With uniform Euler angles the dots crowd at the lower pole, and none "
+        "is in the upper half. With uniform rotations equal areas hold about equally many dots, "
+        "and the ticks point in all directions."
     )
     return Picture(fig, alt, caption)
 
@@ -518,8 +518,8 @@ def distances(d_a, d_E, d_q):
         "angle. The quaternion distance lies on one curve, from 0 to 1."
     )
     caption = (
-        "Left, pairs with the same angle have very different $d_E$, some of them more than twice "
-        "the angle. Right, all pairs lie on one curve."
+        "Pairs with the same angle have very different $d_E$, some of them more than twice the "
+        "angle. With $d_q$, all pairs lie on one curve."
     )
     return Picture(fig, alt, caption)
 

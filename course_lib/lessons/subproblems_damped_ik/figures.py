@@ -368,8 +368,8 @@ def choices(times, counts):
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
-        "On the left are the times to the candidates of the example, the fastest first. The right "
-        "panel shows how many of the eight configurations of a pose are within the limits."
+        "The first panel shows the times to the candidates of the example, the fastest first. The "
+        "second panel shows how many of the eight configurations of a pose are within the limits."
     )
     return Picture(fig, alt, caption)
 

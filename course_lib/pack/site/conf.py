@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import nbformat
+from bs4 import BeautifulSoup
 from docutils import nodes
 from sphinx.util import logging
 
@@ -85,6 +86,39 @@ def name_tables_of_symbols(app, document):
         head = next(iter(table.findall(nodes.thead)), None)
         if head is not None and head.astext().startswith("symbol"):
             table["classes"].append("symbols-table")
+
+
+# Characters. About 50 stand beside each other on a phone, so a row with more of them has columns of
+# a word each; a formula of more does not fit beside another column.
+MAX_ROW = 100
+MAX_FORMULA = 40
+
+
+def stack_wide_tables(app, document):
+    """Give tables that are too wide for a phone a class, by which it sets a row as a list."""
+    for table in document.findall(nodes.table):
+        rows = [[cell.astext() for cell in row] for row in table.findall(nodes.row)]
+        longest = [max(map(len, column)) for column in zip(*rows, strict=False)]
+        formulas_of_table = [len(formula.astext()) for formula in table.findall(nodes.math)]
+        has_long_rows = len(longest) > 2 and sum(longest) > MAX_ROW
+        is_wide = has_long_rows or max(formulas_of_table, default=0) > MAX_FORMULA
+        if is_wide and "symbols-table" not in table["classes"]:
+            table["classes"].append("stacked-table")
+
+
+def name_columns(app, pagename, templatename, context, doctree):
+    """Give each cell of a stacked table the name of its column, which is shown before the cell."""
+
+    def with_names(match):
+        table = BeautifulSoup(match[0], "html.parser")
+        names = [head.get_text(" ", strip=True) for head in table.select("thead th")]
+        for row in table.select("tbody tr"):
+            for name, cell in zip(names, row.find_all("td"), strict=False):
+                cell["data-column"] = name
+        return str(table)
+
+    pattern = r'<table class="[^"]*\bstacked-table\b.*?</table>'
+    context["body"] = re.sub(pattern, with_names, context.get("body", ""), flags=re.DOTALL)
 
 
 def find_dollars(app, document):
@@ -264,6 +298,8 @@ def setup(app):
     app.add_config_value("course_repository", "", "html")
     app.connect("config-inited", offer_to_run, priority=1)
     app.connect("doctree-read", name_tables_of_symbols)
+    app.connect("doctree-read", stack_wide_tables)
+    app.connect("html-page-context", name_columns)
     app.connect("builder-inited", do_without_sphinx_search)
     app.connect("html-page-context", name_the_course_once)
     app.connect("doctree-read", find_dollars)

@@ -287,6 +287,9 @@ def _height_on_phone(chart: dict) -> int:
         height = min(height, 340)
     if columns > 1:
         height = panels * (350 if is_plane else 270)
+    scenes = sum(key.startswith("scene") for key in layout)
+    if scenes > 1:
+        height = scenes * 330
     if "coloraxis" in layout:
         height += 55
     if layout.get("showlegend"):  # below, a line or more for each name

@@ -106,6 +106,7 @@ ${IN_DARK} :is(.course-stage, .course-toy) { --stage: ${ground.dark}; --focus: #
 }
 .course-toy .matrix .chosen { background: var(--pressed); box-shadow: 0 0 0 .2em var(--pressed) }
 
+.course-toy :is(sub, sup) { font-size: max(.75em, 10px); line-height: 0 }
 @media (max-width: 480px) {
   .course-toy { padding: .5rem }
   .course-toy .setting input { min-height: 1.6rem }

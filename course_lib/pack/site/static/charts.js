@@ -45,6 +45,30 @@
   const axisKey = (axis) => `${axis[0]}axis${axis.slice(1)}`;
   const isTouched = () => window.matchMedia("(pointer: coarse)").matches;
 
+  /** The bottom and the height of one of several pictures below each other, in heights of all. */
+  function placeBelow(number, count) {
+    const gap = 0.28 / count;
+    const height = (1 - gap * (count - 1)) / count;
+    return { bottom: (count - 1 - number) * (height + gap), height };
+  }
+
+  /** Move pictures in space below each other, each with the words above it. */
+  function stackScenes(layout) {
+    const names = Object.keys(layout).filter((key) => /^scene\d*$/.test(key));
+    if (names.length < 2) return;
+    const onPaper = layout.annotations?.filter(({ yref }) => yref === "paper") ?? [];
+    const before = onPaper.map(({ x }) => x);
+    names.forEach((name, number) => {
+      const { x = [0, 1], y = [0, 1] } = layout[name].domain ?? {};
+      const { bottom, height } = placeBelow(number, names.length);
+      layout[name].domain = { x: [0, 1], y: y.map((share) => bottom + share * height) };
+      onPaper.forEach((words, i) => {
+        if (before[i] < x[0] || before[i] >= x[1]) return;
+        Object.assign(words, { x: 0.5, y: bottom + words.y * height });
+      });
+    });
+  }
+
   // Panels stand below each other, as prepare.py reserved the room. The legend is below them, and
   // the colour bar above.
   function narrowed(layout) {
@@ -61,13 +85,12 @@
     };
     if (columns > 1) {
       panels.forEach(([x, y], number) => {
-        const gap = 0.28 / panels.length;
-        const height = (1 - gap * (panels.length - 1)) / panels.length;
-        const bottom = (panels.length - 1 - number) * (height + gap);
+        const { bottom, height } = placeBelow(number, panels.length);
         narrow[axisKey(x)].domain = [0, 1];
         narrow[axisKey(y)].domain = [Math.max(0, bottom), Math.min(1, bottom + height)];
       });
     }
+    stackScenes(narrow);
     if (layout.coloraxis) {
       const bar = layout.coloraxis.colorbar ?? {};
       const { tickvals = [], ticktext = [] } = bar;
@@ -214,10 +237,12 @@
   // What plotly's templates can name of a point: x, y, z and the numbers that belong to it.
   const FIELD = /%\{(\w+)(?:\[(\d+)\])?(?::\.(\d+)[^}]*)?\}/g;
   function filled(template, point) {
-    return template.replace(FIELD, (_, name, index, digits) => {
-      const value = index === undefined ? point[name] : point[name]?.[index];
-      return written(value, Number(digits) || 0);
-    });
+    const numberOf = (name, index) => (index === undefined ? point[name] : point[name]?.[index]);
+    const isMissing = ([, name, index]) => (numberOf(name, index) ?? null) === null;
+    if ([...template.matchAll(FIELD)].some(isMissing)) return ""; // no unit without a number
+    return template.replace(FIELD, (_, name, index, digits) =>
+      written(numberOf(name, index), Number(digits) || 0),
+    );
   }
 
   function titleOf(layout, axis) {
@@ -231,7 +256,7 @@
       .split("<br>")
       .filter((line) => line.includes("%{"))
       .map((line) => {
-        const [, title, rest] = line.match(/^([^%]*?): (.*)$/) ?? [null, null, line];
+        const [, title, rest] = line.match(/^([^%]*?)(?:: | = )(.*)$/) ?? [null, null, line];
         return { title, template: rest };
       });
     for (const letter of ["z", "y", "x"]) {
@@ -291,15 +316,20 @@
     const panel = panels.findIndex(
       ([x, y]) => (series.xaxis ?? "x") === x && (series.yaxis ?? "y") === y,
     );
-    const note = layout.annotations?.find(({ yref }) => yref === `${panels[panel]?.[1]} domain`);
-    const name = plain([note?.text, series.name].filter(Boolean).join(": ")) || "values";
+    const own = layout[series.scene]?.domain?.x; // of a picture in space
+    const isOfScene = ({ yref, x }) => own && yref === "paper" && x >= own[0] && x < own[1];
+    const isOfPanel = ({ yref }) => yref === `${panels[panel]?.[1]} domain`;
+    const note = layout.annotations?.find(own ? isOfScene : isOfPanel);
+    const names = new Set(
+      [note?.text.replace("<br>", ", "), series.name].filter(Boolean).map(plain),
+    );
+    const name = [...names].join(": ") || "values";
     frame.setAttribute("role", "region");
     // Two series may have one name; a region needs one that no other region of the page has.
     tableCount += 1;
     frame.setAttribute("aria-label", `${name} (table ${tableCount})`);
     const table = element("table", frame);
-    const some =
-      step > 1 ? `, every ${step}th of ${points.length.toLocaleString("en")} points` : "";
+    const some = step > 1 ? `, one in ${step} of ${points.length.toLocaleString("en")} points` : "";
     element("caption", table, name + some);
     const head = element("tr", element("thead", table));
     columns.forEach(({ title }) => {
@@ -308,7 +338,10 @@
     const body = element("tbody", table);
     for (let i = 0; i < points.length; i += step) {
       const row = element("tr", body);
-      for (const { template } of columns) element("td", row, plain(filled(template, points[i])));
+      for (const { template } of columns) {
+        const value = template.replace(`, ${note?.text}`, ""); // the table's name has the panel
+        element("td", row, plain(filled(value, points[i])));
+      }
     }
   }
 

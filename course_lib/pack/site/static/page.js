@@ -59,6 +59,28 @@
   });
 })();
 
+// A formula that is a little too wide for its place is set smaller, because its end would be out of
+// sight there. One that is much too wide keeps its size, and scrolls.
+(() => {
+  "use strict";
+  const SMALLEST = 0.85; // of a formula's size: its indices are then as large as the smallest words
+  const RIM = 2; // pixels, for widths are rounded
+  function shrinkFormulas() {
+    const formulas = [...document.querySelectorAll("article :is(div.math, .math.wide)")];
+    for (const { style } of formulas) style.fontSize = "";
+    const isTooWide = ({ scrollWidth, clientWidth }) => scrollWidth > clientWidth;
+    const shares = formulas.map((formula) =>
+      isTooWide(formula) ? (formula.clientWidth - RIM) / formula.scrollWidth : 1,
+    );
+    formulas.forEach(({ style }, i) => {
+      if (shares[i] >= SMALLEST && shares[i] < 1) style.fontSize = `${shares[i]}em`;
+    });
+  }
+  window.addEventListener("load", shrinkFormulas);
+  window.addEventListener("resize", shrinkFormulas);
+  document.addEventListener("toggle", shrinkFormulas, true); // folded content had no width
+})();
+
 // What is wider than the page can be scrolled by the keyboard too: a formula, a table, a line of
 // code.
 (() => {
