@@ -15,6 +15,7 @@ from course_lib.checks.messages import describe
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.write_test import WriteTest
 from course_lib.lessons.panda_dh_ik.exercises.register_points import EXERCISE as REGISTER_POINTS
+from course_lib.lessons.poe_kuka_iiwa.exercises.body_jacobian import EXERCISE as BODY_JACOBIAN
 from course_lib.lessons.poe_kuka_iiwa.exercises.forward_kinematics import (
     EXERCISE as FORWARD_KINEMATICS,
 )
@@ -364,3 +365,14 @@ def test_degrees_are_named_where_half_a_revolution_has_either_sign():
 
     verdict = judged(SUBPROBLEM1, LocalFunction(in_degrees))
     assert verdict.mistake.name == "the answer is in degrees"
+
+
+# The order of columns
+
+
+def test_columns_from_the_last_joint_to_the_first_are_called_columns():
+    def from_the_last_joint(screws, M, q):
+        return np.fliplr(BODY_JACOBIAN.library(screws, M, q))
+
+    verdict = judged(BODY_JACOBIAN, LocalFunction(from_the_last_joint))
+    assert verdict.mistake.name == "the columns of the answer are in reverse order"

@@ -34,6 +34,7 @@ def common_mistakes(naming):
     folds = () if naming.has_few_values() else _folded(right)
     for name, hint, change in (
         *_OF_THE_ANSWER,
+        *_in_reverse_order(right),
         *_in_other_order(right),
         *_of_other_sign(right),
         *folds,
@@ -144,6 +145,20 @@ def _unless_equal(other, exact):
 
 
 # ---- of the answer ----
+
+
+def _in_reverse_order(right):
+    """Yield the names, hints and changes of parts of the answer from the last to the first."""
+    if np.ndim(right) == 2:
+        axes = {"the rows": 0, "the columns": 1}
+    else:
+        axes = {"the entries": -1}
+    for what, axis in axes.items():
+        yield (
+            f"{what} of the answer are in reverse order",
+            f"Compare the order of {what} with the task.",
+            lambda x, axis=axis: np.flip(x, axis),
+        )
 
 
 def _in_other_order(right):
@@ -368,7 +383,6 @@ _OF_THE_ANSWER = (
     ("the answer is half of what it should be", _FACTOR, lambda x: x / 2),
     ("the answer is in degrees", _RADIANS, np.rad2deg),
     ("the answer is converted from degrees to radians", _RADIANS, np.deg2rad),
-    ("the entries of the answer are in reverse order", _ENTRIES, _reversed),
     ("the two halves of the answer have changed places", _HALVES, _halves_swapped),
     ("the signs of the answer are lost", "Which line loses the sign?", np.abs),
     (
