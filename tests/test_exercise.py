@@ -278,6 +278,7 @@ SHIFTED = replace(
     ("answer", "name"),
     [
         (lambda x: shifted(x)[::-1], "the rows of the answer are in another order"),
+        (lambda x: shifted(x)[:, ::-1], "the columns of the answer are in reverse order"),
         (lambda x: shifted(x)[:, [1, 0, 2]], "the columns of the answer are in another order"),
         (lambda x: shifted(x) * [1, 1, -1], "the third column of the answer has the wrong sign"),
         (lambda x: shifted(x) * [[1], [-1]], "the second row of the answer has the wrong sign"),
