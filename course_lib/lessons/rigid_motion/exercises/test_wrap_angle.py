@@ -50,6 +50,8 @@ EXERCISE = WriteTest(
             "that uses arctan2, so that its last digits differ",
             lambda a: np.arctan2(np.sin(a), np.cos(a)),
         ),
+        # The error is below the 1e-9 of the task, and lets answers exceed pi.
+        _right("whose last digits differ", lambda a: wrap_angle(a) * (1 + 1e-12)),
         _right("of the library", wrap_angle, example=True),
         _wrong("that changes nothing", lambda a: a, example=True),
         _wrong("that subtracts one revolution at most", _one_revolution),

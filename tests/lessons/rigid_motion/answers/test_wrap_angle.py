@@ -29,3 +29,13 @@ def right_whole_revolutions_with_assertions(wrap_angle):
         assert abs(revolutions - round(revolutions)) < 1e-9
         assert -np.pi <= wrap_angle(angle) <= np.pi
     return True
+
+
+def wrong_compares_exactly(wrap_angle):
+    """unnamed"""
+    # For these angles most right versions are right to the last digit.
+    for angle in (4.0, 7.0, -4.0, 100.0, 0.0, 0.5):
+        revolutions = (angle - wrap_angle(angle)) / (2 * np.pi)
+        if abs(wrap_angle(angle)) > np.pi or revolutions != round(revolutions):
+            return False
+    return True
