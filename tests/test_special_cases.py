@@ -113,9 +113,9 @@ def test_made_cases_can_be_told_from_the_author_s():
 
 
 @pytest.mark.parametrize("values", [BESIDE, ON_BOTH_SIDES])
-def test_sweeps_leave_no_gap_of_more_than_a_factor_of_four(values):
+def test_sweeps_leave_no_gap_of_more_than_a_factor_of_two(values):
     sizes = sorted({abs(value) for value in values})
-    assert max(b / a for a, b in itertools.pairwise(sizes)) < 4
+    assert max(b / a for a, b in itertools.pairwise(sizes)) < 2
     assert sizes[0] <= 1e-16
     assert sizes[-1] >= 0.3
 

@@ -18,13 +18,18 @@ _MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
 _MAX_WHOLE_NUMBER = 1e6
 
-# From 0.3 down to the rounding of numbers near 1. Between two neighbours a right answer's error
-# changes by no more than a factor of about 3, so no wrong branch fits between them.
-BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in (3.1, 1))
+# From 0.3 down to the rounding of numbers near 1, four to a power of ten. The error of a formula
+# that is used too near to a special value grows with the distance from it, or with its square. So
+# an answer that passes between two neighbours is off by about twice the tolerance at most, or by
+# three times.
+_DIGITS = (5.6, 3.1, 1.8, 1)
+BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in _DIGITS)[1:]
 ON_BOTH_SIDES = tuple(sign * gap for gap in BESIDE for sign in (1, -1))
 # Sizes of numbers that somebody may take for 0, and whose loss shows in answers right to EXACT.
 SMALL = tuple(size for size in BESIDE if size > EXACT)
 OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too generous bound lets pass
+# Relative to the reach: two solutions are apart by the root of this, at least by 1e-4 rad.
+JUST_WITHIN = tuple(gap for gap in BESIDE if gap > 5 * EXACT)
 SIZES = (1, 2, 3, 7)
 # Of the numbers in arguments that may be small. The numbers are between 0.3 and 0.9 of these, so
 # that each threshold below which somebody takes a number for 0 has numbers beneath it that count.
@@ -43,7 +48,7 @@ class Sweep:
         case(rng, value): the arguments of one case, whose distance from what is special, or whose
         size, is the value; None where there is no such case.
     values : tuple of float, optional
-        BESIDE, ON_BOTH_SIDES, SMALL, OUT_OF_REACH, SIZES, or others.
+        BESIDE, ON_BOTH_SIDES, SMALL, OUT_OF_REACH, JUST_WITHIN, SIZES, or others.
 
     Examples
     --------

@@ -121,10 +121,19 @@ _NONE = Mistake(
 )
 
 
+_FOLDED = Mistake(
+    "the arm is taken for folded although the tip is not at the base",
+    "How far is this tip from the base? Below which distance does your function fold the arm?",
+)
+
+
 def other_bend(angles, tip):
     """Return the Mistake of two pairs of joint angles (2, 2) that do not lead to the tip (2,)."""
     if np.isnan(angles).any():
         return _NONE
+    bend = np.abs(np.angle(np.exp(1j * angles[:, 1])))
+    if (bend > np.pi - EXACT).all():
+        return _FOLDED
     return (
         _Q1
         if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < PREDICTED

@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.tolerances import EXACT
 
 _FLAT = Mistake(
     "one number is returned for each position, not the column and the row of its cell",
@@ -30,6 +31,8 @@ def _integers_or_floats(value, *case):
 
 
 _SLIGHTLY = 0.05  # of the box's width: a tolerance that somebody may grant
+# In widths of a cell: nearer, rounding decides between the two cells.
+_FROM_A_LINE = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) > EXACT)
 _EDGES_OF_THE_BOX = {"left": (0, 0.0), "right": (0, 1.0), "lower": (1, 0.0), "upper": (1, 1.0)}
 
 
@@ -42,6 +45,15 @@ def _beside(axis, edge):
         return xy, np.zeros(2), np.ones(2), 4
 
     return case
+
+
+def _beside_a_line(rng, gap):
+    """The case of two positions beside lines between cells, this part of a cell away from them."""
+    low = rng.uniform(-3, 1, 2)
+    high = low + rng.uniform([0.5, 2.0], [1.5, 4.0])
+    n = int(rng.integers(5, 60))
+    places = rng.integers(1, n, (2, 2)) + np.array([[gap, 0.4], [0.3, gap]])
+    return low + places * (high - low) / n, low, high, n
 
 
 def _cases(rng):
@@ -74,7 +86,7 @@ def _cases(rng):
     drawn = low, np.round(low + rng.uniform([0.5, 2.0], [1.5, 4.0]), 2)
     found += [
         (_around(rng, 20, *corners, n), *corners, n)
-        for corners, n in [(drawn, 10), (drawn, 1), (wide, 50)]
+        for corners, n in [(drawn, 10), (drawn, 1), (wide, 50), (drawn, 300)]
     ]
     return [(np.array(xy), np.array(low), np.array(high), n) for xy, low, high, n in found]
 
@@ -146,9 +158,12 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=_integers_or_floats,
     library=cell_index,
-    sweeps=tuple(
-        Sweep(f"nearly on the {name} edge", _beside(*place), ON_BOTH_SIDES)
-        for name, place in _EDGES_OF_THE_BOX.items()
+    sweeps=(
+        *(
+            Sweep(f"nearly on the {name} edge", _beside(*place), ON_BOTH_SIDES)
+            for name, place in _EDGES_OF_THE_BOX.items()
+        ),
+        Sweep("nearly on a line between cells", _beside_a_line, _FROM_A_LINE),
     ),
     properties=(
         _asked(

@@ -45,6 +45,10 @@ def _case(rng, *sizes):
     return q[order], two_link_tip(q[order]), cell[order], len(sizes)
 
 
+def _beyond_a_revolution(q, *rest):
+    return q + 2 * np.pi * np.array([2, -1]), *rest
+
+
 def _judged(is_wrong, text, name, hint):
     return no_number(is_wrong, text, fit_joint_cells, _tell, Mistake(name, hint))
 
@@ -61,7 +65,8 @@ EXERCISE = Exercise(
     points=1,
     arguments=("q", "xy", "cell", "count"),
     cases=lambda rng: [
-        _case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))
+        *(_case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))),
+        _beyond_a_revolution(*_case(rng, 4, 5)),
     ],
     returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
     library=fit_joint_cells,

@@ -46,6 +46,9 @@ def _cases(rng):
         _samples(rng, 40, drawn[1], 0.001),
         _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
         _samples(rng, 40, drawn[1], 0.001, -2.9, 2.9),
+        # An arm so weak that delta exceeds a right angle: no sample may be left out as too far off.
+        _samples(rng, 30, [1.9, 0.6], 0.005),
+        _samples(rng, 30, [7e-7, -4e-7], 0),
         # Joints that have made whole revolutions: one more or less does not wrap these.
         _revolved(*_samples(rng, 30, drawn[0], 0)),
         (np.array([[0, 0], [1, 0], [0, 1], [2, -1]]), np.array([[2, 0], [1, 2], [2, 1], [0, 2]])),
@@ -58,11 +61,14 @@ def _revolved(q, xy):
     return q + np.column_stack([2 * np.pi * revolutions, np.zeros(len(q))]), xy
 
 
-_OTHER_FIT = Mistake(
-    "delta, one of its two columns, or their fit is not that of the text",
-    "Print the largest |delta| over all samples, which is below 0.3 here. Then compare your two "
-    "columns with cos q1 and cos(q1 + q2).",
-)
+def _other_fit(answer, q, xy):
+    largest = np.abs(_wrapped(_gap(q, xy))).max()
+    return Mistake(
+        "delta, one of its two columns, or their fit is not that of the text",
+        f"Print the largest |delta| over all samples, which is {largest:.2g} here. Then compare "
+        "your two columns with cos q1 and cos(q1 + q2).",
+    )
+
 
 EXERCISE = Exercise(
     name="fit_sag",
@@ -77,7 +83,7 @@ EXERCISE = Exercise(
             "180 "
             "degrees",
             lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < HALF_THE_DIGITS,
-            mistake=_OTHER_FIT,
+            mistake=_other_fit,
         ),
     ),
     hints=(

@@ -18,7 +18,7 @@ _FOLDED = 0.01  # metres: nearer to the base, arccos loses digits, as it does ne
 # Metres from the edge, or from the base, where the arm is nearly stretched, or nearly folded.
 _JUST_OUT_OF_REACH = tuple(gap for gap in BESIDE if gap > 2 * SIX_DIGITS)
 _JUST_WITHIN = tuple(gap for gap in BESIDE if gap > 1e-12)
-_NEARLY_FOLDED = tuple(gap for gap in BESIDE if gap > 1e-4)
+_NEARLY_FOLDED = tuple(gap for gap in BESIDE if gap > SIX_DIGITS)
 
 _NO_ROWS = Mistake(
     "the answer for a position out of reach has another shape",

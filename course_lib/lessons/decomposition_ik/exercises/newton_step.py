@@ -4,9 +4,12 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import SMALL, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
+
+# rad: with a smaller bend, rounding is multiplied by more than 1,000.
+_BENDS = tuple(bend for bend in BESIDE if bend > 2e-3)
 
 
 def _jacobian(q):
@@ -35,6 +38,9 @@ def _cases(rng):
     long_ones = [
         (np.array([0.3, 1.4]), np.array([-1.2, 0.9])),
         (np.array([2.9, -1.6]), np.array([1.5, 0.4])),
+        # Positions far out of reach: steps of several revolutions.
+        (rng.uniform(0.3, 1.4, 2), 40 * np.array([np.cos(a[0]), np.sin(a[0])])),
+        (rng.uniform(0.3, 1.4, 2), -70 * np.array([np.cos(a[1]), np.sin(a[1])])),
     ]
     whole = [(np.array([1, 1]), np.array([1, 1])), (np.array([0, -2]), np.array([1.2, -0.8]))]
     return [
@@ -53,6 +59,12 @@ def _nearly_there(rng, gap):
     return q + gap, two_link_tip(q)
 
 
+def _nearly_singular(rng, bend):
+    """Return angles of an arm that is nearly stretched, and a position a short way off."""
+    q = np.array([rng.uniform(-3, 3), rng.choice([-1, 1]) * bend])
+    return q, two_link_tip(q) + _jacobian(q) @ rng.uniform(0.2, 0.8, 2)
+
+
 def _small(rng, size):
     q = np.array([size, rng.uniform(0.6, 1.8)])
     return q, two_link_tip(q) + size * rng.uniform(-0.4, 0.4, 2)
@@ -68,6 +80,7 @@ EXERCISE = Exercise(
     tolerance=EXACT,
     sweeps=(
         Sweep("nearly at the position", _nearly_there),
+        Sweep("a nearly stretched arm", _nearly_singular, _BENDS),
         Sweep("a small q1, before and after the step", _small, SMALL),
         Sweep("q1 and y nearly 0", lambda rng, x: (np.array([x, 1.2]), np.array([1.1, x])), SMALL),
     ),

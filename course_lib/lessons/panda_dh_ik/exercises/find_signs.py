@@ -92,7 +92,7 @@ def _cases(rng):
     drawn = [_case(rng, 3, zero=zero, deceives=[other_convention]) for zero in (None, 0, -1)]
     noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
-    given = [simple, *drawn, noisy, *many]
+    given = [simple, *drawn, noisy, *many, *_equal_orientations(rng), _one_joint_moves(rng)]
     unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
     whole = np.array([[1, 1, 0], [2, 0, 1]]), np.array([[1, 2], [-1, 1], [2, -1]])
     # A constant difference of all poses decides only where the patterns are close.
@@ -102,6 +102,26 @@ def _cases(rng):
         *_unlucky(rng, _IN_THE_WORLD, [*given, *unlucky], small=True),
     ]
     return [*given, (*whole, _ends(*whole, [[-1, 1]])[0])]
+
+
+def _equal_orientations(rng):
+    """Return two cases in which the orientations fit two patterns, and the positions only one.
+
+    The first two axes are parallel and their angles equal, so with opposite signs the orientations
+    do not say which of the two is reversed.
+    """
+    lengths, height = np.round(rng.uniform(0.3, 0.8, 2), 2), round(rng.uniform(0.1, 0.4), 2)
+    table = np.array([[lengths[0], 0, 0], [lengths[1], 0, 0], [0, 0, height]])
+    equal, last = np.round(rng.uniform(0.4, 1.2, (2, 3)), 2) * rng.choice([-1, 1], (2, 3))
+    q = np.column_stack([equal, equal, last])
+    return [(table, q, _ends(table, q, [signs])[0]) for signs in ([-1, 1, 1], [1, -1, -1])]
+
+
+def _one_joint_moves(rng):
+    """Return a case in which each configuration shows the sign of one joint only."""
+    table = np.round(rng.uniform(0.3, 0.8, (3, 3)), 2)
+    q = np.diag(np.round(rng.uniform(0.4, 1.2, 3), 2) * rng.choice([-1, 1], 3))
+    return table, q, _ends(table, q, [[-1, 1, -1]])[0]
 
 
 def _nearly_alike(rng, size):
@@ -206,6 +226,24 @@ def positions_only(table, q, poses):
 )
 def one_configuration(table, q, poses, k):
     return _best(table, _gaps(table, q, poses)[:, k].max(1))
+
+
+@EXERCISE.mistake(
+    "only some of the configurations are compared",
+    "May a wrong pattern fit two configurations, if some of their angles are 0?",
+    some=(slice(2), slice(-2, None)),
+)
+def some_configurations(table, q, poses, some):
+    return _best(table, _gaps(table, q, poses)[:, some].max((1, 2)))
+
+
+@EXERCISE.mistake(
+    "only orientations are compared",
+    "Two axes are parallel. What do the orientations say of their two signs if the angles are "
+    "equal?",
+)
+def orientations_only(table, q, poses):
+    return _best(table, _gaps(table, q, poses)[..., 1].max(1))
 
 
 def _largest(differences):

@@ -117,7 +117,33 @@ def _cases(rng):
     for shortcut in (*_CLOSEST, *_LEAST_OF_ALL):
         if all(np.array_equal(shortcut(*case), right(*case)) for case in given):
             given.append(_case(rng, 9, 4, "same", [shortcut]))
-    return given
+    return [*given, *(_noisy(rng, shortcut) for shortcut in _SHORTCUTS)]
+
+
+def _noisy(rng, shortcut):
+    """Return matches with noise of about the tolerance, to which a shortcut gives a wrong answer,
+    and no other shortcut the same one."""
+    others = [other for other in _SHORTCUTS if other is not shortcut]
+    while True:
+        src = np.round(rng.uniform(-0.06, 0.06, (8, 3)), 3)
+        dst = moved(any_pose(rng), src) + 0.6 * _TOL * rng.normal(size=(8, 3))
+        dst[rng.integers(8)] += 0.05 * unit(rng)
+        case = src, np.round(dst, 5), _TOL
+        if not _is_clear(*case):
+            continue
+        answer = shortcut(*case)
+        if not any(np.array_equal(answer, other(*case)) for other in [right, *others]):
+            return case
+
+
+def _is_clear(src, dst, tol):
+    """Return whether one set is the largest, and no distance is nearly the tolerance."""
+    sets = [attempt(_masks, src, dst, factor * tol) for factor in (1 - 1e-4, 1, 1 + 1e-4)]
+    if sets[0] is None:  # a triple lies on a line
+        return False
+    below, masks, above = (masks for _, masks in sets)
+    best = masks[masks.sum(1) == masks.sum(1).max()]
+    return bool((best == best[0]).all() and np.array_equal(below, above))
 
 
 EXERCISE = Exercise(
@@ -221,3 +247,45 @@ _LEAST_OF_ALL = EXERCISE.mistakes[-1].answers
 def by_coordinates(src, dst, tol):
     masks = _masks(src, dst, tol, size=lambda gaps: np.abs(gaps).max(-1))[1]
     return masks[masks.sum(1).argmax()]
+
+
+@EXERCISE.mistake(
+    "the pose is fitted once more, to the largest set, and the matches are judged by it",
+    "Which pose does the task judge the matches by: that of a triple, or that of the whole set?",
+)
+def fitted_once_more(src, dst, tol):
+    return _residuals(right(src, dst, tol), src, dst) < tol
+
+
+@EXERCISE.mistake(
+    "triples whose own points are not all within tol are left out",
+    "Does the task leave out any triple?",
+)
+def close_triples_only(src, dst, tol):
+    triples, masks = _masks(src, dst, tol)
+    close = np.take_along_axis(masks, triples, axis=1).all(axis=1)
+    masks = masks[close]
+    return masks[masks.sum(1).argmax()] if len(masks) else np.zeros(len(src), bool)
+
+
+@EXERCISE.mistake(
+    "the search ends with the first set of more than half of the matches",
+    "Can a later triple have a larger set?",
+)
+def first_majority(src, dst, tol):
+    masks = _masks(src, dst, tol)[1]
+    large = np.flatnonzero(2 * masks.sum(1) > len(src))
+    return masks[large[0]] if len(large) else right(src, dst, tol)
+
+
+@EXERCISE.mistake(
+    "the triple decides whose residuals, none of them counted as more than tol, have the least sum",
+    "Which number does the task make the largest?",
+)
+def least_capped(src, dst, tol):
+    triples, masks = _masks(src, dst, tol)
+    sums = [np.minimum(_residuals(triple, src, dst), tol).sum() for triple in triples]
+    return masks[np.argmin(sums)]
+
+
+_SHORTCUTS = (fitted_once_more, close_triples_only, first_majority, least_capped)

@@ -33,7 +33,7 @@ def _cases(rng):
     middle = (LOW + HIGH) / 2
     drawn = [
         (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, n), gain)
-        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (3, 5, -0.4))
+        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (3, 5, -0.4), (2, 3, 2.5))
     ]
     panda = [np.round(rng.uniform(LOW, HIGH), 2) for _ in range(3)]
     drawn += [
@@ -52,6 +52,12 @@ def _cases(rng):
             np.array([1.0, 1, 1]),
             0.5,
         ),  # exactly singular
+        (
+            np.array([0.1, 0.2, 0.3]),
+            np.array([[1.0, 2, 0], [2, 4, 0], [0, 1, 1]]),
+            away_from_zero(rng, 3),
+            0.5,
+        ),  # square, and singular
         (np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25),
     ]
 

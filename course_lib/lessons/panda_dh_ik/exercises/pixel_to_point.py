@@ -37,7 +37,9 @@ def _cases(rng):
     three = np.array([[320.0, 240], [380, 240], [320, 180]])
     cases = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
     cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
-    return [*cases, _drawn(rng, 4)]
+    pixels, _, K, T_wc = _drawn(rng, 3)
+    distant = pixels, np.round(rng.uniform(20, 90, 3), 1), K, T_wc
+    return [*cases, _drawn(rng, 4), distant]
 
 
 def _drawn(rng, n):
@@ -95,8 +97,9 @@ EXERCISE = Exercise(
             _right,
             _off,
             mistake=Mistake(
-                "a number in K, or a pixel, is not used as it is given",
-                "Which entries of K does your code use, and does it change the pixels first?",
+                "a number in K, a pixel or a depth is not used as it is given",
+                "Which entries of K does your code use, and does it change a pixel or a depth "
+                "first?",
             ),
         ),
     ),

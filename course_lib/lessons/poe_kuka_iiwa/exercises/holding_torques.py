@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import any_pose, away_from_zero, part_is
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import adjoint, inverse
@@ -42,6 +42,10 @@ def _nearly_zero(rng, size):
     return *shared.SMALL_ANGLES.case(rng, size), rng.uniform(1, 5), away_from_zero(rng, 3)
 
 
+def _light(rng, mass):
+    return _UPRIGHT, shared.at(2, 0, 0), away_from_zero(rng, 2), mass, away_from_zero(rng, 3)
+
+
 def _nearly_upright(rng, size):
     """The arm stands upright but for small angles: the light load's lever is short."""
     q = np.array([np.pi / 2 - size, 0.6 * size])
@@ -69,6 +73,7 @@ EXERCISE = Exercise(
     library=_right,
     sweeps=(
         Sweep("an angle is nearly 0", _nearly_zero, shared.SMALL_ANGLES.values),
+        Sweep("a load of little mass", _light, SMALL_NUMBERS),
         Sweep("a load nearly above the joints", _nearly_upright, shared.SMALL_ANGLES.values),
     ),
     angles=("q",),

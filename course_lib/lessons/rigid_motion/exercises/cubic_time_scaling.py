@@ -34,13 +34,20 @@ def _cases(rng):
         ends = [*rng.normal(0, 3, 2), *rng.choice([-1, 1], 2) * rng.uniform(0.5, 2, 2)]
         drawn.append((t, T, *np.round(ends, 2).tolist()))
     one = [(float(drawn[0][0][k]), *drawn[0][1:]) for k in (0, 3)]
-    return rest + moved + slow + rolling + back + whole + drawn + one
+    table = [(drawn[1][0][:6].reshape(2, 3)[:, :2], *drawn[1][1:])]  # an array of two dimensions
+    return rest + moved + slow + rolling + back + whole + drawn + one + table
 
 
 def _soon(rng, size):
     """A motion from 0 that has only just begun."""
     s1, v0, v1 = rng.uniform(0.5, 1.5, 3).round(2).tolist()
     return 0.5 * size, 2.0, 0.0, s1, v0, v1
+
+
+def _late(rng, size):
+    """A motion that is nearly over, and has a velocity at its end."""
+    s1, v0, v1 = rng.uniform(0.5, 1.5, 3).round(2).tolist()
+    return 2.0 - 0.5 * size, 2.0, 0.0, s1, v0, v1
 
 
 def _size(T, s0, s1, v0, v1):
@@ -108,7 +115,10 @@ EXERCISE = Exercise(
     arguments=("t", "T", "s0", "s1", "v0", "v1"),
     tolerance=EXACT,
     cases=_cases,
-    sweeps=(Sweep("a time just after 0", _soon, SMALL_NUMBERS),),
+    sweeps=(
+        Sweep("a time just after 0", _soon, SMALL_NUMBERS),
+        Sweep("a time just before T", _late, SMALL_NUMBERS),
+    ),
     small=("s0", "s1", "v0", "v1"),
     returns=numbers(lambda t, *ends: np.shape(t)),
     properties=(
@@ -157,7 +167,7 @@ EXERCISE = Exercise(
                 np.abs(s - cubic_time_scaling(t, T, *ends)).max() <= _size(T, *ends)
             ),
             says=lambda s, *case: (
-                f"The value at t = {np.ravel(case[0])[0]:.4g} is "
+                f"The value at t = {np.ravel(case[0])[0]:.10g} is "
                 f"{np.ravel(cubic_time_scaling(*case))[0]:.4g}."
             ),
         ),

@@ -142,9 +142,9 @@ def _loses_digits(twist, T):
 
 
 @EXERCISE.mistake(
-    "digits are lost where the cosine is nearly 1 or -1",
-    "There the cosine hardly changes: neither arccos nor 1 - cos(omega) keeps its digits. Which "
-    "function and which formula do?",
+    "the answer is too inaccurate where the cosine is nearly 1 or -1",
+    "There arccos and 1 - cos(omega) lose their digits, and a formula for tiny angles is right for "
+    "tiny angles only. Which of these does your code use for this angle?",
     seen=_loses_digits,
     bound=(1e-8, 1e-4, 1e-3),
 )

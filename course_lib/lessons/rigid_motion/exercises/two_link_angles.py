@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
     angle_gap,
@@ -39,6 +39,15 @@ def _cases(rng):
 def _nearly_stretched(rng, gap):
     angle = rng.uniform(-np.pi, np.pi)
     return ((2 - gap) * np.array([np.cos(angle), np.sin(angle)]),)
+
+
+# Metres from the base, where the arm is nearly folded. Nearer, an error of 1e-7 m is no error.
+_NEARLY_FOLDED = tuple(gap for gap in BESIDE if gap > HALF_THE_DIGITS)
+
+
+def _nearly_folded(rng, gap):
+    angle = rng.uniform(-np.pi, np.pi)
+    return (gap * np.array([np.cos(angle), np.sin(angle)]),)
 
 
 def _near_an_axis(rng, size):
@@ -109,6 +118,7 @@ EXERCISE = Exercise(
     distance=distance_of_lists,
     sweeps=(
         Sweep("a tip near the edge of the reach", _nearly_stretched),
+        Sweep("a tip near the base", _nearly_folded, _NEARLY_FOLDED),
         Sweep("a tip near an axis", _near_an_axis, SMALL_NUMBERS),
     ),
     forbidden=("course_lib.ik.solve",),

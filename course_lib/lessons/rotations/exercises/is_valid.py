@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import orthogonality_error, pose, unit
 from course_lib.rotations import exp_so3, nearest_quaternion, random_rotations
 
@@ -137,6 +138,31 @@ def _quaternions(rng):
     )
 
 
+# From errors that are plain to see to some that are a thousand times rounding.
+_ERRORS = tuple(float(f"1e-{k}") for k in range(2, 14))
+
+
+def _off_by(rng, kind, error):
+    """Return something of this kind that is off by the error, for a rotation by twice the error."""
+    if kind == "quaternion":
+        return (1 + error) * np.eye(4)[rng.integers(4)]
+    stretched = np.eye(2 if kind == "rotation" else 3)
+    if kind == "rotation":
+        stretched[0, 0] += error * rng.choice([-1, 1])
+        return stretched
+    stretched[2, rng.integers(3)] += error * rng.choice([-1, 1])
+    return stretched
+
+
+def _with_tolerance(kind, share):
+    """Sweep over errors, with a tolerance that is this share of the error, or 0."""
+
+    def case(rng, error):
+        return _off_by(rng, kind, error), kind, share * error
+
+    return Sweep("an error, and a tolerance of about its size", case, _ERRORS)
+
+
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
     # Off by exactly tol: all these numbers have few binary digits.
@@ -161,11 +187,11 @@ def _errors(ok, X, kind, tol):
     if not has_form(X, kind):
         return f"Its shape is {X.shape}."
     if kind == "quaternion":
-        return f"|q| is {np.linalg.norm(X):.8g}, tol is {tol:g}."
+        return f"|q| - 1 is {np.linalg.norm(X) - 1:.8g}, tol is {tol:g}."
     R = X[:-1, :-1] if kind == "pose" else X
     seen = (
-        f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R is "
-        f"{np.linalg.det(R):.8g}, "
+        f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R - 1 is "
+        f"{np.linalg.det(R) - 1:.8g}, "
     )
     if kind == "pose":
         seen += (
@@ -206,6 +232,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=boolean,
     library=is_valid,
+    sweeps=tuple(_with_tolerance(kind, share) for kind in _SHAPES for share in (0, 0.4, 4)),
     properties=(
         Property(
             "for an array of another shape the answer is False",

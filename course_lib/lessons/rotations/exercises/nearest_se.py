@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
 from course_lib.lessons.rotations.exercises import shared
@@ -13,6 +13,7 @@ from course_lib.lessons.rotations.exercises.shared import (
     damaged_rotations,
     distances,
     nearly_diagonal,
+    nearly_rotation,
 )
 from course_lib.rigid import nearest_se
 from course_lib.rotations import random_rotations
@@ -35,6 +36,12 @@ def _small(rng, size):
     return (pose(nearly_diagonal(rng, size), size * rng.uniform(-0.9, 0.9, 3), *[0.1] * 4),)
 
 
+def _nearly(rng, gap):
+    """A pose but for small errors in its block and in its last row."""
+    row = np.array([0, 0, 0, 1]) + gap * rng.uniform(-0.9, 0.9, 4)
+    return (pose(nearly_rotation(rng, gap), rng.normal(size=3), *row),)
+
+
 def _is_pose(T):
     return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
 
@@ -45,7 +52,10 @@ EXERCISE = Exercise(
     arguments=("T",),
     tolerance=EXACT,
     cases=_cases,
-    sweeps=(Sweep("small entries", _small, SMALL_NUMBERS),),
+    sweeps=(
+        Sweep("small entries", _small, SMALL_NUMBERS),
+        Sweep("nearly a pose", _nearly, SMALL),
+    ),
     returns=numbers(np.shape),
     library=nearest_se,
     properties=(

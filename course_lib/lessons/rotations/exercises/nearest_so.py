@@ -8,7 +8,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.naming import difference
-from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import is_rotation, orthogonality_error
 from course_lib.lessons.rotations.exercises import shared
@@ -17,6 +17,7 @@ from course_lib.lessons.rotations.exercises.shared import (
     damaged_rotations,
     distances,
     nearly_diagonal,
+    nearly_rotation,
     ones,
     polar,
 )
@@ -40,6 +41,7 @@ EXERCISE = Exercise(
     cases=_cases,
     sweeps=(
         Sweep("small entries", lambda rng, size: (nearly_diagonal(rng, size),), SMALL_NUMBERS),
+        Sweep("nearly a rotation", lambda rng, gap: (nearly_rotation(rng, gap),), SMALL),
     ),
     returns=numbers(np.shape),
     library=nearest_so,

@@ -45,6 +45,12 @@ def nearly_diagonal(rng, size):
     return np.diag([1.5, 1.0, 0.7]) + size * (np.triu(sizes) - np.tril(sizes, -1))
 
 
+def nearly_rotation(rng, gap):
+    """Return a rotation (3, 3) but for an error in each entry, which is this large at most."""
+    signs = rng.choice([-1, 1], (3, 3))
+    return random_rotations(1, rng)[0] + gap * signs * rng.uniform(0.5, 1, (3, 3))
+
+
 def polar(M, *signs):
     """Return U diag(signs) V^T; without signs U V^T, which is a reflection where det M < 0."""
     U, _, Vt = np.linalg.svd(M)

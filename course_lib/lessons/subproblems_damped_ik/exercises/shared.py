@@ -114,6 +114,15 @@ def extremes(measure, k, p, g):
     return [measure(rotated(k, middle + aside, p)) for aside in (np.pi, 0.0)]
 
 
+def reached(theta, what, number, wanted):
+    """Return in words which distance or height an angle reaches, and how far it is from d."""
+    number = round(number, 9) + 0.0
+    text = f"With theta = {round(theta, 9) + 0.0:.6g} the {what} is {number:.6g}; d is {wanted:.6g}"
+    if f"{number:.6g}" == f"{wanted:.6g}":
+        text += f", which differs by {abs(number - wanted):.2g}"
+    return text + "."
+
+
 def empty_list(text, says, where, mistake):
     """Return the Property of a list that is empty, in the cases in which there is no solution."""
     return Property(text, lambda found, *case: len(found) == 0, says, where=where, mistake=mistake)

@@ -6,6 +6,7 @@ The largest step size with which damped steps converge near the target.
 import numpy as np
 
 from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import near
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
@@ -22,7 +23,13 @@ def _cases(rng):
     plain = [(np.diag([2.0, 1.0]), 1.0), (np.array([[0.0, -1, -1, -1], [4, 3, 2, 1]]), 3.0)]
     return plain + [
         (rng.normal(size=shape), eps)
-        for shape, eps in (((2, 4), 2.0), ((2, 4), 50.0), ((3, 6), 0.01))
+        for shape, eps in (
+            ((2, 4), 2.0),
+            ((2, 4), 50.0),
+            ((3, 6), 0.01),
+            ((2, 2), 0.5),  # the eigenvalues of a square J are not its singular values
+            ((3, 3), 1.5),
+        )
     ]
 
 
@@ -42,6 +49,9 @@ EXERCISE = Exercise(
     tolerance=EXACT,
     cases=_cases,
     small=("J",),
+    sweeps=(
+        Sweep("little damping", lambda rng, eps: (rng.normal(size=(2, 4)), eps), SMALL_NUMBERS),
+    ),
     returns=lambda value, *case: single(value, "one number"),
     library=_right,
     broken=_by(lambda s, eps: 2 * (1 + eps / s[-1] ** 2)),
@@ -51,8 +61,9 @@ EXERCISE = Exercise(
             lambda limit, *case: near(limit, _right(*case)),
             _factor,
             mistake=Mistake(
-                "the limit is not that of the largest singular value",
-                "In which direction does the factor reach -1 first, and at which alpha?",
+                "the smallest factor is not -1 at your limit",
+                "How does the factor of a direction depend on alpha and on eps, and in which "
+                "direction does it reach -1 first?",
             ),
         ),
     ),

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -42,7 +42,25 @@ def _cases(rng):
         (k, p, g, 0.9 * close),
     ]
     negative = [(Z, X, X, -1.0), (k, p, g, -d)]
-    return named + generic + none + negative + [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
+    coinciding = [(Z, X, 3 * Y, 2.0), (Z, 3 * X + Z, Y + Z, 4.0)]
+    return named + generic + none + negative + coinciding + _whole_points(rng)
+
+
+def _whole_points(rng):
+    """Points in whole numbers about an axis that is not: the parts across it are not whole."""
+    k = np.array([0.6, 0.0, 0.8])
+    p, g = np.array([1, 2, -1]), np.array([2, -1, 1])
+    return [(k, p, g, float(np.linalg.norm(rotated(k, rng.uniform(0.5, 2.5), p) - g)))]
+
+
+_NEGATIVE = (0.1, 1e-2, 1e-3, 1e-4)  # without their signs, in metres
+
+
+def _negative(rng, size):
+    """A negative distance, however near to 0, between points on one circle."""
+    k = unit(rng)
+    p = off_axis(k, rng)
+    return k, p, rotated(k, rng.uniform(0.5, 2.5), p), -size
 
 
 def _small(rng, size):
@@ -64,6 +82,14 @@ def _beyond(side):
     return Sweep("a distance just out of reach", case, OUT_OF_REACH)
 
 
+def _within(side):
+    """Distances just above the smallest, or below the largest, which two nearly equal angles
+    give."""
+    return Sweep(
+        "a distance just within reach", lambda rng, gap: _beyond(side).case(rng, -gap), JUST_WITHIN
+    )
+
+
 def _reach(k, p, g):
     """The largest and the smallest distance from g that p comes to."""
     return shared.extremes(lambda point: np.linalg.norm(point - g), k, p, g)
@@ -79,8 +105,7 @@ def _misses(theta, k, p, g, d):
 
 
 def _tell(theta, k, p, g, d):
-    distance = round(np.linalg.norm(rotated(k, theta, p) - g), 9)
-    return f"With theta = {round(theta, 9) + 0.0:.6g} the distance is {distance:.6g}; d is {d:.6g}."
+    return shared.reached(theta, "distance", np.linalg.norm(rotated(k, theta, p) - g), d)
 
 
 def _nothing_there(found, k, p, g, d):
@@ -104,6 +129,9 @@ EXERCISE = Exercise(
     sweeps=(
         _beyond(1),
         _beyond(-1),
+        _within(1),
+        _within(-1),
+        Sweep("a negative distance, nearly 0", _negative, _NEGATIVE),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
     ),
     properties=shared.all_of_them(

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -43,7 +43,15 @@ def _cases(rng):
     close = [(k, h, p, high - 1e-6 * (high - low))]  # where the two solutions are 0.004 apart
     beyond = [(k, h, p, high + 0.1 * (high - low)), (k, h, p, low - 0.1 * (high - low))]
     none = [(Z, X, X, 1.5), (Z, X, X, -1.5), (Z, X, X + 2 * Z, 1.5), *beyond]
-    return named + generic + close + none + [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+    coinciding = [(Z, X, Y, 1.0), (Z, X + Z, Y + Z, 0.0)]
+    return named + generic + close + none + coinciding + _whole_points(rng)
+
+
+def _whole_points(rng):
+    """Points in whole numbers about an axis that is not: the parts across it are not whole."""
+    k = np.array([0.6, 0.0, 0.8])
+    h, p = np.array([1, 2, -1]), np.array([2, -1, 1])
+    return [(k, h, p, float(h @ rotated(k, rng.uniform(0.5, 2.5), p)))]
 
 
 def _small(rng, size):
@@ -64,6 +72,14 @@ def _beyond(side):
     return Sweep("a height just out of reach", case, OUT_OF_REACH)
 
 
+def _within(side):
+    """Heights just below the highest, or above the lowest, which two nearly equal angles reach."""
+
+    return Sweep(
+        "a height just within reach", lambda rng, gap: _beyond(side).case(rng, -gap), JUST_WITHIN
+    )
+
+
 def _range(k, h, p):
     """The smallest and the largest height that p comes to."""
     return shared.extremes(lambda point: h @ point, k, p, h)
@@ -77,8 +93,7 @@ def _misses(theta, k, h, p, d):
 
 
 def _tell(theta, k, h, p, d):
-    height = round(h @ rotated(k, theta, p), 9)
-    return f"With theta = {round(theta, 9) + 0.0:.6g} the height is {height:.6g}; d is {d:.6g}."
+    return shared.reached(theta, "height", h @ rotated(k, theta, p), d)
 
 
 def _nothing_there(found, k, h, p, d):
@@ -99,6 +114,8 @@ EXERCISE = Exercise(
     sweeps=(
         _beyond(1),
         _beyond(-1),
+        _within(1),
+        _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
     ),
     properties=shared.all_of_them(

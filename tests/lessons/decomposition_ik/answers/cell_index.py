@@ -51,3 +51,16 @@ def wrong_with_a_tolerance(xy, low, high, n):
     """a position slightly outside the box counts as inside"""
     near = np.clip(xy, low, high)
     return right_floor(np.where(abs(xy - near) < 1e-12, near, xy), low, high, n)
+
+
+def wrong_columns_of_8_bits(xy, low, high, n):
+    """a position is not put into its own cell"""
+    return np.asarray(right_floor(xy, low, high, n)).astype(np.int8).astype(int)
+
+
+def wrong_rounded_width(xy, low, high, n):
+    """a position is not put into its own cell"""
+    width = np.round((high - low) / n, 4)
+    index = np.minimum(np.floor((xy - low) / width), n - 1).astype(int)
+    index[((xy < low) | (xy > high)).any(axis=1)] = -1
+    return index

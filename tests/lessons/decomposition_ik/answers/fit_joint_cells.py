@@ -29,3 +29,8 @@ def right_about_the_middle(q, xy, cell, count):
 
     own = [np.flatnonzero(cell == c) for c in range(count)]
     return np.array([model(q[i], xy[i]) if len(i) >= 3 else np.full((2, 3), np.nan) for i in own])
+
+
+def wrong_wrapped_angles(q, xy, cell, count):
+    """a model is not that of its own samples"""
+    return right_linear_regression((q + np.pi) % (2 * np.pi) - np.pi, xy, cell, count)

@@ -28,3 +28,29 @@ def wrong_the_mean(q, xy):
     """their fit is not that of the text"""
     gap = q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
     return np.array([gap.mean(), gap.mean()])
+
+
+def _terms_and_gaps(q, xy):
+    A = np.cos(np.column_stack([q[:, 0], q[:, 0] + q[:, 1]]))
+    return A, q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
+
+
+def wrong_wrapped_by_half_revolutions(q, xy):
+    """delta, one of its two columns, or their fit is not that of the text"""
+    A, gaps = _terms_and_gaps(q, xy)
+    return np.linalg.lstsq(A, gaps - np.pi * np.round(gaps / np.pi))[0]
+
+
+def wrong_large_gaps_left_out(q, xy):
+    """delta, one of its two columns, or their fit is not that of the text"""
+    A, gaps = _terms_and_gaps(q, xy)
+    gaps = gaps - 2 * np.pi * np.round(gaps / (2 * np.pi))
+    near = np.abs(gaps) < 0.8
+    return np.linalg.lstsq(A[near], gaps[near])[0]
+
+
+def wrong_small_coefficients_taken_for_0(q, xy):
+    """delta, one of its two columns, or their fit is not that of the text"""
+    answer = np.array(right_lstsq(q, xy))
+    answer[np.abs(answer) < 1e-6] = 0
+    return answer

@@ -66,3 +66,11 @@ def wrong_stretched_too_early(xy):
     q2 = 0.0 if r > 1.99 else np.arccos(np.clip(r**2 / 2 - 1, -1, 1))
     first = np.arctan2(xy[1], xy[0])
     return np.array([[first - q2 / 2, q2], [first + q2 / 2, -q2]])
+
+
+def wrong_folded_too_early(xy):
+    """the arm is taken for folded although the tip is not at the base"""
+    if 0 < np.hypot(*xy) < 1e-4:
+        first = np.arctan2(xy[1], xy[0])
+        return np.array([[first - np.pi / 2, np.pi], [first + np.pi / 2, -np.pi]])
+    return right_law_of_cosines(xy)

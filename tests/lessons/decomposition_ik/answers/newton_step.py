@@ -41,3 +41,13 @@ def wrong_half_a_radian_at_most(q, xy):
     tip = np.array([np.cos(first) + np.cos(both), np.sin(first) + np.sin(both)])
     step = np.linalg.solve(J, xy - tip)
     return q + step * min(1, 0.5 / max(np.linalg.norm(step), 1e-300))
+
+
+def wrong_pseudoinverse_with_a_cut_off(q, xy):
+    """the step is not J^-1 (p - f(q))"""
+    return q + np.linalg.pinv(_J(q), rcond=1e-2) @ (xy - _fk(q))
+
+
+def wrong_position_brought_into_reach(q, xy):
+    """the step is not J^-1 (p - f(q))"""
+    return right_by_solve(q, xy * min(1.0, 2.0 / np.linalg.norm(xy)))

@@ -18,9 +18,13 @@ def right_all_triples(src, dst, tol):
     )
 
 
-def right_refitted_on_the_good_ones(src, dst, tol):
-    good = right_all_triples(src, dst, tol)
-    return list(residuals(register_points(src[good], dst[good]), src, dst) < tol)
+def right_by_the_number_of_matches_as_a_list(src, dst, tol):
+    largest = []
+    for triple in itertools.combinations(range(len(src)), 3):
+        T = register_points(src[list(triple)], dst[list(triple)])
+        near = [k for k, residual in enumerate(residuals(T, src, dst)) if residual < tol]
+        largest = near if len(near) > len(largest) else largest
+    return [k in largest for k in range(len(src))]
 
 
 def right_in_a_loop_of_permutations_as_a_column(src, dst, tol):

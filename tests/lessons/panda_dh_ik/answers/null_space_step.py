@@ -40,3 +40,15 @@ def wrong_shorter_way_round(q, J, q_middle, gain):
     d = q_middle - q
     d = np.angle(np.exp(1j * d))
     return q + gain * (d - np.linalg.pinv(J) @ (J @ d))
+
+
+def wrong_no_null_space_of_a_square_J(q, J, q_middle, gain):
+    """J is assumed to have full rank"""
+    if J.shape[0] == J.shape[1]:
+        return q.astype(float)
+    return right_by_the_pseudoinverse(q, J, q_middle, gain)
+
+
+def wrong_gain_at_most_one(q, J, q_middle, gain):
+    """the step is not gain (I - J^+ J)(q_middle - q)"""
+    return right_by_the_pseudoinverse(q, J, q_middle, min(gain, 1))

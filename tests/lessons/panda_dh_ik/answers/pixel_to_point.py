@@ -29,10 +29,15 @@ def wrong_fourth_entry(pixels, depths, K, T_wc):
 
 
 def wrong_one_focal_length(pixels, depths, K, T_wc):
-    """a number in K, or a pixel, is not used as it is given"""
+    """a number in K, a pixel or a depth is not used as it is given"""
     return right_by_the_inverse(pixels, depths, K * [[1], [K[0, 0] / K[1, 1]], [1]], T_wc)
 
 
 def wrong_multiplied_by_K(pixels, depths, K, T_wc):
     """the inverse of K"""
     return right_by_the_inverse(pixels, depths, np.linalg.inv(K), T_wc)
+
+
+def wrong_far_points_brought_near(pixels, depths, K, T_wc):
+    """a number in K, a pixel or a depth is not used as it is given"""
+    return right_by_the_inverse(pixels, np.minimum(depths, 10), K, T_wc)

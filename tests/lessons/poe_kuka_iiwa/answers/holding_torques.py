@@ -41,3 +41,8 @@ def wrong_pseudo_inverse(screws, M, q, mass, center):
     f = np.array([0, 0, mass * G])
     p = (T @ [*center, 1])[:3]
     return np.linalg.pinv(J) @ np.append(np.cross(p, f), f)
+
+
+def wrong_light_load_taken_for_none(screws, M, q, mass, center):
+    """these torques do not hold the load"""
+    return right_in_the_base_frame(screws, M, q, mass if mass > 1e-3 else 0.0, center)

@@ -20,3 +20,14 @@ def right_coefficients_of_t(t, T, s0, s1, v0, v1):
 
 def right_spline_of_scipy(t, T, s0, s1, v0, v1):
     return CubicHermiteSpline([0, T], [s0, s1], [v0, v1])(t)
+
+
+def wrong_flat(t, T, s0, s1, v0, v1):
+    """the answer is flattened"""
+    value = right_textbook(t, T, s0, s1, v0, v1)
+    return np.ravel(value) if np.ndim(t) > 1 else value
+
+
+def wrong_goal_a_moment_too_early(t, T, s0, s1, v0, v1):
+    """unnamed"""
+    return np.where(np.asarray(t) > T - 1e-3, s1, right_textbook(t, T, s0, s1, v0, v1))

@@ -26,3 +26,11 @@ def right_complex_numbers(T):
 def right_clockwise_at_half_a_revolution(T):
     omega = np.arctan2(T[1, 0], T[0, 0])
     return _twist(-np.pi if omega > np.pi - 1e-12 else omega, T)
+
+
+def wrong_series_used_too_far(T):
+    """the answer is too inaccurate where the cosine is nearly 1 or -1"""
+    omega, (x, y) = np.arctan2(T[1, 0], T[0, 0]), T[:2, 2]
+    if abs(omega) < 3e-4:
+        return np.array([omega, x + omega / 2 * y, y - omega / 2 * x])
+    return right_linear_system(T)

@@ -29,3 +29,11 @@ def right_half_angle_by_arctan2(tip):
 def wrong_rounded(tip):
     """the answer is rounded to 4 digits"""
     return np.round(right_law_of_cosines(tip), 4)
+
+
+def wrong_folded_too_early(tip):
+    """the arm is taken for folded although the tip is not at the base"""
+    if np.hypot(*tip) < 1e-3:
+        first = np.arctan2(tip[1], tip[0])
+        return np.array([[first - np.pi / 2, np.pi], [first + np.pi / 2, -np.pi]])
+    return right_law_of_cosines(tip)

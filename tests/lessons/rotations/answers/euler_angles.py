@@ -51,3 +51,10 @@ def wrong_lock_within_a_thousandth(R):
     return np.array(
         [np.arctan2(R[2, 1], R[2, 2]), beta, np.arctan2(R[1, 0], R[0, 0])],
     )
+
+
+def wrong_lock_within_three_millionths(R):
+    """near gimbal lock the formula for the exact lock is used too soon"""
+    if np.hypot(R[0, 0], R[1, 0]) < 3e-6:
+        return np.array([0.0, np.copysign(np.pi / 2, -R[2, 0]), np.arctan2(-R[0, 1], R[1, 1])])
+    return right_two_branches(R)

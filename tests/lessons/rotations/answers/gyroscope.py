@@ -34,3 +34,11 @@ def wrong_last_only(R_0, log, dt, R_bi):
     for omega in log:
         R_0 = R_0 @ exp_so3(R_bi @ omega * dt)
     return R_0
+
+
+def wrong_rates_in_an_array_of_integers(R_0, log, dt, R_bi):
+    """the answer is wrong for arrays of integers only"""
+    body_rates = np.zeros_like(log)
+    for k, rate in enumerate(log):
+        body_rates[k] = R_bi @ rate
+    return right_in_the_bodys_axes(R_0, body_rates, dt, np.eye(3))

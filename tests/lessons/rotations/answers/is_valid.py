@@ -57,3 +57,8 @@ def right_by_einsum(X, kind, tol):
             >= abs(np.linalg.det(X) - 1)
         )
     return np.bool_(right_three_helpers(X, kind, tol))
+
+
+def wrong_tolerance_never_zero(X, kind, tol):
+    """unnamed"""
+    return right_three_helpers(X, kind, max(tol, 1e-12))

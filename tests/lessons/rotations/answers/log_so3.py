@@ -42,3 +42,16 @@ def wrong_sign_left_to_chance(R):
     columns = R + np.eye(3)
     longest = columns[:, np.argmax(np.linalg.norm(columns, axis=0))]
     return angle * longest / np.linalg.norm(longest)
+
+
+def wrong_tiny_rotations_taken_for_none(R):
+    """a small rotation is taken for none"""
+    w = right_three_branches(R)
+    return w if np.linalg.norm(w) > 3e-12 else np.zeros(3)
+
+
+def wrong_exactly_pi_too_soon(R):
+    """near 180 degrees the sign of the axis"""
+    w = right_three_branches(R)
+    angle = np.linalg.norm(w)
+    return w / angle * np.pi if angle > np.pi - 2e-4 else w

@@ -63,3 +63,9 @@ def wrong_half_turn_too_soon(R):
 def wrong_rounded(R):
     """the answer is rounded to 4 digits"""
     return np.round(right_four_branches(R), 4)
+
+
+def wrong_small_rotations_taken_for_none(R):
+    """unnamed"""
+    q = right_four_branches(R)
+    return q if np.linalg.norm(q[1:]) > 4e-6 else np.array([1.0, 0, 0, 0])

@@ -41,3 +41,9 @@ def wrong_copy_of_whole_numbers(T):
     X[:-1, :-1] = nearest_so(T[:-1, :-1])
     X[-1] = np.eye(len(T))[-1]
     return X
+
+
+def wrong_nearly_a_pose_left_as_it_is(T):
+    """the last row is not that of a pose"""
+    X = right_copy_and_block(T)
+    return T if np.allclose(X, T, rtol=0, atol=1e-6) else X

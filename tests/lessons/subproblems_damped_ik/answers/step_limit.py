@@ -19,3 +19,16 @@ def right_by_eigenvalues(J, eps):
 def wrong_frobenius_norm(J, eps):
     """the singular values are combined"""
     return 2 * (1 + eps / np.linalg.norm(J) ** 2)
+
+
+def wrong_eigenvalues_of_a_square_J(J, eps):
+    """the smallest factor is not -1 at your limit"""
+    if J.shape[0] != J.shape[1]:
+        return right_by_norm(J, eps)
+    largest = np.abs(np.linalg.eigvals(J)).max()
+    return 2 * (1 + eps / largest**2)
+
+
+def wrong_little_damping_left_out(J, eps):
+    """the smallest factor is not -1 at your limit"""
+    return right_by_norm(J, eps if eps > 1e-6 else 0.0)

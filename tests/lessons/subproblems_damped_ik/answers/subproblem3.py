@@ -64,3 +64,8 @@ def wrong_generous_clipping(k, p, g, d):
     if d < 0 or abs(cosine) > 1.02:
         return []
     return [middle + s * np.arccos(np.clip(cosine, -1, 1)) for s in (1, -1)]
+
+
+def wrong_slightly_negative_distance(k, p, g, d):
+    """a negative d is squared, and its sign lost"""
+    return right_by_substitution(k, p, g, abs(d) if d > -0.2 else d)

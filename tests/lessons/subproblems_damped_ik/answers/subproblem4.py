@@ -60,3 +60,18 @@ def wrong_generous_clipping(k, h, p, d):
     if abs(cosine) > 1.1:
         return []
     return [phi + s * np.arccos(np.clip(cosine, -1, 1)) for s in (1, -1)]
+
+
+def wrong_nearly_equal_solutions_merged(k, h, p, d):
+    """only one of the two solutions is returned"""
+    angles = np.ravel(right_by_components(k, h, p, d))
+    if len(angles) == 2 and abs(np.exp(1j * angles[0]) - np.exp(1j * angles[1])) < 3e-4:
+        return angles[:1]
+    return angles
+
+
+def wrong_part_across_in_integers(k, h, p, d):
+    """the answer is wrong for arrays of integers only"""
+    across = p.copy()
+    across[:] = p - (k @ p) * k
+    return right_by_components(k, h, across, d - (k @ p) * (k @ h))
