@@ -157,8 +157,10 @@ def _right_but_for_signs(q, R):
     if not np.isfinite(q).all():
         return False
     right = np.abs(matrix_to_quaternion(R))
-    few_lost = right[q == 0].max(initial=1) > _SMALL  # small entries that are 0 are no signs
-    return few_lost and np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6)
+    # Where the sign of 0 is taken, an entry of any size becomes 0, and not only small ones.
+    if 0 < right[q == 0].max(initial=0) < _SMALL:
+        return False
+    return np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6)
 
 
 @EXERCISE.mistake(

@@ -30,7 +30,7 @@ def right_by_subproblems(xy):
     if np.linalg.norm(xy) > 2 + 1e-6:
         return np.full((2, 2), np.nan)
     bends = subproblem3(z, x, -x, np.linalg.norm(xy)).theta
-    bends = [max(bends), min(bends)] if abs(max(bends)) < 3.1415 else [np.pi, np.pi]
+    bends = [max(bends), min(bends)] if xy.any() else [np.pi, np.pi]
     return [
         [float(subproblem1(z, x + [np.cos(t), np.sin(t), 0], place).theta) if xy.any() else 0.3, t]
         for t in bends

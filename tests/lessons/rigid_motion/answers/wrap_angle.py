@@ -28,9 +28,3 @@ def wrong_short_pi(angle):
 def wrong_float32(angle):
     """the seven digits of float32"""
     return np.float32(right_rounded(angle))
-
-
-def wrong_revolutions_of_16_bits(angle):
-    """revolutions are left in the angle"""
-    revolutions = np.round(np.asarray(angle) / (2 * np.pi)).astype(np.int16)
-    return angle - 2 * np.pi * revolutions
