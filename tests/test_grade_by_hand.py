@@ -162,6 +162,29 @@ def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys
     both(said, page, "Try it in a copy of the course first.")
 
 
+def test_who_may_have_handed_in_under_another_name_is_not_said_to_have_handed_in_nothing(
+    tmp_path, capsys
+):
+    hand_in(tmp_path / "in", "HW_aboli_attempt_2026-11-30-18-05-00_01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(
+        "Last Name,First Name,Username,Student ID\nBo-Li,Alan,other,1\nNull,Eve,enull,2\n"
+    )
+    roster = ("--roster", str(tmp_path / "roster.csv"))
+    said, page = run(tmp_path, capsys, "--lms", "blackboard", *roster)
+    both(said, page, "2 students of the roster handed in nothing")
+    both(said, page, "Bo-Li, Alan, unless this is aboli, who has no line in the roster")
+    assert "Null, Eve, unless" not in said
+
+
+def test_the_bar_counts_the_notebooks_that_the_run_announces(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
+    (tmp_path / "in/bob.docx").write_text("x")
+    assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 0
+    printed = capsys.readouterr()
+    assert "Grading 1 notebook of" in printed.out
+    assert "1/1" in printed.err
+
+
 def test_points_that_no_platform_imports_are_to_be_typed_in(tmp_path, capsys):
     hand_in(tmp_path / "in", "Homework 1/Ana Lee - 01_rotations.ipynb", points=[2])
     said, page = run(tmp_path, capsys, "--lms", "google-classroom")

@@ -22,7 +22,7 @@ from course_lib.pack.grade.deadline import FILES, Deadline, read_deadline, summa
 from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import Row, absent, gradebook_text, read_roster, unmatched
 from course_lib.pack.grade.graded_file import GradedFile
-from course_lib.pack.grade.jobs import ROOT, Processes, grade_all
+from course_lib.pack.grade.jobs import ROOT, Processes, grade_all, number_of_notebooks
 from course_lib.pack.grade.marks import marks_text, read_marks
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.options import SHORT, parser, settings
@@ -124,7 +124,7 @@ def _pool(chosen: argparse.Namespace, grade: Callable | None) -> object:
 
 def _announce(submissions: Sequence[Submission], chosen: argparse.Namespace) -> None:
     """Print how much there is to grade, and how long it may take."""
-    notebooks = sum(not submission.refused for submission in submissions)
+    notebooks = number_of_notebooks(submissions)
     students = len({submission.student for submission in submissions if submission.student})
     amount = f"{count_noun(notebooks, 'notebook')} of {count_noun(students, 'student')}"
     if chosen.cluster:

@@ -295,7 +295,7 @@ def _gradebook(graded_class: GradedClass) -> Iterable[Entry]:
             yield Entry(
                 f"{count_noun(len(missing), 'student')} of the roster handed in nothing: ask them, "
                 "and put later files into the same folder.",
-                tuple(missing),
+                tuple(_perhaps_known(name, graded_class.nearest) for name in missing),
                 graded_class.command(),
             )
     name = graded_class.gradebook.name
@@ -316,6 +316,17 @@ def _gradebook(graded_class: GradedClass) -> Iterable[Entry]:
     if (graded_class.output / "feedback" / name).is_dir():
         zips = graded_class.shown / "feedback" / name
         yield Entry(f"Upload the zips in {zips} as feedback files, one for each notebook.")
+
+
+def _perhaps_known(name: str, nearest: dict[str, list[str]]) -> str:
+    """Return a name of the roster, with those who handed in and whose name it may be.
+
+    nearest: {who handed in and has no line in the roster: the names in the roster that are near}.
+    """
+    perhaps = [student for student, names in nearest.items() if name in names]
+    if not perhaps:
+        return name
+    return f"{name}, unless this is {' or '.join(perhaps)}, who has no line in the roster"
 
 
 def _missing(graded_class: GradedClass, path: Path) -> tuple[str, tuple[str, ...], str]:

@@ -103,13 +103,18 @@ def grade_all(
     """
     done = {}
     with (
-        tqdm(total=len(submissions), desc="grading", unit="notebook") as bar,
+        tqdm(total=number_of_notebooks(submissions), desc="grading", unit="notebook") as bar,
         contextlib.closing(pool),
     ):
         for submission, result in _results(submissions, results, seed, pool, offered):
             done[submission] = result
-            bar.update()
+            bar.update(not submission.refused)
     return [(submission, done[submission]) for submission in submissions]
+
+
+def number_of_notebooks(submissions: Sequence[Submission]) -> int:
+    """Return how many of the files are notebooks, as far as their names say."""
+    return sum(not submission.refused for submission in submissions)
 
 
 def _results(
