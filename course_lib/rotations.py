@@ -451,11 +451,14 @@ def _fill_from_vectors(w, R):
     """
     xx, yy, zz = w * w
     squared = xx + yy + zz
-    angle = length(w.T) if squared.min() < _MIN_SQUARE else np.sqrt(squared)
-    # Where the angle is 0, w is 0 as well, so any divisor but 0 gives the right product, 0. Only
-    # zero is smaller than the smallest float, 5e-324, and maximum is faster than where.
-    t_over_angle = np.tan(angle / 2) / np.maximum(angle, 5e-324)
-    _fill_from_quaternions(1.0, w * t_over_angle, R)
+    if squared.min() >= _MIN_SQUARE:
+        angle = np.sqrt(squared)
+    else:
+        # Where the angle is 0, w is 0 as well, so any divisor but 0 gives the right product, 0. Of
+        # all floats only zero is smaller than the smallest one, 5e-324.
+        angle = np.maximum(length(w.T), 5e-324)
+    t_over_angle = np.tan(angle / 2) / angle
+    _fill_from_quaternions(None, w * t_over_angle, R)
 
 
 # The nine entries of R, row by row, as sums of 1 and the products in _fill_from_quaternions.
@@ -479,8 +482,8 @@ _SUMS = np.array(
 def _fill_from_quaternions(w, v, R):
     """Write the matrices R (m, 3, 3) of quaternions q = (w, v), and return |q|^2 (m,).
 
-    They may have any length but 0: R = I + 2 (w [v] + [v]^2) / |q|^2. w: (m,) or a number. v: (3,
-    m).
+    They may have any length but 0: R = I + 2 (w [v] + [v]^2) / |q|^2. w: (m,), or None for 1. v:
+    (3, m).
 
     Each entry of R is a sum of a few of ten numbers: 1 and the products 2 x x / |q|^2, 2 w x /
     |q|^2, 2 x y / |q|^2 and so on. The matrix _SUMS says which, and one matrix product makes all
@@ -488,13 +491,15 @@ def _fill_from_quaternions(w, v, R):
     """
     products = np.empty((10, v.shape[1]))
     squares = np.multiply(v, v, out=products[1:4])  # in this place until it is needed
-    squared_length = w * w + squares[0] + squares[1] + squares[2]
-    twice = v * (2 / squared_length)
+    w_squared = 1.0 if w is None else w * w
+    squared_length = w_squared + squares[0] + squares[1] + squares[2]
+    twice = np.multiply(v, 2 / squared_length, out=products[4:7])
     products[0] = 1
     np.multiply(twice, v, out=products[1:4])
-    np.multiply(twice, w, out=products[4:7])
     np.multiply(twice[:2], v[1:], out=products[7:9])
     np.multiply(twice[2], v[0], out=products[9])
+    if w is not None:
+        twice *= w
     # This is faster than nine sums, since it also lays out the nine entries of each matrix in one
     # piece, where they belong.
     np.matmul(products.T, _SUMS.T, out=R.reshape(-1, 9))
