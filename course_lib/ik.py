@@ -8,13 +8,13 @@ Robotics (2017), is called MR.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from course_lib.arguments import broadcast, count, generator, positive, real_array, refuse_first
 from course_lib.arms import checked_arm
 from course_lib.batched_arm import CHUNK
-from course_lib.batching import by_entries
 from course_lib.rigid import checked_pose
 from course_lib.rotations import length, log_so3, nearest_so
 
@@ -29,17 +29,21 @@ _DAMPING = 0.1
 _MIN_DAMPING = 1e-12
 # After _PATIENCE steps a descent is given up if its last step failed to halve the squared error,
 # unless the squared error is below _NEAR.
-_PATIENCE = 10
-_NEAR = 0.01
+_PATIENCE = 6
+_NEAR = 1e-4
 # Radians. A step in which no joint moves more ends a descent; it is far below _REACHED_SQUARED's
 # root, 1e-7.
 _STANDSTILL = 1e-9
-# Random configurations, of which the one nearest to the target becomes a start.
-_CANDIDATES = 8
-# The number of these for a single descent, which costs more than choosing well.
-_CANDIDATES_ALONE = 32
+# Random configurations of an arm whose poses are computed only once, and the seed that draws them:
+# none that a caller is likely to draw targets with, because these would then be in the table.
+_TABLE = 4000
+_TABLE_SEED = 20110602
+# The number of these among which a search looks for starts. From the nearest of a thousand the
+# Panda needs a third fewer steps than from the nearest of eight; more would cost more than they
+# save.
+_CANDIDATES = 1000
 # Descents for a single target before many are tried at once.
-_ONE_BY_ONE = 4
+_ONE_BY_ONE = 8
 # Descents that together take about the time of one.
 _TOGETHER = 128
 
@@ -70,8 +74,8 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
     """Return joint angles, within the limits, at which an arm has the poses `targets`.
 
     Levenberg-Marquardt descends from q0, or from a random configuration. If it fails to converge,
-    it descends again from other random configurations; each start is the one nearest to the target
-    among a few candidates.
+    it descends again from other random configurations. Each start is the one nearest to the target
+    among many candidates, so for several answers to the same target give several q0.
 
     Parameters
     ----------
@@ -123,10 +127,10 @@ def solve(arm, targets, rng, q0=None, starts=400, steps=50):
         chunk = slice(first, first + CHUNK)
         search = _Search(arm, poses[chunk], rng, starts, steps)
         best[chunk], iterations[chunk] = search.run(None if q0 is None else q0[chunk])
-    q = best.reshape(*batch, arm.n)
-    error = _pose_error(arm.fk(q), targets)
-    residual = np.stack([length(error[..., 3:]), length(error[..., :3])], -1)
-    return IKResult(q, (residual <= REACHED).all(-1), iterations.reshape(batch), residual)
+    error = _error_by_entries(_entries(arm.fk(best)), _entries(poses))
+    residual = np.stack([length(error[3:].T), length(error[:3].T)], -1).reshape(*batch, 2)
+    success = (residual <= REACHED).all(-1)
+    return IKResult(best.reshape(*batch, arm.n), success, iterations.reshape(batch), residual)
 
 
 class _Search:
@@ -145,12 +149,10 @@ class _Search:
         m = len(poses)
         self.arm = arm
         self.poses = poses
-        self.rng = rng
         self.starts = starts
         self.steps = steps
-        self.start_limits = _start_limits(arm)
-        # (4, 3, m): three columns, then the position
-        self.goals = np.ascontiguousarray(poses[:, :3].T)
+        self.candidates = _Candidates(arm, rng)
+        self.goals = _entries(poses)
         # For each target: the best joint angles and their squared error, the steps and the starts
         # so far, and whether it is reached.
         self.best = np.zeros((m, arm.n))
@@ -200,7 +202,7 @@ class _Search:
         starts = min(_ONE_BY_ONE, self.starts)
         while not self.solved[0] and self.started[0] < starts:
             if q0 is None:
-                q = self._random_starts(self.poses, _CANDIDATES_ALONE)[0]
+                q = self.candidates.take_nearest(self.goals)[0]
             else:
                 q = q0[0]
                 q0 = None
@@ -249,30 +251,77 @@ class _Search:
         starts_left = self.starts - self.started
         number = np.minimum(idle + extra * hard, starts_left)
         target = np.repeat(np.arange(len(allowed)), number)
-        self.started += np.bincount(target, minlength=len(allowed))
-        q = self._random_starts(self.poses[target], _CANDIDATES) if q0 is None else q0
+        self.started += number
+        if q0 is not None:
+            q = q0
+        elif len(target):
+            q = self.candidates.take_nearest(self.goals.take(target, -1))
+        else:
+            q = np.empty((0, self.arm.n))
         return q.T, target, np.zeros(len(target), int), np.full(len(target), np.inf)
 
-    def _random_starts(self, poses, candidates):
-        """Return for each of the poses (m, 4, 4) the nearest of a few configurations, (m, n).
 
-        These are uniformly distributed between the limits of starts. Radians weigh as much as
-        metres.
+class _Candidates:
+    """Random configurations of an arm, of which those nearest to a target become its starts.
+
+    Each becomes a start only once, so a target that was not reached gets other starts next time.
+    They are a random part of the arm's table at first. When fewer than half are left, new ones are
+    drawn.
+    """
+
+    def __init__(self, arm, rng):
+        self.arm = arm
+        self.rng = rng
+        q, factors = _table(arm)
+        first = rng.integers(_TABLE - _CANDIDATES, endpoint=True)
+        part = slice(first, first + _CANDIDATES)
+        self.q = q[part]
+        self.factors = factors[:, part].copy()
+
+    def take_nearest(self, goals):
+        """Return for each of the goals (4, 3, N) the nearest configuration that is left, (N, n).
+
+        Equal goals get different configurations, unless there are more goals than _TOGETHER.
+
+        Radians weigh as much as metres: half the squared Frobenius distance of two rotations, which
+        is 4 sin^2(a/2), is a^2 for small angles a. Half the squared distance of R, p from a goal S,
+        s is then, but for a number that is the same for all candidates, |p|^2 / 2 less the sum of
+        the products of the entries of R / 2 and S and of p and s. One matrix product computes that
+        for all.
         """
-        low, high = self.start_limits
-        # Generator.uniform draws the same numbers, but takes twice as long with arrays of limits.
-        q = low + (high - low) * self.rng.random((candidates, len(poses), self.arm.n))
+        number = goals.shape[-1]
+        if np.isfinite(self.factors[-1]).sum() < _CANDIDATES // 2:
+            self.q, self.factors = _random_configurations(self.arm, self.rng, _CANDIDATES)
+        entries = np.concatenate([goals.reshape(12, number), np.ones((1, number))])
+        closeness = entries.T @ self.factors
+        if number > _TOGETHER:
+            chosen = closeness.argmax(-1)
+        else:
+            chosen = np.empty(number, int)
+            for i in range(number):
+                chosen[i] = closeness[i].argmax()
+                closeness[:, chosen[i]] = -np.inf
+        self.factors[-1, chosen] = -np.inf  # which makes them infinitely far from every goal
+        return self.q[chosen]
 
-        def squared_distance(q, goal):
-            columns, position = self.arm.batched.end_effector(q)
-            squares = (np.array([*columns, position]).swapaxes(0, 1) - goal) ** 2
-            # The squared Frobenius distance of two rotations is 8 sin^2(a/2), so half of it is a^2
-            # for small angles a.
-            return squares[:, :3].sum((0, 1)) / 2 + squares[:, 3].sum(0)
 
-        goals = np.broadcast_to(poses[:, :3], (candidates, len(poses), 3, 4))
-        distance = by_entries(squared_distance, (), q, goals, batch=q.shape[:2], most=CHUNK)
-        return q[distance.argmin(0), np.arange(len(poses))]
+@lru_cache(maxsize=8)
+def _table(arm):
+    """Return the arm's table of random configurations, as _random_configurations does."""
+    return _random_configurations(arm, np.random.default_rng(_TABLE_SEED), _TABLE)
+
+
+def _random_configurations(arm, rng, number):
+    """Return joint angles (number, n), uniformly distributed between the limits of starts.
+
+    Also returns the factors (13, number) of their closeness to goals, for _Candidates.
+    """
+    low, high = _start_limits(arm)
+    # Generator.uniform draws the same numbers, but takes twice as long with arrays of limits.
+    q = low + (high - low) * rng.random((number, arm.n))
+    columns, position = arm.batched.end_effector(q.T)
+    half_square = (position * position).sum(0) / 2
+    return q, np.concatenate([np.concatenate(columns) / 2, position, -half_square[None]])
 
 
 def _cost(error):
@@ -358,6 +407,11 @@ def _transpose_times(J, x):
     return x @ J if x.ndim == 1 else np.einsum("knN,kN->nN", J, x)
 
 
+def _entries(poses):
+    """Return the three columns and the position of poses (m, 4, 4) as one array (4, 3, m)."""
+    return np.ascontiguousarray(poses[:, :3].T)
+
+
 def _error_by_entries(end, goal):
     """Return the pose errors (6, N) from frames to goals, both (4, 3, N), or without N.
 
@@ -384,7 +438,8 @@ def _error_by_entries(end, goal):
     near_pi = cosine < -0.99
     if np.count_nonzero(near_pi):
         rotations = np.moveaxis(np.asarray(R)[..., near_pi], -1, 0)
-        error[:3, near_pi] = log_so3(rotations).T
+        # Of two poses within the tolerance, as printed ones are, the product may lie beyond it.
+        error[:3, near_pi] = log_so3(nearest_so(rotations)).T
     return error
 
 

@@ -47,6 +47,23 @@ def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
     )
 
 
+@pytest.mark.parametrize("make", [panda, iiwa14, ur5e])
+def test_a_thousand_targets_take_few_steps(make):
+    """The Panda's took 25 each when starts were the nearest of eight configurations."""
+    arm = make()
+    found = solve(arm, reachable(arm, 1000), np.random.default_rng(1))
+    assert found.iterations.mean() <= 20
+
+
+def test_equal_targets_are_reached_by_different_joint_angles():
+    arm = panda()
+    target = arm.fk([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
+    found = solve(arm, np.tile(target, (8, 1, 1)), np.random.default_rng(0))
+    assert found.success.all()
+    gaps = np.abs(found.q[:, None] - found.q).max(-1)
+    assert gaps[np.triu_indices(8, 1)].min() > 1e-2
+
+
 def test_an_unreachable_target_ends_nearby_without_success():
     arm = panda()
     far = rigid.transform(np.diag([1.0, -1, -1]), [3.0, 0, 0.333])
@@ -157,6 +174,20 @@ def test_poses_as_printed_with_six_digits_are_targets_wherever_they_are_poses():
     assert np.abs(error).max() < 2e-6
     assert np.abs(pose_error(printed[poses], printed[poses][::-1])[:, :3]).max() <= np.pi
     assert solve(arm, printed[poses][:50], np.random.default_rng(0), q[poses][:50]).success.all()
+
+
+def test_a_printed_target_half_a_revolution_from_the_start_is_reached():
+    """Its rotation from the start may be off by a little more than a pose may be."""
+    arm = panda()
+    low, high = arm.limits.T
+    q = np.random.default_rng(0).uniform(low, [*high[:-1], low[-1] + 2], (2000, 7))
+    printed = arm.fk(q).round(6)
+    poses = rigid.is_se(printed)
+    half_a_revolution = np.pi * np.eye(7)[6]
+    for target, q0 in zip(printed[poses][:200], q[poses] + half_a_revolution, strict=False):
+        assert solve(arm, target, np.random.default_rng(0), q0).success
+    together = solve(arm, printed[poses], np.random.default_rng(0), q[poses] + half_a_revolution)
+    assert together.success.all()
 
 
 def test_the_pose_error_leads_from_one_pose_to_the_other():
