@@ -87,6 +87,17 @@ def test_arguments_and_answer_stand_side_by_side(shown):
     assert "<details>" not in shown[0]["text/html"]
 
 
+@pytest.mark.parametrize("size", [3, 6])
+def test_the_lines_of_a_case_scroll_in_a_narrow_window_and_do_not_wrap(shown, size):
+    case = replace(NEAREST_SO, cases=lambda rng: [(np.eye(size),)])
+    Check(case)(lambda M: M + np.pi)
+    (block,) = re.findall(r'<div tabindex="0" style="([^"]*)">([^<]*)</div>', shown[0]["text/html"])
+    assert "white-space: pre;" in block[0]
+    assert "overflow-x: auto" in block[0]
+    assert "For M = [[1 0" in block[1]
+    assert "What should hold" not in block[1]
+
+
 def test_arguments_and_answer_are_folded_if_they_need_many_lines(shown):
     many = replace(NEAREST_SO, cases=lambda rng: [(np.eye(6),)])
     Check(many)(lambda M: M + np.pi)

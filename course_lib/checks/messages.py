@@ -39,16 +39,31 @@ def describe(verdict):
     )
 
 
-def folded(verdict):
-    """Return a message in HTML whose case is folded, since it would push the hint out of view; None
-    for a short one."""
-    lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
-    if not _failing_case(verdict) or sum(map(len, lines)) <= _IN_VIEW:
+# A matrix that is wrapped in a narrow window cannot be read, so its lines scroll instead.
+_CASE_STYLE = "white-space: pre; overflow-x: auto"
+
+
+def as_html(verdict):
+    """Return a message with a case in HTML; None for a message without one.
+
+    The case is folded if it would push the hint out of view.
+    """
+    case = html.escape(_failing_case(verdict))
+    if not case:
         return None
-    explanation, case, offer = (
-        html.escape(part(verdict)) for part in (_explanation, _failing_case, _offer_of_hint)
+    explanation, offer = (html.escape(part(verdict)) for part in (_explanation, _offer_of_hint))
+    lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
+    if sum(map(len, lines)) <= _IN_VIEW:
+        end = "\n" if offer else ""
+        return f"{explanation}\n{_unwrapped(case + end)}{offer}"
+    return (
+        f"{explanation}<details><summary>Input and answer</summary>{_unwrapped(case)}</details>"
+        f"{offer}"
     )
-    return f"{explanation}<details><summary>Input and answer</summary>{case}</details>{offer}"
+
+
+def _unwrapped(case):
+    return f'<div tabindex="0" style="{_CASE_STYLE}">{case}</div>'
 
 
 def listed(names):

@@ -19,7 +19,7 @@ from course_lib.checks.exercise import (
     review,
 )
 from course_lib.checks.follow_through import RightOnes, in_circles, is_excluded
-from course_lib.checks.messages import MARKS, describe, folded, listed
+from course_lib.checks.messages import MARKS, as_html, describe, listed
 from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import namespace_of
 
@@ -126,7 +126,7 @@ class Check:
         text = describe(self.verdict)
         if "NBGRADER_EXECUTION" in os.environ and self.verdict.state != RIGHT:
             raise AssertionError(text)
-        kernel.show(text, MARKS[self.verdict.state][1], inside=folded(self.verdict))
+        kernel.show(text, MARKS[self.verdict.state][1], inside=as_html(self.verdict))
 
     def _judged(self, function):
         verdict = review(self.exercise, LocalFunction(function))
