@@ -14,23 +14,33 @@ from course_lib.checks.exercise import WRONG, Exercise, LocalFunction, Property,
 from course_lib.checks.messages import describe
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.write_test import WriteTest
+from course_lib.lessons.decomposition_ik.exercises.ik_2r import EXERCISE as IK_2R
 from course_lib.lessons.panda_dh_ik.exercises.register_points import EXERCISE as REGISTER_POINTS
 from course_lib.lessons.poe_kuka_iiwa.exercises.body_jacobian import EXERCISE as BODY_JACOBIAN
 from course_lib.lessons.poe_kuka_iiwa.exercises.forward_kinematics import (
     EXERCISE as FORWARD_KINEMATICS,
 )
 from course_lib.lessons.poe_kuka_iiwa.exercises.rotation_about import EXERCISE as ROTATION_ABOUT
+from course_lib.lessons.rigid_motion.exercises.cubic_time_scaling import (
+    EXERCISE as CUBIC_TIME_SCALING,
+)
 from course_lib.lessons.rigid_motion.exercises.propagate_body import EXERCISE as PROPAGATE_BODY
+from course_lib.lessons.rigid_motion.exercises.two_link_angles import EXERCISE as TWO_LINK_ANGLES
 from course_lib.lessons.rotations.exercises.is_valid import EXERCISE as IS_VALID
 from course_lib.lessons.rotations.exercises.log_so3 import EXERCISE as LOG_SO3
+from course_lib.lessons.rotations.exercises.matrix_to_quaternion import (
+    EXERCISE as MATRIX_TO_QUATERNION,
+)
 from course_lib.lessons.rotations.exercises.random_quaternions import (
     EXERCISE as RANDOM_QUATERNIONS,
 )
 from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import reached
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import (
     EXERCISE as SUBPROBLEM1,
 )
-from course_lib.rotations import quaternion_to_matrix
+from course_lib.planar import cubic_time_scaling
+from course_lib.rotations import matrix_to_quaternion, quaternion_to_matrix
 
 HOUSE = Path(course_lib.__file__).parent
 SOURCES = [*HOUSE.glob("checks/*.py"), *HOUSE.glob("lessons/*/exercises/*.py")]
@@ -376,3 +386,43 @@ def test_columns_from_the_last_joint_to_the_first_are_called_columns():
 
     verdict = judged(BODY_JACOBIAN, LocalFunction(from_the_last_joint))
     assert verdict.mistake.name == "the columns of the answer are in reverse order"
+
+
+# Two numbers that are printed alike, and names that are not true of the answer
+
+
+def test_a_height_that_looks_like_the_one_wanted_is_shown_with_the_difference():
+    text = reached(0.25, "height", 1.332365741, 1.3323657483)
+    assert text.endswith("the height is 1.33237; d is 1.33237, which differs by 7.3e-09.")
+    assert reached(0.25, "height", 1.5, 1.25).endswith("the height is 1.5; d is 1.25.")
+
+
+def test_the_time_of_a_wrong_value_is_not_rounded_to_the_end():
+    text = describe(judged(CUBIC_TIME_SCALING, LocalFunction(too_soon_at_the_goal)))
+    assert "The value at t = 2 is" not in text
+
+
+def too_soon_at_the_goal(t, T, s0, s1, v0, v1):
+    return np.where(np.asarray(t) > T - 1e-3, s1, cubic_time_scaling(t, T, s0, s1, v0, v1))
+
+
+def test_small_entries_that_are_lost_are_not_called_lost_signs():
+    def without_small_rotations(R):
+        q = matrix_to_quaternion(R)
+        return q if np.linalg.norm(q[1:]) > 4e-6 else np.array([1.0, 0, 0, 0])
+
+    verdict = judged(MATRIX_TO_QUATERNION, LocalFunction(without_small_rotations))
+    assert verdict.state == WRONG
+    assert verdict.mistake is None or "signs" not in verdict.mistake.name
+
+
+@pytest.mark.parametrize("exercise", [TWO_LINK_ANGLES, IK_2R], ids=["two_link_angles", "ik_2r"])
+def test_an_arm_that_is_folded_too_early_is_called_so(exercise):
+    def folded_near_the_base(tip):
+        if not 0 < np.hypot(*tip) < 1e-3:
+            return exercise.library(tip)
+        first = np.arctan2(tip[1], tip[0])
+        return np.array([[first - np.pi / 2, np.pi], [first + np.pi / 2, -np.pi]])
+
+    mistake = judged(exercise, LocalFunction(folded_near_the_base)).mistake
+    assert mistake.name == "the arm is taken for folded although the tip is not at the base"

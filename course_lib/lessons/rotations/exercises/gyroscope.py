@@ -29,7 +29,7 @@ def _cases(rng):
         *mounted,
         (R_bi, 2 * rng.normal(size=(1, 3)), 0.2, R_0),
         (R_0, np.zeros((0, 3)), 0.1, R_bi),
-        # Whole numbers along the sensor's axes are none along the body's.
+        # Rates that are whole along the sensor's axes, and not whole along the body's.
         (R_0, np.array([[1, -2, 0], [0, 1, 2]]), 0.3, R_bi),
     ]
 
