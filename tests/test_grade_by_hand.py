@@ -176,6 +176,18 @@ def test_who_may_have_handed_in_under_another_name_is_not_said_to_have_handed_in
     assert "Null, Eve, unless" not in said
 
 
+def test_a_name_in_one_word_as_canvas_writes_it_has_near_names_in_the_roster(tmp_path, capsys):
+    hand_in(tmp_path / "in", "bolial_704_9004_01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text(
+        "Student,ID,SIS User ID,SIS Login ID,Section\n"
+        '"Bo-Li, Alan",9,s9,other,A\n"Null, Eve",711,s2,enull,A\n'
+    )
+    roster = ("--roster", str(tmp_path / "roster.csv"))
+    said, page = run(tmp_path, capsys, "--lms", "canvas", *roster)
+    both(said, page, "bolial_704: nearest in the roster: Bo-Li, Alan")
+    assert "Null, Eve, unless" not in said
+
+
 def test_the_bar_counts_the_notebooks_that_the_run_announces(tmp_path, capsys):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
     (tmp_path / "in/bob.docx").write_text("x")

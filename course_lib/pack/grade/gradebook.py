@@ -208,11 +208,12 @@ class Roster:
 
 
 def _spellings(row: Row) -> list[str]:
-    """Return what may be near to a student's name: the name, the login, and the address before its
-    @."""
+    """Return what may be near to a student's name: the name, the login, the address before its @,
+    and the name in one word, as Canvas writes it in the names of files."""
     person = _person(row)
     texts = [person.get(field, "").partition("@")[0] for field in ("full", "login", "address")]
-    return [words(text) for text in texts if text]
+    in_one_word = "".join(words(part) for part in full_name(row).split()).replace(" ", "")
+    return [*(words(text) for text in texts if text), in_one_word]
 
 
 def _key(text: str) -> str:
