@@ -23,8 +23,8 @@ from course_lib.pack.grade.student import UNREADABLE_REPLY, Student
 
 # Of the grader's own processor time for one exercise; a right answer takes less than one.
 JUDGING_SECONDS = 60
-# The same for a test. The grader also computes what twenty versions answer to 5,000 calls each,
-# which takes 15 to 70 seconds for the exercises of the course.
+# Of that time for a test that a student writes. The grader also computes what twenty versions
+# answer to 5,000 calls each, which takes 15 to 70 seconds for the exercises of the course.
 JUDGING_SECONDS_OF_TEST = 120
 # Of cases, for all of which an answer must be right. Each costs a tenth of a second for a right
 # answer on average, and a second for the slowest.
