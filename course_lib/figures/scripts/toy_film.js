@@ -22,7 +22,7 @@
   const CHART = { beside: 0.3, below: 0.2 };
   const LAST_CHART = { beside: 0.38, below: 0.29 };
   const FITTED_TIMES = 12; // of a film, when the view is fitted
-  // On a phone a wide picture is higher than in proportion, because its words stay as large as they are.
+  // On a phone a wide picture is drawn higher, because its words stay as large as they are.
   const NARROW = 480; // pixels
   const LEAST_PROPORTION = 0.65; // of a narrow picture, its height in widths
 
