@@ -154,7 +154,7 @@ def _in_reverse_order(right):
     else:
         axes = {"the entries": -1}
     for what, axis in axes.items():
-        if np.ndim(right) == 2 and np.shape(right)[axis] < 3:
+        if np.ndim(right) == 2 and np.shape(right)[axis] == 2:
             continue  # two rows that have changed places are in another order
         yield (
             f"{what} of the answer are in reverse order",
