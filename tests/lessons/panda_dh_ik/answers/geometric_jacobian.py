@@ -49,7 +49,7 @@ def wrong_seven_joints_only(frames):
 
 
 def wrong_columns_in_the_cross_product(frames):
-    """two arrays are combined whose shapes do not fit"""
+    """incompatible dimensions for cross product"""
     p, J = frames[-1, :3, 3:], np.zeros((6, len(frames) - 1))
     for i, frame in enumerate(frames[:-1]):
         J[:3, i] = np.cross(frame[:3, 2:3], p - frame[:3, 3:])
