@@ -26,6 +26,7 @@ TOOLS = [
     "sh",
     "tail",
 ]  # no Python
+CAT = shutil.which("cat")
 STAND_IN = """#!/bin/sh
 echo "${0##*/} $*" >>"$CALLS"
 case "$*" in *"${AT:-nothing}"*) printf '%s\\n' "$SAYS" >&2; exit 1 ;; esac
@@ -63,6 +64,24 @@ def make(tmp_path):
 
     make.course, make.bin = course, programs
     return make
+
+
+def test_a_set_up_that_was_interrupted_begins_again_without_an_error_of_cat(make):
+    assert make("environment", AT="-r environment.txt")[0].returncode != 0
+    (make.bin / "cat").unlink()
+    # It writes after cmp has found no file to compare with, and has ended.
+    (make.bin / "cat").write_text(f'#!/bin/sh\n{shutil.which("sleep")} 0.3\nexec {CAT} "$@"\n')
+    (make.bin / "cat").chmod(0o755)
+    done = subprocess.run(
+        ["make", "environment"],
+        cwd=make.course,
+        env={"PATH": str(make.bin), "CALLS": str(make.bin / "calls")},
+        capture_output=True,
+        text=True,
+        restore_signals=False,  # so SIGPIPE stays ignored
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (make.course / ".venv/made-from").is_file()
 
 
 def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with_uv(make):

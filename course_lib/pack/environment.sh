@@ -87,7 +87,8 @@ contents() { echo "$here" && cat environment.txt pyproject.toml; }
 set_up() { # set_up ENVIRONMENT WHAT...
     venv=$1
     shift
-    [ -x "$venv/bin/python" ] && contents | cmp -s - "$venv/made-from" && return
+    # cmp may end first; where SIGPIPE is ignored, as on some CI machines, cat would report that.
+    [ -x "$venv/bin/python" ] && contents 2>/dev/null | cmp -s - "$venv/made-from" && return
     : >"$log"
     echo "Setting up $venv, once: a minute or two, by network and machine (log: $log)."
     # One that was moved, interrupted or left without pip is made afresh.
