@@ -26,7 +26,8 @@ from course_lib.checks.right_ones import namespace_of
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _HAND_IN = (
     "All exercises of the core are done. Before you hand in the notebook, answer the questions of "
-    "“Explain”, choose “Restart Kernel and Run All Cells” in the menu “Kernel”, and save."
+    "“Explain”, choose “Restart Kernel and Run All Cells” in the menu “Kernel”, wait until no cell "
+    "shows [*], and save."
 )
 _NOTHING = object()
 _CALLS_SECONDS = 2  # of computing, to see which functions an answer calls
