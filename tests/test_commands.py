@@ -308,7 +308,8 @@ def test_ctrl_c_while_a_notebook_runs_leaves_the_file_and_no_traceback(course):
     path = course / "notebooks/02_slow.ipynb"
     write(path.parent, path.name, new_code_cell("import time\ntime.sleep(600)"))
     before = path.read_bytes()
-    command = ["make", "notebooks", f"NOTEBOOKS=notebooks/{path.name}"]
+    # These tests may have been started by make, which would then print the folder first.
+    command = ["make", "--no-print-directory", "notebooks", f"NOTEBOOKS=notebooks/{path.name}"]
     with subprocess.Popen(
         command,
         cwd=course,
