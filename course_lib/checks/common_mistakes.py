@@ -352,12 +352,12 @@ _COPIES = (
 CUT_OFF = (
     "digits after the point are cut off",
     (
-        "Which line makes integers of your numbers: int(...), //, or an array made from an array "
-        "of integers, which holds integers, too?"
+        "Which line makes integers of your numbers: int(...), //, or an array made from "
+        "integers, which holds integers, too?"
     ),
 )
 _INTEGERS = (
-    "An array made from an array of integers, by np.array, copy or np.zeros_like, holds integers. "
+    "An array made from integers, by np.array, copy or np.zeros_like, holds integers. "
     "What becomes of the digits after the point that you write into such an array?"
 )
 CUT_OFF_OF_WHOLE_NUMBERS = (

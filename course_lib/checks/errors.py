@@ -14,7 +14,8 @@ _ANOTHER_SYMBOL = Mistake(
 _NO_POWER = Mistake("^ is taken for a power", "In Python a power is written with **, as in x**2.")
 _LIST_FOR_ARRAY = Mistake(
     "a list is taken for an array",
-    "np.array(x, float) makes an array of a list, and arrays can be added and multiplied.",
+    "np.array(x, float) makes an array of a list. Arrays can be added and multiplied, and indexed "
+    "by several numbers or slices.",
 )
 _ARRAY_FOR_NUMBER = Mistake(
     "an array is taken for one number",

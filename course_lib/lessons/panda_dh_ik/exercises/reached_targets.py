@@ -137,8 +137,8 @@ EXERCISE = Exercise(
             "error are below 1e-3",
             lambda found, *case: (found == right(*case)).all(),
             says=lambda found, *case: (
-                f"In your answer {int(found.sum())} of {len(found)} targets are reached; in fact "
-                f"{int(right(*case).sum())} are."
+                f"Of {len(found)} targets, {int(right(*case).sum())} should count as reached; in "
+                f"your answer {int(found.sum())} do."
             ),
             mistake=Mistake(
                 "the steps, or the test after them, differ from the task's",

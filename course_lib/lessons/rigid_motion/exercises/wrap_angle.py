@@ -188,8 +188,8 @@ def shifted_once(angle, shift):
 
 @EXERCISE.mistake(
     "the revolutions are cut off towards 0, or the remainder has the sign of the angle",
-    "How many revolutions are nearest to 4 rad? And math.fmod(-1, 5) is -1, np.mod(-1, 5) is 4: "
-    "which is needed?",
+    "How many revolutions are nearest to 4 rad? Which sign does your remainder have for a negative "
+    "angle, and which sign do you need?",
     shift=(0, np.pi, -np.pi),
 )
 def remainder_with_sign(angle, shift):
