@@ -335,11 +335,11 @@ _FRAMES = "Which frame do you start from, and in which do you end?"
 _ENTRIES = "Compare the order of the entries with the task."
 _HALVES = "Compare the order of the entries with the task: which three come first?"
 _NEXT_TO_A_COSINE = (
-    "arccos gives angles from 0 to pi only. Which second number, beside the cosine, tells the sign "
-    "of the angle?"
+    "arccos gives angles from 0 to pi only. Which second number, besides the cosine, tells the "
+    "sign of the angle?"
 )
 _NEXT_TO_A_SINE = (
-    "arcsin gives angles from -pi/2 to pi/2 only. Which second number, beside the sine, tells in "
+    "arcsin gives angles from -pi/2 to pi/2 only. Which second number, besides the sine, tells in "
     "which half of the circle the angle lies?"
 )
 _QUOTIENT = (
@@ -366,7 +366,7 @@ CUT_OFF_OF_WHOLE_NUMBERS = (
 )
 WRONG_FOR_INTEGERS = ("the answer is wrong for arrays of integers only", _INTEGERS)
 USE_FLOAT64 = (
-    "Which line makes float32 of numbers? numpy computes with 16 digits unless it is told"
+    "Which line makes float32 of numbers? numpy computes with 16 digits unless a line asks"
     " otherwise."
 )
 USE_ALL_DIGITS = (

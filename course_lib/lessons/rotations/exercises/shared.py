@@ -41,7 +41,8 @@ def damaged_rotations(rng):
 def nearly_diagonal(rng, size):
     """Return a matrix (3, 3) that is nearly diagonal, and of which no entry is 0."""
     sizes = rng.uniform(0.3, 0.9, (3, 3))
-    # Of opposite signs beside the diagonal, so that the nearest rotation is not the identity.
+    # The signs on the two sides of the diagonal are opposite, so that the nearest rotation is not
+    # the identity.
     return np.diag([1.5, 1.0, 0.7]) + size * (np.triu(sizes) - np.tril(sizes, -1))
 
 

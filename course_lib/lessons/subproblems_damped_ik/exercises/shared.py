@@ -116,10 +116,11 @@ def extremes(measure, k, p, g):
 
 def reached(theta, what, number, wanted):
     """Return in words which distance or height an angle reaches, and how far it is from d."""
+    off = abs(number - wanted)
     number = round(number, 9) + 0.0
     text = f"With theta = {round(theta, 9) + 0.0:.6g} the {what} is {number:.6g}; d is {wanted:.6g}"
     if f"{number:.6g}" == f"{wanted:.6g}":
-        text += f", which differs by {abs(number - wanted):.2g}"
+        text += f", which differs by {off:.2g}"
     return text + "."
 
 
