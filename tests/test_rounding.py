@@ -1,0 +1,75 @@
+"""No stored output of a notebook holds what rounding decides: other kernels, plainer loops and
+noise in the last bits change none of them."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import other_processors
+import pytest
+
+TESTS = Path(__file__).parent
+NOTEBOOKS = sorted((TESTS.parent / "notebooks").glob("0[1-6]_*.ipynb"))
+# All at once; `python tests/other_processors.py notebooks/0*.ipynb` tries them one by one.
+ANOTHER_PROCESSOR = {
+    **other_processors.VARIANTS["kernels of Nehalem, plain loops and sines, one thread"],
+    "NOISE": "1",
+}
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
+def test_another_processor_stores_the_same_outputs(path):
+    reason = other_processors.missing(ANOTHER_PROCESSOR)
+    if reason:
+        pytest.skip(reason)
+    cells = other_processors.differing_cells(path, ANOTHER_PROCESSOR)
+    assert not cells, "\n".join(report for _, report in cells)
+
+
+def with_noise(program):
+    """Return what a program prints in which begin(seed) begins the noise."""
+    head = "import numpy as np\nfrom rounding_noise import begin\n"
+    environment = {**os.environ, "PYTHONPATH": str(TESTS)}
+    run = subprocess.run(
+        [sys.executable, "-c", head + program],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return run.stdout
+
+
+COMPUTATIONS = (
+    "A @ A",
+    "np.sin(A)",
+    "A.sum()",
+    "np.linalg.inv(A)",
+    "np.linalg.norm(A)",
+    "np.linalg.svd(A)[0]",
+    "np.linalg.lstsq(A, A)[0]",
+    "np.dot(A, A)",
+    'np.einsum("ij,jk->i", A, A)',
+)
+
+
+@pytest.mark.parametrize("computation", COMPUTATIONS)
+def test_noise_reaches_a_computation_and_stays_small(computation):
+    program = f"""
+A = np.random.default_rng(0).normal(size=(20, 20))
+before = {computation}
+begin(1)
+after = {computation}
+print(not np.array_equal(before, after), np.allclose(before, after, rtol=1e-11, atol=1e-12))
+"""
+    assert with_noise(program) == "True True\n"
+
+
+def test_noise_leaves_what_is_exact_on_every_processor():
+    program = """
+whole = np.arange(9.0).reshape(3, 3)
+begin(1)
+print((whole @ whole)[2].tolist(), np.sin(0.0), np.cos(0.0), 0.1 + 0.2)
+"""
+    assert with_noise(program) == "[69.0, 90.0, 111.0] 0.0 1.0 0.30000000000000004\n"
