@@ -206,16 +206,24 @@ def test_what_cannot_be_drawn_is_refused_by_the_name_of_the_argument(call, words
 # ---- what is stored ----
 
 
-def test_numbers_keep_six_digits_of_the_largest_of_their_list():
+def test_numbers_keep_a_hundred_thousandth_of_their_axis():
     figure = stored(go.Figure(go.Scatter(x=[1 / 3, -0.0, 1e-17], y=np.array([2e6 / 3, 1 / 3, 0]))))
-    assert figure["data"][0]["x"] == [0.333333, 0, 0]
+    assert figure["data"][0]["x"] == [0.33333, 0, 0]
     assert str(figure["data"][0]["x"][1]) == "0.0", "and no minus"
-    assert figure["data"][0]["y"] == [666667, 0, 0]
+    assert figure["data"][0]["y"] == [666670, 0, 0]
 
 
-def test_on_a_logarithmic_axis_each_number_keeps_six_digits_of_its_own():
+def test_an_axis_spans_its_range_or_all_series_on_it():
+    fig = go.Figure([go.Scatter(x=[1 / 3], y=[1000 + 1 / 3]), go.Scatter(x=[200 / 3], y=[1001])])
+    assert [series["x"] for series in stored(fig)["data"]] == [[0.333], [66.667]]
+    assert stored(fig)["data"][0]["y"] == [1000.33333]
+    fig.update_xaxes(range=[0, 1])
+    assert stored(fig)["data"][0]["x"] == [0.3333]
+
+
+def test_on_a_logarithmic_axis_each_number_keeps_five_digits_of_its_own():
     fig = charts.lines(T + 1, {"a": 10.0 ** -np.arange(0, 20, 4) / 3}, **METRES, log="y")
-    assert stored(fig)["data"][0]["y"][-1] == 3.33333e-17
+    assert stored(fig)["data"][0]["y"][-1] == 3.3333e-17
 
 
 def test_nan_and_infinities_become_null():

@@ -11,17 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from course_lib.figures import charts
+from course_lib.figures.digits import decimals_for, rounded
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
 PLOTLY = "application/vnd.plotly.v1+json"  # MIME type, which JupyterLab draws by plotly's extension
-DIGITS = (
-    6  # enough for every pixel of a screen, and far from the last bits, in which machines differ
-)
-# Added before rounding, in units of the last digit kept: a number half-way between two of them, as
-# 0.5 m is in steps of 1 m, would otherwise be rounded up on one machine and down on another.
-_OFF_TIES = 0.0137
 # Without "responsive", which charts.js sets on pages: JupyterLab fits charts itself, and with it
 # they
 # would vanish there when its theme is switched.
@@ -48,8 +43,10 @@ def is_chart(fig: object) -> bool:
 def stored(fig: Figure | dict) -> dict:
     """Return what a notebook stores of a plotly figure under the MIME type PLOTLY.
 
-    Numbers have six digits: each of its own on a logarithmic axis, else of the largest number of
-    their list. NaN and infinities, which JSON does not have, become null, which plotly leaves out.
+    Coordinates have the digits that their axis shows: on a linear axis a hundred-thousandth of what
+    it spans is kept, on a logarithmic one five digits of each number. Other numbers have five
+    digits of the largest one of their list. NaN and infinities, which JSON does not have, become
+    null, which plotly leaves out.
 
     Parameters
     ----------
@@ -76,11 +73,12 @@ def stored(fig: Figure | dict) -> dict:
     if layout.get("template") == _default_template():
         layout["template"] = {"layout": charts.STYLE}
     layout.setdefault("height", 400)
-    logarithmic = _logarithmic_axes(layout)
-    data = [_rounded_series(series, logarithmic) for series in figure["data"]]
-    json_of_figure = {"data": data, "layout": _rounded(layout), "config": CONFIG}
+    series = [_unpacked(part) for part in figure["data"]]
+    axes = _Axes(layout, series)
+    data = [_rounded_series(part, axes) for part in series]
+    json_of_figure = {"data": data, "layout": _rounded(_unpacked(layout)), "config": CONFIG}
     if figure.get("frames"):
-        json_of_figure["frames"] = _rounded(figure["frames"])
+        json_of_figure["frames"] = _rounded(_unpacked(figure["frames"]))
     return json_of_figure
 
 
@@ -127,81 +125,102 @@ def _default_template() -> dict:
     return json.loads(json.dumps(template.to_plotly_json()))
 
 
-def _logarithmic_axes(layout: dict) -> set[str]:
-    """Return the names of the axes that are logarithmic, such as "x" or "y2"."""
-    axes = {key.replace("axis", ""): axis for key, axis in layout.items() if "axis" in key[:5]}
-    return {name for name, axis in axes.items() if axis.get("type") == "log"}
+class _Axes:
+    """What the plane axes of a chart span.
+
+    Parameters
+    ----------
+    layout : dict
+        Of the figure's JSON.
+    data : list of dict
+        Its series.
+    """
+
+    def __init__(self, layout: dict, data: list[dict]):
+        self._of_layout = {
+            key.replace("axis", ""): axis for key, axis in layout.items() if "axis" in key[:5]
+        }
+        self._numbers = {}
+        for series in data:
+            for key in ("x", "y"):
+                found = self._numbers.setdefault(series.get(f"{key}axis", key), [])
+                found += _flat_numbers(series.get(key) or [])
+
+    def is_logarithmic(self, name: str) -> bool:
+        """Return whether an axis, such as "x" or "y2", is logarithmic."""
+        return self._of_layout.get(name, {}).get("type") == "log"
+
+    def span(self, name: str) -> float:
+        """Return what a linear axis spans: its range, or the range of all numbers on it.
+
+        Where the numbers are one number, this is its size, because plotly then chooses a range.
+        """
+        ends = _flat_numbers(self._of_layout.get(name, {}).get("range") or [])
+        numbers = ends if len(ends) == 2 else self._numbers[name]
+        if not numbers:
+            return 0
+        return abs(max(numbers) - min(numbers)) or max(map(abs, numbers))
 
 
-def _rounded_series(series: dict, logarithmic: set[str]) -> dict:
-    """Return a series with rounded numbers: those on a logarithmic axis keep digits of their
+def _rounded_series(series: dict, axes: _Axes) -> dict:
+    """Return a series with rounded numbers; those on a logarithmic axis keep digits of their
     own."""
-    rounded = {}
+    result = {}
     for key, value in series.items():
-        axis = series.get(f"{key}axis", key)
-        is_log = key in ("x", "y") and axis in logarithmic
-        rounded[key] = _rounded(value, own_digits=is_log or key == "customdata")
-    return rounded
+        name = series.get(f"{key}axis", key)
+        if key not in ("x", "y") or not isinstance(value, list):
+            result[key] = _rounded(value, own_digits=key == "customdata")
+        elif axes.is_logarithmic(name):
+            result[key] = _rounded(value, own_digits=True)
+        else:
+            result[key] = _with_decimals(value, decimals_for(axes.span(name)))
+    return result
 
 
 def _rounded(node: object, own_digits: bool = False) -> object:
-    """Return JSON with rounded numbers, packed arrays unpacked, 0 for -0 and null for NaN."""
-    if isinstance(node, dict) and "bdata" in node:
-        node = _unpacked(node)
+    """Return JSON with rounded numbers, 0 for -0 and null for NaN."""
     if isinstance(node, dict):
         return {key: _rounded(value, own_digits) for key, value in node.items()}
     if isinstance(node, list):
-        return _rounded_list(node, own_digits)
+        numbers = _flat_numbers(node)
+        if own_digits or not numbers:
+            return [_rounded(item, own_digits) for item in node]
+        return _with_decimals(node, decimals_for(max(map(abs, numbers))))
     if isinstance(node, float):
-        return _round(node, _decimals(node))
+        return rounded(node, decimals_for(node))
     return node
 
 
-def _rounded_list(items: list, own_digits: bool) -> list:
-    numbers = _flat_numbers(items)
-    if own_digits or not numbers:
-        return [_rounded(item, own_digits) for item in items]
-    decimals = _decimals(max(abs(number) for number in numbers))
-
-    def rounded(item):
-        if isinstance(item, list):
-            return [rounded(inner) for inner in item]
-        if isinstance(item, float):
-            return _round(item, decimals)
-        return _rounded(item)
-
-    return [rounded(item) for item in items]
-
-
-def _flat_numbers(items: list) -> list[float]:
-    """Return the finite floats of a list and of the lists in it."""
-    numbers = []
+def _with_decimals(items: list, decimals: int) -> list:
+    """Return a list, and the lists in it, with so many decimals."""
+    result = []
     for item in items:
         if isinstance(item, list):
-            numbers += _flat_numbers(item)
-        elif isinstance(item, float) and math.isfinite(item):
-            numbers.append(item)
-    return numbers
+            result.append(_with_decimals(item, decimals))
+        elif isinstance(item, float):
+            result.append(rounded(item, decimals))
+        else:
+            result.append(_rounded(item))
+    return result
 
 
-def _decimals(largest: float) -> int:
-    """Return how many decimals leave DIGITS digits of a number."""
-    if not math.isfinite(largest) or largest == 0:
-        return DIGITS
-    return DIGITS - 1 - math.floor(math.log10(abs(largest)))
+def _flat_numbers(items: object) -> list[float]:
+    """Return the finite floats of a list and of the lists in it."""
+    if isinstance(items, list | tuple):
+        return [number for item in items for number in _flat_numbers(item)]
+    is_number = isinstance(items, float | int) and not isinstance(items, bool)
+    return [float(items)] if is_number and math.isfinite(items) else []
 
 
-def _round(number: float, decimals: int) -> float | None:
-    if not math.isfinite(number):
-        return None
-    if decimals > 300:  # 10 ** -decimals would be 0
-        return 0.0
-    return round(number + _OFF_TIES * 10.0**-decimals, decimals) + 0.0
-
-
-def _unpacked(packed: dict) -> list:
-    """Return an array that plotly has packed into base64 as nested lists."""
-    array = np.frombuffer(base64.b64decode(packed["bdata"]), np.dtype(packed["dtype"]))
-    if "shape" in packed:  # "3, 4" for two axes, absent for one
-        array = array.reshape([int(length) for length in str(packed["shape"]).split(",")])
+def _unpacked(node: object) -> object:
+    """Return JSON in which each array that plotly has packed into base64 is a nested list."""
+    if isinstance(node, list):
+        return [_unpacked(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    if "bdata" not in node:
+        return {key: _unpacked(value) for key, value in node.items()}
+    array = np.frombuffer(base64.b64decode(node["bdata"]), np.dtype(node["dtype"]))
+    if "shape" in node:  # "3, 4" for two axes, absent for one
+        array = array.reshape([int(length) for length in str(node["shape"]).split(",")])
     return array.tolist()

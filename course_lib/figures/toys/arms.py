@@ -6,6 +6,7 @@ import inspect
 import numpy as np
 
 from course_lib.arguments import real_array
+from course_lib.figures.digits import rounded, rounded_array
 from course_lib.figures.solids import Model, link_poses, shell
 from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
@@ -158,9 +159,9 @@ def arm_view(arm, q, title, also=()):
         "solid": solid(model),
         "limits": np.clip(arm.limits, -np.pi, np.pi).tolist(),
         "q": q.tolist(),
-        "size": round(float(size), 4),
-        "floor": round(float(0.5 * size), 4),
-        "ground": round(float(min(0, vertices[:, 2].min())), 4),
+        "size": rounded(float(size), 4),
+        "floor": rounded(float(0.5 * size), 4),
+        "ground": rounded(float(min(0, vertices[:, 2].min())), 4),
         "elevation": 0.3,
-        "centre": ((vertices.min(0) + vertices.max(0)) / 2).round(3).tolist(),
+        "centre": rounded_array((vertices.min(0) + vertices.max(0)) / 2, 3).tolist(),
     }

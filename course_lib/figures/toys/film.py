@@ -3,10 +3,11 @@
 import numpy as np
 
 from course_lib import rigid
+from course_lib.figures.digits import rounded, rounded_array
 from course_lib.figures.solids import scene
 from course_lib.figures.solids.model import Model, Part
 from course_lib.figures.style import BLACK as INK
-from course_lib.figures.toys.toy import OFF_TIES, Toy, solid
+from course_lib.figures.toys.toy import Toy, solid
 from course_lib.rotations import log_so3
 
 # Poses in a second and in a film; bodies move along screws between them.
@@ -16,7 +17,6 @@ _MAX_POINTS = 300  # about so many points of a path are stored
 _MAX_GHOSTS = 4  # in the photograph of a film; more cover each other
 _START = 0.2  # where the cursor of charts begins, as a share of the film
 _MILLIMETRES = 1000  # the unit of positions, in which numbers are short
-_POSITION_OFF_TIES = 3.1e-4  # OFF_TIES in millimetres
 VIEW = (1.05, -1.3, 0.55)  # the direction to the eye, unless a picture sets another
 
 
@@ -95,40 +95,40 @@ def film(
     azimuth = np.arctan2(view[1], view[0])
     elevation = np.arctan2(view[2], np.hypot(view[0], view[1]))
     floor_height = low[2] if ground is None else ground
-    positions = _MILLIMETRES * poses[..., :3, 3] + _POSITION_OFF_TIES
+    positions = _MILLIMETRES * poses[..., :3, 3]
     meta = {
         "title": alt.split(": ", 1)[-1].split(". ")[0],
         "solid": solid(model),
-        "times": (times - times[0]).round(4).tolist(),
+        "times": rounded_array(times - times[0], 4).tolist(),
         # Two arrays, because each is rounded by its own largest number.
-        "rotations": (np.round(log_so3(poses[..., :3, :3]) + OFF_TIES, 5) + 0.0).tolist(),
-        "positions": (np.round(positions, 2) + 0.0).tolist(),
+        "rotations": rounded_array(log_so3(poses[..., :3, :3]), 5).tolist(),
+        "positions": rounded_array(positions, 2).tolist(),
         "paths": [
             [_rounded_path(points), _for_script(colour), list(dash)]
             for points, colour, dash in paths
         ],
         "words": [
-            [word, np.round(np.add(point, OFF_TIES), 4).tolist(), _for_script(colour)]
+            [word, rounded_array(point, 4).tolist(), _for_script(colour)]
             for word, point, colour in words
         ],
-        "centre": ((low + high) / 2).round(3).tolist(),
-        "radius": round(0.25 * float(np.linalg.norm(high - low)), 3),
-        "azimuth": round(float(azimuth), 4),
-        "elevation": round(float(elevation), 4),
-        "floor": [*centre.tolist(), round(float(floor_height), 4), float(radius)],
+        "centre": rounded_array((low + high) / 2, 3).tolist(),
+        "radius": rounded(0.25 * float(np.linalg.norm(high - low)), 3),
+        "azimuth": rounded(float(azimuth), 4),
+        "elevation": rounded(float(elevation), 4),
+        "floor": [*centre.tolist(), rounded(float(floor_height), 4), float(radius)],
     }
     if ground is False:
         del meta["floor"]
     if pale:
         meta["pale"] = solid(Model.of(pale))
     if near is not None:
-        meta["near"] = np.round(near, 4).tolist()
+        meta["near"] = rounded_array(near, 4).tolist()
     if arrows:
         meta["arrows"] = [
             [
                 body,
                 _for_script(colour),
-                (np.round(np.asarray(vectors)[kept] + OFF_TIES, 4) + 0.0).tolist(),
+                rounded_array(np.asarray(vectors)[kept], 4).tolist(),
             ]
             for body, colour, vectors in arrows
         ]
@@ -136,7 +136,7 @@ def film(
         meta["charts"] = [_chart_over_time(*chart, kept) for chart in charts]
         meta["timeTicks"] = _round_ticks(0, meta["times"][-1])
         meta["proportion"] = 1.0
-        meta["start"] = round(_START * meta["times"][-1], 2)
+        meta["start"] = rounded(_START * meta["times"][-1], 2)
     if name:
         meta["movie"] = name
     if ghosts:
@@ -164,9 +164,9 @@ def _chart_over_time(title, label, curves, kept):
     values = [np.asarray(values, float)[kept] for *_, values in curves]
     low, high = np.min(values), np.max(values)
     margin = max(0.08 * (high - low), 1e-3)
-    low, high = round(float(low - margin), 3), round(float(high + 4 * margin), 3)
+    low, high = rounded(float(low - margin), 3), rounded(float(high + 4 * margin), 3)
     lines = [
-        [name, _for_script(colour), (np.round(line + OFF_TIES, 4) + 0.0).tolist()]
+        [name, _for_script(colour), rounded_array(line, 4).tolist()]
         for (name, colour, _), line in zip(curves, values, strict=True)
     ]
     return {
@@ -183,14 +183,14 @@ def _round_ticks(low, high):
     step = 10.0 ** np.floor(np.log10((high - low) / 2))
     step *= next(factor for factor in (1, 2, 5, 10) if (high - low) / (factor * step) <= 5)
     first, last = np.ceil(low / step), np.floor(high / step)
-    return [round(step * k, 9) + 0.0 for k in np.arange(first, last + 1)]
+    return [rounded(step * k, 9) for k in np.arange(first, last + 1)]
 
 
 def _times_of_ghosts(times, count):
     """Return so many times after the first, evenly spaced, with the last one."""
     if not 0 <= count <= _MAX_GHOSTS:
         raise ValueError(f"ghosts must be from 0 to {_MAX_GHOSTS}; it is {count!r}")
-    return np.linspace(times[0], times[-1], count + 1)[1:].round(4).tolist()
+    return rounded_array(np.linspace(times[0], times[-1], count + 1)[1:], 4).tolist()
 
 
 def _moving(poses):
@@ -202,7 +202,7 @@ def _moving(poses):
 def _rounded_path(points):
     """Return about `_MAX_POINTS` of the points of a path, as JSON."""
     step = max(1, len(points) // _MAX_POINTS)
-    return np.round(points[::step] + OFF_TIES, 4).tolist()
+    return rounded_array(points[::step], 4).tolist()
 
 
 def flat_film(
@@ -258,10 +258,10 @@ def flat_film(
     """
     meta = {
         "title": alt.split(". ")[1],
-        "times": np.subtract(times, times[0]).round(4).tolist(),
-        "shapes": [(np.round(corners, 3) + 0.0).tolist() for corners in shapes],
+        "times": rounded_array(np.subtract(times, times[0]), 4).tolist(),
+        "shapes": [rounded_array(corners, 3).tolist() for corners in shapes],
         "still": [
-            [(np.round(points, 3) + 0.0).tolist(), _for_script(colour), list(dash), *number]
+            [rounded_array(points, 3).tolist(), _for_script(colour), list(dash), *number]
             for points, colour, dash, *number in still
         ],
         "half": half,

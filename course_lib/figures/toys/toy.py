@@ -9,19 +9,18 @@ where widgets do not run.
 
 import base64
 import html
-import math
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 
+from course_lib.figures.digits import rounded, rounded_array
 from course_lib.figures.display import show_caption
 from course_lib.figures.solids.model import PALETTE
 from course_lib.figures.stills import TOY, as_key, is_live, stored_stills
 
-# Added before rounding, in metres or radians: lengths of models are round numbers, and one machine
-# would round a tie up, another down. It is smaller than what any of them is rounded to.
-OFF_TIES = 3.1e-7
+# Decimals of the numbers of a model, in metres or radians: a nanometre, which no figure shows.
+_DECIMALS = 9
 _MAX_PROBLEM = 300  # characters of what a student's function raised
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 CORE = ("motion", "scene", "toys")
@@ -240,17 +239,12 @@ def _has_shape(array, shape):
 
 
 def _rounded(node):
-    """Return JSON with numbers of twelve decimals, because further ones differ between processors.
-
-    A -0 becomes 0, and what is not finite becomes null.
-    """
+    """Return JSON with rounded numbers, because further decimals differ between processors."""
     if isinstance(node, dict):
         return {key: _rounded(value) for key, value in node.items()}
     if isinstance(node, list | tuple):
         return [_rounded(item) for item in node]
-    if not isinstance(node, float):
-        return node
-    return round(node, 12) + 0.0 if math.isfinite(node) else None
+    return rounded(node, _DECIMALS) if isinstance(node, float) else node
 
 
 def script_names():
@@ -291,10 +285,10 @@ def solid(model):
     """
 
     def packed(array, kind):
-        return base64.b64encode(np.round(array).astype(kind).tobytes()).decode()
+        return base64.b64encode(rounded_array(array, 0).astype(kind).tobytes()).decode()
 
     return {
-        "vertices": packed(1e4 * (model.vertices + OFF_TIES), "<i2"),
+        "vertices": packed(1e4 * model.vertices, "<i2"),
         "faces": packed(model.faces, "<u2"),
         "colours": packed(model.colours[model.faces[:, 0]], "u1"),
         "bodies": packed(model.bodies, "u1"),
