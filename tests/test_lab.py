@@ -22,6 +22,7 @@ from playwright.sync_api import expect
 from site_visits import CONTRAST, be_patient
 
 from course_lib.figures.toys.toy import CORE, module
+from course_lib.jupyter import saving
 
 ROOT = Path(__file__).parent.parent
 PORT, TOKEN = 8000 + os.getpid() % 1000, "toys"
@@ -336,6 +337,25 @@ def test_in_the_dark_theme_the_toys_are_dark_and_still_moved_by_the_students_fun
     )
     assert [slider.input_value() for slider in out.get_by_role("slider").all()] == values
     assert output(lab, 0).locator("p[role=status]").evaluate(CONTRAST) > 4.5
+
+
+def saved_outputs(path):
+    """Return the data of all outputs of a notebook's file."""
+    cells = [cell for cell in nbformat.read(path, 4).cells if cell.cell_type == "code"]
+    return [output.data for cell in cells for output in cell.outputs if "data" in output]
+
+
+def test_a_saved_notebook_holds_words_for_its_toys_and_no_widget(lab, folder):
+    choose(lab, "File", "Save Notebook")
+    toys = []
+    for _ in range(600):  # the file is written some time after the click
+        toys = [data for data in saved_outputs(folder / "toys.ipynb") if saving.TOY in data]
+        if toys:
+            break
+        lab.wait_for_timeout(100)
+    assert len(toys) == len(SOURCES) - 1
+    assert [sorted(data) for data in toys if saving.VIEW in data] == []
+    assert all("It moves in JupyterLab once its cell has run" in data["text/html"] for data in toys)
 
 
 def test_no_request_left_the_machine(lab):

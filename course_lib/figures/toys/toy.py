@@ -52,8 +52,8 @@ PARTS = {
 _OWNERS = {"yours": "your function", "the library's": "the library's function"}
 BEGUN = {"begun": True}  # the kernel has a question and answers it, however long that takes
 ELSEWHERE = (
-    "Here the figure stands still: it moves in JupyterLab, and on the pages that `make html` "
-    "writes."
+    "Here the figure stands still. It moves in JupyterLab once its cell has run, and on the pages "
+    "that `make html` writes."
 )
 # anywidget asks a module for `render`; the scripts are those of the page.
 _RENDER = """

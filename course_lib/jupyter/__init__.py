@@ -1,0 +1,1 @@
+"""Settings of JupyterLab for the course, and what its server calls when it saves."""
