@@ -98,8 +98,8 @@ PREDICTIONS = (
         "c",
         {
             "a": (
-                "Near axis 1 the axes 1 and 6, which are both vertical, are almost one line. Which "
-                "of the two does the work of the other?"
+                "Near axis 1 the axes 1 and 6, which are both vertical, are close to each other. "
+                "How far can these two joints then move the flange sideways?"
             ),
             "b": (
                 "The elbow is bent well there. But joint 1 moves the flange sideways, and how fast "
