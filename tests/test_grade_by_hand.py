@@ -136,7 +136,7 @@ def test_whose_a_file_is_is_asked_where_its_name_does_not_say(tmp_path, capsys):
         hand_in(tmp_path / "in", f"{name}.ipynb", points=[2])
     said, page = run(tmp_path, capsys)
     both(said, page, "Say whose these are by their names.")
-    both(said, page, "bob_01_rotations_BR is taken for the student's name.")
+    both(said, page, "BR behind the notebook's name is taken for initials of bob.")
 
 
 def test_notebooks_of_another_release_are_named_with_what_it_means(tmp_path, capsys):

@@ -13,8 +13,9 @@ from grade_stand_in import grade, hand_in
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.deadline import DAY, Deadline, begun_days, read_deadline
-from course_lib.pack.grade.gradebook import Roster, gradebook_text, read_roster
+from course_lib.pack.grade.gradebook import gradebook_text
 from course_lib.pack.grade.platforms import platforms
+from course_lib.pack.grade.roster import Roster, read_roster
 from course_lib.pack.grade.tables import Totals
 
 POINTS = Totals(
@@ -24,7 +25,7 @@ POINTS = Totals(
         "al": {"01_rotations": 12, "02_rigid_motion": 0},
     },
     waiting={"doejane_1234": 0, "al": 0},
-    user_ids={"doejane_1234": "1234"},
+    identities={"doejane_1234": {"id": "1234"}},
 )
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Old assignment (77)
 ,,,,,Manual Posting
@@ -109,8 +110,8 @@ def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_the
 def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
     """Moodle's number identifies the hand-in, and an old score does not identify a student."""
     canvas = Roster(roster(CANVAS))
-    assert canvas.find("x", "1235")[0]["Student"] == "Bo, Al"
-    assert canvas.find("x", "8") == []
+    assert canvas.find("x", {"id": "1235"})[0]["Student"] == "Bo, Al"
+    assert canvas.find("x", {"id": "8"}) == []
     assert canvas.find("9") == []
     (tmp_path / "in").mkdir()
     hand_in(tmp_path / "in", "Jane Doe_1235_assignsubmission_file_/01_rotations.ipynb", points=[2])
@@ -174,7 +175,7 @@ def test_other_names_of_the_columns_are_known(roster):
     ("text", "said"),
     [
         *((text, "is not a roster") for text in ("", "student\nanna\n", "a,b\n")),
-        ("Vorname,Nachname\nJane,Doe\n", "download it in English"),
+        ("Vorname,Nachname\nJane,Doe\n", "    First name,Last name"),
         (f"Student,ID\n{'x' * 200_000},1\n", "is not a table: field larger than"),
     ],
     ids=["empty", "no names", "no students", "another language", "a cell of any length"],
@@ -435,14 +436,14 @@ def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_le
 def test_students_without_a_line_of_the_roster_with_several_and_those_who_share_one_are_named(
     tmp_path, capsys
 ):
-    for name in ("eve", "jane", "Doe Jane", "Li Xiang"):
+    for name in ("eve", "jane", "Doe Jane", "Li Xiang 9"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
         CANVAS + '"Xiang, Li",1236,u-3,li,K,\n"Xiang, Li",1237,u-4,xi,K,\n'
     )
     out = written(tmp_path, "--lms", "canvas", "--roster", str(tmp_path / "roster.csv"))
     said = capsys.readouterr().out
-    names = "Li Xiang (2 lines of the roster fit), eve"
+    names = "Li Xiang 9 (2 lines of the roster fit), eve"
     assert (
         f"Not in {out / 'canvas.csv'}, because no line of the roster fits, or several: {names}."
         in said

@@ -18,8 +18,9 @@ from course_lib.pack.grade import platforms as package
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.collect import find, platform_of
 from course_lib.pack.grade.deadline import read_deadline
-from course_lib.pack.grade.gradebook import _fields, gradebook_text, read_roster
+from course_lib.pack.grade.gradebook import gradebook_text
 from course_lib.pack.grade.platforms import Platform, named, platforms
+from course_lib.pack.grade.roster import _fields, read_roster
 from course_lib.pack.grade.tables import Totals
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
@@ -181,7 +182,7 @@ def test_downloads_of_classroom_and_teams_have_neither_times_nor_numbers(tmp_pat
     assert found
     assert not any(each.timed for each in found)
     assert {each.platform_id for each in found} == {""}
-    assert [each.identity() for each in found] == [{}] * len(found)
+    assert [each.who.known() for each in found] == [{}] * len(found)
 
 
 @pytest.mark.parametrize("platform", ["google-classroom", "teams"])

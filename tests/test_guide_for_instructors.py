@@ -12,8 +12,8 @@ from hostile.build import FULL, answers, book, cell
 
 from course_lib.pack.grade import alike, collect
 from course_lib.pack.grade.deadline import read_deadline
-from course_lib.pack.grade.gradebook import Roster, read_roster
 from course_lib.pack.grade.marks import read_marks
+from course_lib.pack.grade.roster import Roster, read_roster
 from course_lib.pack.grade.sandbox import MIN_PROGRESS, Limits
 
 GUIDE = ROOT / "course_lib/pack/README.md"

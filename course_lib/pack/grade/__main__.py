@@ -8,7 +8,7 @@ import re
 import secrets
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
@@ -20,10 +20,11 @@ from course_lib.pack.grade.collect import Submission, find
 from course_lib.pack.grade.csv_text import count_noun, listing
 from course_lib.pack.grade.deadline import FILES, Deadline, read_deadline, summary
 from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.gradebook import Row, absent, gradebook_text, read_roster, unmatched
+from course_lib.pack.grade.gradebook import absent, gradebook_text, unmatched
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.jobs import ROOT, Processes, grade_all, number_of_notebooks
 from course_lib.pack.grade.marks import marks_text, read_marks
+from course_lib.pack.grade.names import can_be_written
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.options import SHORT, parser, settings
 from course_lib.pack.grade.platforms import (
@@ -35,6 +36,7 @@ from course_lib.pack.grade.platforms import (
     platforms,
 )
 from course_lib.pack.grade.results import points_offered
+from course_lib.pack.grade.roster import Roster, Row, read_roster
 from course_lib.pack.grade.sandbox import remove_old_folders
 from course_lib.pack.grade.submission import Grader
 from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
@@ -50,6 +52,9 @@ def main(arguments: Sequence[str] | None = None, grade: Callable | None = None) 
 
     grade: replaces the Grader in tests.
     """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a name that the terminal cannot show ends no run
+            stream.reconfigure(errors="backslashreplace")
     try:
         chosen = parser().parse_args(arguments)
         if not chosen.submissions:
@@ -78,8 +83,8 @@ def main(arguments: Sequence[str] | None = None, grade: Callable | None = None) 
 
 def _grade(chosen: argparse.Namespace, grade: Callable | None) -> None:
     deadline = read_deadline(chosen.deadline, chosen.late, chosen.extensions, chosen.times)
-    submissions = _submissions(chosen)
     roster = read_roster(Path(chosen.roster)) if chosen.roster else None
+    submissions = _submissions(chosen, Roster(roster) if roster else None)
     if chosen.earlier and not Path(chosen.earlier).is_dir():
         raise GradingStopped(f"EARLIER={chosen.earlier} is not a folder.")
     if deadline:
@@ -146,23 +151,23 @@ def _duration(notebooks: int, jobs: int) -> str:
     return f"{round(minutes / 60)} hours"
 
 
-def _submissions(chosen: argparse.Namespace) -> list[Submission]:
+def _submissions(chosen: argparse.Namespace, roster: Roster | None) -> list[Submission]:
     """Return the Submissions; stop if there are none, or if the instructor must be asked first."""
     folder = _folder(chosen)
     if not chosen.students:
         _ask_for_the_platform(folder, chosen.lms)
     names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
-    submissions = find(folder, names, chosen.lms, chosen.students)
+    submissions = find(folder, names, chosen.lms, chosen.students, roster)
     if not submissions:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
         raise GradingStopped(
             f"There is nothing in {folder}: put what was handed in there, as {forms}."
         )
-    questions = [
-        f"{submission.place}: {submission.question}"
-        for submission in submissions
-        if submission.question
-    ]
+    places: dict[str, list[str]] = {}  # {question: the places about which it is asked}
+    for submission in submissions:
+        if submission.question:
+            places.setdefault(submission.question, []).append(submission.place)
+    questions = [f"{listing(about, 2)}: {question}" for question, about in places.items()]
     if questions:
         shown = "\n".join(questions[:MAX_ASKED])
         left = len(questions) - MAX_ASKED
@@ -274,7 +279,7 @@ def _seed(path: Path, chosen: int | None = None) -> int:
     the first run."""
     if chosen is not None or not path.exists():
         write_atomically(path, f"{secrets.randbits(62) if chosen is None else chosen}\n")
-    typed = path.read_text().strip()
+    typed = path.read_text("utf-8", "replace").strip()
     if not typed.isdecimal():
         raise GradingStopped(
             f"{path} does not hold a whole number: correct it, or delete it to draw a new one."
@@ -324,7 +329,20 @@ def _write(
     page = class_page(everything, nothing, remaining(graded_class.on_the_page()))
     write_atomically(output / "class.html", page)
     lines = summary(everything, deadline) if deadline else []
+    lines += _other_names(points.students)
     print("\n".join([*lines, _states(output, everything), text(remaining(graded_class))]))
+
+
+def _other_names(students: Iterable[str]) -> list[str]:
+    """Return a sentence if the folders of some students' feedback cannot have their names."""
+    others = [student for student in students if not can_be_written(student)]
+    if not others:
+        return []
+    return [
+        f"The locale of this shell cannot write the names of {count_noun(len(others), 'student')}: "
+        f"{listing(others, 5)}. Their feedback lies in folders of other names, to which class.html "
+        "links. With LC_ALL=C.UTF-8 before the command the folders have the students' names."
+    ]
 
 
 def _answers(everything: Sequence[GradedFile]) -> tuple[list, dict]:

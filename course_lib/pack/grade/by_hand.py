@@ -9,11 +9,12 @@ from pathlib import Path
 
 from course_lib.pack.grade.csv_text import count_noun, words
 from course_lib.pack.grade.deadline import Deadline, without_time
-from course_lib.pack.grade.gradebook import Row, absent
+from course_lib.pack.grade.gradebook import absent
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer
 from course_lib.pack.grade.notebook_file import NOT_CODE
 from course_lib.pack.grade.platforms import Platform, named
+from course_lib.pack.grade.roster import Row
 from course_lib.pack.grade.tables import Totals
 
 MAX_SHOWN = 10  # lines of one entry on the terminal; the page of the class has all

@@ -16,8 +16,9 @@ from pathlib import Path
 
 from course_lib.pack.grade import zips
 from course_lib.pack.grade.csv_text import listing, printable
-from course_lib.pack.grade.holders import EACH_ENTRY, Holder, holders_in
-from course_lib.pack.grade.names import kind_of_file, split, unknown_ending
+from course_lib.pack.grade.holders import EACH_ENTRY, LOGIN, Holder, holders_in
+from course_lib.pack.grade.identity import NOBODY, Doubt, Identity, Relation, tell_apart
+from course_lib.pack.grade.names import initials, kind_of_file, split, unknown_ending
 from course_lib.pack.grade.owners import owners
 from course_lib.pack.grade.platforms import HandIn, Platform, fitting, named, platforms
 from course_lib.pack.grade.platforms.base import (
@@ -29,6 +30,7 @@ from course_lib.pack.grade.platforms.base import (
     plain_name,
     stem_of,
 )
+from course_lib.pack.grade.roster import Roster
 from course_lib.pack.grade.zips import Refused
 
 MAX_BYTES = 100_000_000  # of one file; a notebook with all its animations has about ten million
@@ -52,11 +54,10 @@ class Submission:
     the file's own. place: the path below the folder of submissions, for messages and hashes.
     member: the file's name in the zip at `path`. refused: why it is not graded. modified: seconds
     since 1970, by the platform if `timed`, else by the file. platform_id: the learning platform's
-    number in the file's name; user_id: the same if its gradebook has it too. late: whether the
-    platform says so. in_folder: whether a folder bears the student's name. student_number, login,
-    address: of the student, if the platform says them. section: the folders above the student's, if
-    STUDENTS= says that there are some. question: what the instructor must answer before this can be
-    graded. remark: why the student may not be the one whom the name seems to say.
+    number in the file's name. late: whether the platform says so. in_folder: whether a folder bears
+    the student's name. question: what the instructor must answer before this can be graded. remark:
+    why the student may not be the one whom the name seems to say. who: what is known of the
+    student, from which `find` makes the label `student`, which no other student has.
     """
 
     student: str
@@ -68,20 +69,11 @@ class Submission:
     modified: float | None = None
     platform_id: str = ""
     late: bool = False
-    user_id: str = ""
     in_folder: bool = False
     timed: bool = False
-    student_number: str = ""
-    login: str = ""
-    address: str = ""
-    section: str = ""
     question: str = ""
     remark: str = ""
-
-    def identity(self) -> dict[str, str]:
-        """Return {"number", "login" or "address": what the platform says of the student}."""
-        known = {"number": self.student_number, "login": self.login, "address": self.address}
-        return {field: value for field, value in known.items() if value}
+    who: Identity = NOBODY
 
     def asked(self, question: str) -> "Submission":
         """Return the same, refused with a question to the instructor."""
@@ -92,7 +84,11 @@ class Submission:
 
 
 def find(
-    folder: Path, notebooks: Sequence[str], platform: str = "", students: str = ""
+    folder: Path,
+    notebooks: Sequence[str],
+    platform: str = "",
+    students: str = "",
+    roster: Roster | None = None,
 ) -> list[Submission]:
     """Return the Submissions in a folder, in the order of their places.
 
@@ -100,13 +96,17 @@ def find(
     platform exports. notebooks: the course's. platform: the name of the one that exported the
     files; "" or "none" if none did, but Gradescope's lists are read in any case. students: a
     pattern for the files and folders of which each is one student's, `*` or `*/*`; "" if that has
-    not been said, so that what may be several students' is refused with a question.
+    not been said, so that what may be several students' is refused with a question. roster: of the
+    class, which may say whether two hand-ins of one name are one student's.
     """
     exporter = named(platform)
     submissions = []
-    for holder in holders_in(folder, exporter, students):
+    holders = holders_in(folder, exporter, students)
+    known_initials = _known_initials(holders, notebooks)
+    for holder in holders:
         try:
-            submissions += _of_holder(holder, folder, notebooks, exporter, students)
+            found = _of_holder(holder, folder, notebooks, exporter, students)
+            submissions += [_without_initials(each, notebooks, known_initials) for each in found]
         except Exception as problem:  # any problem of one file must not affect the others
             reason = getattr(problem, "strerror", None)
             reason = reason or f"{type(problem).__name__}: {problem}"[:200]
@@ -122,7 +122,7 @@ def find(
         submission if submission.timed else replace(submission, modified=_modified(submission.path))
         for submission in submissions
     ]
-    submissions = _separate_sections(_one_name_each(submissions))
+    submissions = _labelled(submissions, notebooks, students, roster)
     return _within_bounds(sorted(submissions, key=lambda submission: submission.place))
 
 
@@ -155,12 +155,9 @@ def _submission(hand_in: HandIn, path: Path, folder: Path) -> Submission:
         modified=hand_in.time,
         platform_id=hand_in.number,
         late=hand_in.late,
-        user_id=hand_in.user_id,
         in_folder=is_folder(path),
         timed=hand_in.time is not None,
-        student_number=hand_in.student_number,
-        login=hand_in.login,
-        address=hand_in.address,
+        who=hand_in.identity(),
     )
 
 
@@ -184,9 +181,42 @@ def _of_holder(
                 for hand_in in holder.hand_ins
                 for submission in submissions
             ]
-    if holder.parent:
-        submissions = [replace(submission, section=holder.parent) for submission in submissions]
-    return submissions
+    return [_of_holders_place(submission, holder) for submission in submissions]
+
+
+def _known_initials(holders: Sequence[Holder], notebooks: Sequence[str]) -> dict[str, str]:
+    """Return {student: initials} of those whose files end in one person's initials only."""
+    endings: dict[str, set[str]] = collections.defaultdict(set)
+    for holder in holders:
+        student, _, letters = initials(printable(stem_of(holder.path.name)), notebooks)
+        people, _ = owners([Path(student)], "", lambda stem: (stem, ""))
+        if letters and people:
+            endings[student].add(letters)
+    return {student: min(several) for student, several in endings.items() if len(several) == 1}
+
+
+def _without_initials(
+    submission: Submission, notebooks: Sequence[str], known: dict[str, str]
+) -> Submission:
+    """Return a Submission whose file's name ends in the student's initials as the student's, with a
+    remark."""
+    student, notebook, letters = initials(submission.student, notebooks)
+    if not letters or known.get(student) != letters or not submission.remark:
+        return submission
+    remark = (
+        f"{letters} behind the notebook's name is taken for initials of {student}. If the file is "
+        f"another student's, call it <student>_{notebook}.ipynb."
+    )
+    who = replace(submission.who, name=student)
+    return replace(submission, student=student, notebook=notebook, remark=remark, who=who)
+
+
+def _of_holders_place(submission: Submission, holder: Holder) -> Submission:
+    """Return a Submission with what the place of its holder says of the student."""
+    who = replace(submission.who, name=submission.student, section=holder.parent)
+    if holder.by_login:
+        who = replace(who, login=submission.student)
+    return replace(submission, who=who)
 
 
 def _of_student(submission: Submission, hand_in: HandIn) -> Submission:
@@ -356,7 +386,7 @@ def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[
         unpack = CLASS.replace("put its files directly", "unpack it")
         if not whole.in_folder and is_of_a_class(names, ""):
             return [whole.asked(unpack)]
-        known = whole.in_folder or bool(whole.platform_id or whole.identity())
+        known = whole.in_folder or bool(whole.platform_id or whole.who.known())
         if question := _question(whole, [Path(name) for name in names], notebooks, known):
             return [whole.asked(f"{question} A class must be unpacked first.")]
     if not names:
@@ -414,39 +444,66 @@ def _walk(top: Path) -> tuple[list[Path], list[str], list[str]]:
     return sorted(files), others, sorted(problems)
 
 
-def _one_name_each(submissions: list[Submission]) -> list[Submission]:
-    """Add the platform's number to the names of students who have the same name."""
-    numbers = collections.defaultdict(set)
-    for submission in submissions:
-        if submission.platform_id:
-            numbers[submission.student, submission.notebook].add(submission.platform_id)
-    double = {student for (student, _), several in numbers.items() if len(several) > 1}
-    return [
-        replace(submission, student=f"{submission.student} {submission.platform_id}")
-        if submission.student in double and submission.platform_id
-        else submission
-        for submission in submissions
-    ]
+# ---- whose ----
 
 
-def _separate_sections(submissions: list[Submission]) -> list[Submission]:
-    """Keep apart students of one name who have the same notebook in several sections, and say
-    so."""
-    sections = collections.defaultdict(set)
+def _labelled(
+    submissions: list[Submission],
+    notebooks: Sequence[str],
+    students: str,
+    roster: Roster | None,
+) -> list[Submission]:
+    """Return the Submissions with the labels of their students, or with a question about them."""
+    handed_in: dict[Identity, set[str]] = {}
     for submission in submissions:
-        sections[submission.student, submission.notebook].add(submission.section)
-    double = {student for (student, _), several in sections.items() if len(several) > 1}
-    separated = []
+        if submission.student:
+            names = handed_in.setdefault(submission.who, set())
+            if submission.notebook in notebooks or not submission.refused:
+                names.add(submission.notebook)
+    unknown = Relation.DIFFERENT if students == EACH_ENTRY else Relation.UNKNOWN
+    line_of = roster.line_of if roster else lambda identity: None
+    told_apart = tell_apart(handed_in, line_of, unknown)
+    questions = {identity: roster.question(identity) for identity in handed_in} if roster else {}
+    for doubt in told_apart.doubts:
+        asked = _one_or_two(doubt, has_roster=roster is not None)
+        questions |= {doubt.one: asked, doubt.other: asked}
+    labelled = []
     for submission in submissions:
-        if submission.student in double and submission.section:
+        who = submission.who
+        if not submission.student:
+            labelled.append(submission)
+            continue
+        submission = replace(submission, student=told_apart.labels[who])
+        if submission.student == f"{who.name} ({who.section})":
             remark = (
-                f"{submission.student} has the same notebook in another folder too. They are taken "
-                "for two students: if they are one, put all files into one folder."
+                f"{who.name} has the same notebook in another folder too. They are taken for two "
+                "students: if they are one, put all files into one folder."
             )
-            name = f"{submission.student} ({submission.section})"
-            submission = replace(submission, student=name, remark=remark)
-        separated.append(submission)
-    return separated
+            submission = replace(submission, remark=remark)
+        question = questions.get(who, "")
+        labelled.append(submission.asked(question) if question else submission)
+    return labelled
+
+
+def _one_or_two(doubt: Doubt, has_roster: bool) -> str:
+    """Return the question whether two identities of one name are one student."""
+    one, other = sorted((doubt.one.in_full(), doubt.other.in_full()))
+    asked = f"{one} and {other} may be one student or two, because nothing else than the name is "
+    asked += "known of both: "
+    if has_roster:
+        return (
+            f"{asked}write them into the column `student` of the roster, on two lines if they are "
+            f"two students, and on one line, as `{one}; {other}`, if they are one."
+        )
+    asked += "add ROSTER=roster.csv, where a name on a single line is one student's, or "
+    if doubt.one.section or doubt.other.section:
+        depth = len(Path(doubt.one.section or doubt.other.section).parts)
+        pattern = "/".join(["*"] * depth + [LOGIN])
+        return (
+            f"{asked}STUDENTS='{pattern}' if these names are logins or numbers, of which each is "
+            "one student wherever it stands."
+        )
+    return f"{asked}STUDENTS='{EACH_ENTRY}' if each of these is a student."
 
 
 # ---- reading ----

@@ -4,10 +4,12 @@ read."""
 import csv
 import functools
 import io
+import itertools
 import os
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course_lib.pack.grade import GradingStopped
@@ -23,6 +25,15 @@ MARKED_INSIDE = re.compile(rf"([;\t\n]\s*)'(?=[{re.escape(FORMULA)}])")
 # Without it Excel on Windows shows accents wrongly; Canvas and Moodle import a file that has it.
 MARK = "\ufeff"
 SEPARATORS = ",;\t"
+MAX_ABOVE = 20  # lines among which the names of the columns are looked for
+# How files begin that are sent in place of a table, and what they are.
+KINDS = {
+    b"PK\x03\x04": "a spreadsheet's file (.xlsx or .ods), or another zip",
+    b"\xd0\xcf\x11\xe0": "a file of Excel (.xls)",
+    b"%PDF": "a PDF",
+    b"<!DOCTYPE": "a web page",
+    b"<html": "a web page",
+}
 # A line for Excel that names the separator.
 EXCEL_SEPARATOR = re.compile(r"\Asep=.\s*")
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
@@ -50,39 +61,71 @@ def table_text(
     return (MARK if mark else "") + file.getvalue()
 
 
+@dataclass(frozen=True)
+class Line:
+    """A line of a table that was read.
+
+    number: of the last line of the file that it takes, from 1. separator: of the table's cells.
+    """
+
+    number: int
+    cells: list[str]
+    separator: str
+
+
 def read_table(path: Path, known: set[str]) -> list[dict[str, str]]:
     """Return the rows of a CSV file as dicts; of columns with the same name the first that is
-    filled counts.
+    filled counts. See read_lines."""
+    return rows_below(read_lines(path, known))
+
+
+def read_lines(path: Path, known: set[str]) -> list[Line]:
+    """Return the filled lines of a CSV file, of which the first has the names of the columns.
 
     The file is UTF-8, UTF-16, or the single bytes of Windows. Of commas, semicolons and tabs, the
-    separator is the one that finds most of the `known` names of columns.
+    separator is the one that finds most of the `known` names of columns. Raises GradingStopped if
+    the file cannot be read, or is of another kind, such as a spreadsheet's.
     """
     try:
-        text = EXCEL_SEPARATOR.sub("", _decoded(path.read_bytes()))
-        separator = max(SEPARATORS, key=lambda sign: _rank(_headings(text, sign), known))
-        headings = _headings(text, separator)
-        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))[1:]
+        content = path.read_bytes()
+        if kind := next((kind for begin, kind in KINDS.items() if content.startswith(begin)), ""):
+            raise GradingStopped(
+                f"{path} is {kind}, and not a table as text. Open it and save it as CSV (UTF-8), "
+                "or download it as CSV."
+            )
+        text = EXCEL_SEPARATOR.sub("", _decoded(content))
+        separator = max(SEPARATORS, key=lambda sign: _rank(text, sign, known))
+        rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        lines = [Line(rows.line_num, row, separator) for row in rows if any(map(str.strip, row))]
     except OSError as error:
         raise GradingStopped(f"{path} cannot be read: {error.strerror}.") from error
     except csv.Error as problem:
         raise GradingStopped(f"{path} is not a table: {problem}.") from problem
+    if lines:
+        lines[0] = replace(lines[0], cells=[name.strip().strip('"') for name in lines[0].cells])
+    return lines
+
+
+def rows_below(lines: Sequence[Line]) -> list[dict[str, str]]:
+    """Return the rows below the first of some Lines as {name of a column: cell}."""
+    if not lines:
+        return []
+    headings = lines[0].cells
     table = []
-    for row in filter(any, rows):
-        line = dict.fromkeys(headings, "")
-        for heading, value in zip(headings, row, strict=False):
-            line[heading] = line[heading] or value
-        table.append(line)
+    for line in lines[1:]:
+        row = dict.fromkeys(headings, "")
+        for heading, value in zip(headings, line.cells, strict=False):
+            row[heading] = row[heading] or value
+        table.append(row)
     return table
 
 
-def _headings(text: str, separator: str) -> list[str]:
-    first = next(csv.reader(io.StringIO(text, newline=""), delimiter=separator), [])
-    return [name.strip().strip('"') for name in first]
-
-
-def _rank(headings: list[str], known: set[str]) -> tuple[int, int]:
-    """Return how well headings fit: the more known names, then the more columns, the better."""
-    return len(known & {*headings}), len(headings)
+def _rank(text: str, separator: str, known: set[str]) -> tuple[int, int]:
+    """Return how well a separator fits the first lines: the more known names are in one of them,
+    then the more columns there are, the better."""
+    rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+    names = [[cell.strip().strip('"') for cell in row] for row in itertools.islice(rows, MAX_ABOVE)]
+    return max((len(known & {*row}) for row in names), default=0), max(map(len, names), default=0)
 
 
 def _decoded(content: bytes) -> str:
@@ -130,7 +173,12 @@ def clean(text: object) -> str:
 
 def printable(name: str) -> str:
     """Return a name from the file system as printable text, normalized and on one line."""
-    text = unicodedata.normalize("NFC", os.fsencode(str(name)).decode("utf-8", "backslashreplace"))
+    try:
+        # In the bytes that the file system has: its names need not be UTF-8, nor this locale's.
+        name = os.fsencode(str(name)).decode("utf-8", "backslashreplace")
+    except UnicodeEncodeError:  # a name from a zip, with letters that this locale does not have
+        name = str(name)
+    text = unicodedata.normalize("NFC", name)
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 

@@ -83,9 +83,9 @@ def begun_days(late: float | None) -> int:
 
 def _names(file: GradedFile) -> list[str]:
     """Return what a table may call the student of a GradedFile."""
-    submission = file.submission
-    numbers = [submission.platform_id, submission.user_id, submission.student_number]
-    logins = [words(submission.login), words(submission.address)]
+    submission, who = file.submission, file.submission.who
+    numbers = [submission.platform_id, who.id, who.number]
+    logins = [words(who.login), words(who.address)]
     return [name for name in (*numbers, *logins, words(file.student)) if name]
 
 

@@ -19,6 +19,9 @@ from course_lib.pack.grade.platforms.base import (
 )
 
 EACH_ENTRY = "*"  # STUDENTS=*: each file and folder directly in the folder is one student's
+# In place of the last * of a pattern: the names are logins or numbers, each of one student wherever
+# it stands.
+LOGIN = "login"
 MAX_LEVELS = 10  # of folders in a pattern
 
 
@@ -28,13 +31,15 @@ class Holder:
 
     hand_ins: what a platform says of it, one for each student; empty if the name is the student's
     own. outside: why it holds nobody's work. parent: the folders between the folder of submissions
-    and this, by which two students of the same name are told apart.
+    and this, by which two students of the same name are told apart. by_login: whether the name is
+    the student's login or number.
     """
 
     path: Path
     hand_ins: tuple[HandIn, ...] = ()
     outside: str = ""
     parent: str = ""
+    by_login: bool = False
 
 
 def holders_in(folder: Path, exporter: Platform, students: str) -> list[Holder]:
@@ -77,6 +82,7 @@ def _beside(top: Path, holders: Iterable[Path]) -> list[Path]:
 def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:
     """Return what holds the students' work by a pattern such as */*; other files are outside."""
     *above, last = pattern.strip("/").split("/")
+    by_login = last == LOGIN
     holders = []
     places = [folder]
     for level in above:
@@ -91,12 +97,13 @@ def _by_pattern(folder: Path, pattern: str, exporter: Platform) -> list[Holder]:
         for path in entries_inside(place):
             if exporter.ignores(path):
                 continue
-            if not fnmatch.fnmatchcase(path.name, last):
+            if not by_login and not fnmatch.fnmatchcase(path.name, last):
                 holders.append(Holder(path, outside=f"It is not what STUDENTS={pattern} names."))
                 continue
             hand_in = exporter.read_name(plain_name(path))
             parent = "" if place == folder else printable(place.relative_to(folder))
-            holders.append(Holder(path, (hand_in,) if hand_in else (), parent=parent))
+            hand_ins = (hand_in,) if hand_in else ()
+            holders.append(Holder(path, hand_ins, parent=parent, by_login=by_login and not hand_in))
     return sorted(holders, key=lambda holder: holder.path)
 
 

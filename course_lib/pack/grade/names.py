@@ -4,6 +4,7 @@ we write."""
 import collections
 import hashlib
 import re
+import sys
 import unicodedata
 from collections.abc import Iterable, Sequence
 from pathlib import PurePath
@@ -48,6 +49,25 @@ def split(stem: str, notebooks: Sequence[str]) -> tuple[str, str]:
 def _without_copy_of(student: str) -> str:
     """Return the part of a name that is before a notebook's, without "Copy of" and separators."""
     return COPY_OF.sub("", student).strip().rstrip("-_ ")
+
+
+def initials(stem: str, notebooks: Sequence[str]) -> tuple[str, str, str]:
+    """Return the student, the notebook and the student's initials behind it that a name without its
+    ending contains; all "" if it does not end in what may be the student's initials.
+
+    Examples
+    --------
+    >>> initials("bob_01_rotations_BR", ["01_rotations"])
+    ('bob', '01_rotations', 'BR')
+    >>> initials("bob_01_rotations_XY", ["01_rotations"])
+    ('', '', '')
+    """
+    before, _, letters = stem.rpartition("_")
+    student, notebook = split(before, notebooks)
+    first_letters = {word[0] for word in re.findall(r"[^\W\d_]+", student.upper())}
+    if re.fullmatch(r"[A-Z]{1,3}", letters) and first_letters & {*letters}:
+        return student, notebook, letters
+    return "", "", ""
 
 
 def unknown_ending(stem: str, notebooks: Sequence[str]) -> str:
@@ -108,4 +128,15 @@ def _plain(name: str) -> str:
     text = "".join(
         c if c.isalnum() or unicodedata.combining(c) or c in allowed else "_" for c in name[:60]
     )
-    return text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"
+    text = text.encode()[:180].decode("utf-8", "ignore").strip(" .") or "_"
+    encoding = sys.getfilesystemencoding()
+    return text.encode(encoding, "replace").decode(encoding).replace("?", "_")
+
+
+def can_be_written(name: str) -> bool:
+    """Return whether the name of a file can have all letters of a name, by this shell's locale."""
+    try:
+        name.encode(sys.getfilesystemencoding(), "surrogateescape")
+    except UnicodeEncodeError:
+        return False
+    return True

@@ -172,16 +172,15 @@ class Totals:
     """The points of a class.
 
     of: {notebook: points there are}. students: {student: {notebook: points}}. more: {student: those
-    of More}. waiting: {student: number of answers still to be read}. user_ids: {student: the number
-    by which the platform's gradebook knows them}. identities: {student: {"number", "login" or
-    "address": what the platform's export says of them}}.
+    of More}. waiting: {student: number of answers still to be read}. identities: {student: {one of
+    "id", "number", "login" and "address": what the platform's export says of them, "in full": the
+    name with what tells them from others of this name}}.
     """
 
     of: dict = field(default_factory=dict)
     students: dict = field(default_factory=dict)
     more: dict = field(default_factory=dict)
     waiting: dict = field(default_factory=dict)
-    user_ids: dict = field(default_factory=dict)
     identities: dict = field(default_factory=dict)
 
 
@@ -204,9 +203,8 @@ def totals(everything: Iterable[GradedFile]) -> Totals:
             file.of_more
         )
         of[file.notebook] = max(of.get(file.notebook, 0), _rounded(file.of))
-        if file.submission.user_id:
-            class_totals.user_ids[file.student] = file.submission.user_id
-        class_totals.identities.setdefault(file.student, {}).update(file.submission.identity())
+        about = class_totals.identities.setdefault(file.student, {})
+        about |= file.submission.who.known() | {"in full": file.submission.who.in_full()}
     return replace(
         class_totals, of={notebook: of[notebook] for notebook in sorted(of) if of[notebook]}
     )

@@ -12,6 +12,7 @@ from datetime import datetime
 from pathlib import Path, PurePath
 
 from course_lib.pack.grade.csv_text import printable, table_text
+from course_lib.pack.grade.identity import Identity
 
 # What a column of a roster or a gradebook may hold. The first four identify a student.
 FIELDS = ("id", "number", "login", "address", "full", "first", "last", "section")
@@ -51,6 +52,18 @@ class HandIn:
     address: str = ""
     late: bool = False
     time: float | None = None
+
+    def identity(self) -> Identity:
+        """Return what this says of the student. A number counts within one assignment only, unless
+        it is said to be the student's."""
+        known = {
+            "id": self.user_id,
+            "number": self.student_number,
+            "login": self.login,
+            "address": self.address,
+        }
+        participant = "" if any(known.values()) else self.number
+        return Identity(self.student, **known, participant=participant)
 
 
 class Platform:

@@ -1,12 +1,15 @@
 """Gradescope: its export has a folder for each hand-in, and a list of who handed in which, and
 when."""
 
+import base64
 import re
 from contextlib import suppress
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
+import yaml
+
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.platforms.base import (
     HandIn,
     Platform,
@@ -17,8 +20,6 @@ from course_lib.pack.grade.platforms.base import (
 
 EXPORT = re.compile(r"assignment_\d+_export")  # "Export Submissions"
 LIST = "submission_metadata.yml"
-HEAD = re.compile(r"(submission_\w+):")
-LINE = re.compile(r"  (  |- |):(name|sid|email|created_at): (.+)")
 
 
 class Gradescope(Platform):
@@ -56,45 +57,68 @@ class Gradescope(Platform):
             if place != folder:
                 exported |= {path: [] for path in entries_inside(place) if path.name != LIST}
             if (place / LIST).is_file():
-                text = (place / LIST).read_text("utf-8", "replace")
-                exported |= {place / name: students for name, students in read_list(text).items()}
+                for name, students in _listed(place / LIST).items():
+                    exported[place / name] = students
         return {path: students for path, students in exported.items() if path.exists()}
 
     def ignores(self, path: Path) -> bool:
         return path.name == LIST or (is_folder(path) and bool(EXPORT.fullmatch(path.name)))
 
 
+def _listed(path: Path) -> dict[str, list[HandIn]]:
+    """Return what a file with the list says, as read_list does."""
+    try:
+        return read_list(path.read_text("utf-8", "replace"))
+    except (yaml.YAMLError, RecursionError) as problem:
+        place = getattr(problem, "problem_mark", None)
+        where = f" at line {place.line + 1}" if place else ""
+        raise GradingStopped(
+            f"{path} is not YAML as Gradescope writes it{where}: export the submissions again, or "
+            "move this file away if it is not Gradescope's."
+        ) from problem
+
+
 def read_list(text: str) -> dict[str, list[HandIn]]:
     """Return {folder: [a HandIn for each student who handed it in]} from the text of the list.
 
-    It is YAML as Ruby writes it: `submission_1:`, then indented `:submitters:` with `- :name:`,
-    `:sid:` and `:email:`, and `:created_at:`. All text that students control is indented further.
+    It is YAML as Ruby writes it: `submission_1:` with `:submitters:`, a list of `:name:`, `:sid:`
+    and `:email:`, and with `:created_at:`. Raises yaml.YAMLError if it is no YAML.
     """
-    submitters: dict[str, list[HandIn]] = {}
-    times: dict[str, float] = {}
-    folder = ""
-    for line in text.splitlines():
-        if head := HEAD.fullmatch(line):
-            folder = head[1]
-            submitters[folder] = []
+    hand_ins = {}
+    folders = yaml.load(text, Loader=Texts)
+    for folder, about in (folders if isinstance(folders, dict) else {}).items():
+        if not isinstance(about, dict):
             continue
-        entry = LINE.fullmatch(line) if folder else None
-        if not entry:
-            continue
-        key = entry[1] + entry[2]
-        value = entry[3].strip("'\"").replace("''", "'")
-        students = submitters[folder]
-        if key == "- name":
-            students.append(HandIn(value))
-        elif key == "  sid" and students:
-            students[-1] = replace(students[-1], number=value, student_number=value)
-        elif key == "  email" and students:
-            students[-1] = replace(students[-1], address=value)
-        elif key == "created_at":
-            with suppress(ValueError):
-                moment = datetime.fromisoformat(re.sub(r" (Z|[+-][\d:]+)$", r"\1", value))
-                times[folder] = moment.timestamp()
-    return {
-        name: [replace(student, time=times.get(name)) for student in students]
-        for name, students in submitters.items()
-    }
+        time = None
+        with suppress(ValueError):
+            moment = re.sub(r" (Z|[+-][\d:]+)$", r"\1", str(about.get(":created_at", "")))
+            time = datetime.fromisoformat(moment).timestamp()
+        submitters = about.get(":submitters")
+        hand_ins[str(folder)] = [
+            _hand_in(student, time)
+            for student in (submitters if isinstance(submitters, list) else [])
+            if isinstance(student, dict)
+        ]
+    return hand_ins
+
+
+def _hand_in(student: dict, time: float | None) -> HandIn:
+    """Return the HandIn of one submitter in the list."""
+    name, number, address = (
+        " ".join(text.split()) if isinstance(text := student.get(key), str) else ""
+        for key in (":name", ":sid", ":email")
+    )
+    return HandIn(name, number=number, student_number=number, address=address, time=time)
+
+
+class Texts(getattr(yaml, "CBaseLoader", yaml.BaseLoader)):
+    """Reads all of YAML as texts, because a student's number 0123 is a text and no number."""
+
+
+def _decoded(loader: yaml.BaseLoader, node: yaml.Node) -> str:
+    """Return the text that Ruby wrote as bytes, in base64."""
+    return base64.b64decode(node.value).decode("utf-8", "replace")
+
+
+for tag in ("!binary", "tag:yaml.org,2002:binary"):
+    Texts.add_constructor(tag, _decoded)

@@ -6,14 +6,13 @@ from course_lib.pack.grade.platforms.base import HandIn, Platform, seconds
 
 # "Download all submissions": <full name>_<number>_assignsubmission_file, a folder or the beginning
 # of a file's name; the number is of the participant in this one assignment, or of the group. Those
-# in no group are a group without a number (moodle/moodle, mod/assign/classes/downloader.php,
+# in no group are a group without a number. In anonymous submissions the name of all is the word for
+# a participant in the site's language (moodle/moodle, mod/assign/classes/downloader.php,
 # get_student_prefix and load_submissionplugin_filelist).
 NAME = re.compile(
     r"(?P<name>.+?)(?:_(?P<id>\d+))?_assignsubmission_(?:file|onlinetext)_?(?P<rest>.*)", re.DOTALL
 )
 TYPED = re.compile(r".+_assignsubmission_onlinetext(_.*)?", re.DOTALL)
-# Moodle's name for everyone in anonymous submissions.
-ANONYMOUS = "Participant"
 # Times in British and American English (strftimedaydatetime in lang/en/langconfig.php).
 TIMES = ("%A, %d %B %Y, %I:%M %p", "%A, %B %d, %Y, %I:%M %p")
 
@@ -44,10 +43,7 @@ class Moodle(Platform):
         match = NAME.fullmatch(name)
         if not match:
             return None
-        number = match["id"] or ""
-        if number and match["name"] == ANONYMOUS:
-            return HandIn(f"{ANONYMOUS} {number}", match["rest"], number)
-        return HandIn(match["name"], match["rest"], number)
+        return HandIn(match["name"], match["rest"], match["id"] or "")
 
     def is_typed_text(self, name: str) -> bool:
         return bool(TYPED.fullmatch(name))
