@@ -77,7 +77,7 @@ def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
     for name in ("ana_01_rotations", "bob_01_rotations", "ana_02_rigid_motion"):
         hand_in(tmp_path / "in", f"{name}.ipynb", points=[2], texts=["because"])
     said, page = run(tmp_path, capsys)
-    both(said, page, "3 written answers to be read: type marks into")
+    both(said, page, "3 written answers to be read: open")
     both(said, page, "01_rotations: 2")
     both(said, page, "02_rigid_motion: 1")
 

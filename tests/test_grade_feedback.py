@@ -6,6 +6,7 @@ import zipfile
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from scipy.stats import pearsonr
 from site_visits import CONTRAST, Visit
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
-from course_lib.pack.grade.class_page import class_page
+from course_lib.pack.grade.class_page import BLUE, class_page
 from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.feedback import feedback_page, write_feedback
 from course_lib.pack.grade.jobs import ungraded_result
@@ -41,7 +42,7 @@ TAGS = {
     "a",
     "pre",
 }
-TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "span", "i"}
+TAGS |= {"div", "table", "thead", "tbody", "tr", "th", "td", "span", "i", "code"}
 
 
 class Read(HTMLParser):
@@ -89,7 +90,8 @@ def assert_inert(text):
     assert not any(
         name.startswith("on") or name in ("src", "srcset", "action") for name, _ in read.attributes
     )
-    assert all(value.startswith("#") for name, value in read.attributes if name == "href")
+    places = ("#", "feedback/")
+    assert all(value.startswith(places) for name, value in read.attributes if name == "href")
     assert not re.search(r"@import|url\(", text)
     assert ("content", "default-src 'none'; style-src 'unsafe-inline'") in read.attributes
 
@@ -98,9 +100,9 @@ def test_both_pages_escape_all_text_from_a_submission():
     assert_inert(feedback_page(one(*evil_one())))
     page = class_page([one(*evil_one())])
     assert_inert(page)
-    assert page.count("<h2>") == 4
-    assert class_page([one(*of("zoe", [2, 2]))]).count("<h2>") == 2, "without mistakes"
-    assert class_page([one(*of("zoe"))]).count("<h2>") == 0, "without grades"
+    assert page.count("<h2>") == 5
+    assert class_page([one(*of("zoe", [2, 2]))]).count("<h2>") == 3, "without mistakes"
+    assert class_page([one(*of("zoe"))]).count("<h2>") == 1, "without grades"
 
 
 # ---- feedback ----
@@ -173,6 +175,17 @@ def test_feedback_groups_core_and_more_under_their_weighted_subtotals():
         assert "exercise_0" not in more
         assert ("points of More count" in class_page([each])) == (weight < 1)
         assert "01_rotations: exercise_2 (More)" in class_page([each])
+
+
+def test_feedback_has_the_notebooks_title_and_code_in_place_of_backticks():
+    submission, its = of("zoe", [0], ["Use `R`."])
+    its["exercises"][0]["message"] = "Return `R <= 1`, please."
+    its["questions"][0]["task"] = "**A.** Is `nearest_so(M)`\nthe best?"
+    page = feedback_page(one(submission, its))
+    assert "<h1>1 · Rotations</h1>" in page
+    assert "Return <code>R &lt;= 1</code>, please." in page
+    assert "A. Is <code>nearest_so(M)</code> the best?" in page
+    assert "Use `R`." in page, "what the student wrote stays as it is"
 
 
 def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_path):
@@ -320,6 +333,22 @@ CONTRAST_ON_PAGE = f"""element => {{
   document.documentElement.style.backgroundColor = "Canvas";
   return ({CONTRAST})(element);
 }}"""
+
+
+def test_the_class_page_links_to_each_students_feedback(tmp_path):
+    outcomes = [of(student, [2]) for student in ("Zoë Ü", "a%2e?#b", 'x"><script>')]
+    everything = graded_files(outcomes, {})
+    write_feedback(tmp_path / "feedback", everything)
+    links = [value for name, value in Read(class_page(everything)).attributes if name == "href"]
+    assert len(links) == 3
+    assert all((tmp_path / unquote(link)).is_file() for link in links)
+
+
+def test_the_class_page_has_a_key_to_its_colours():
+    page = class_page(a_class())
+    head = page.partition("<h2>Hardest exercises")[2].partition("</thead>")[0]
+    for colour in set(re.findall(r"background:(#\w+)", page.partition("<h2>Hardest")[2])):
+        assert colour == BLUE or f'class="key" style="background:{colour}"' in head
 
 
 # ---- what is counted ----

@@ -374,7 +374,7 @@ def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys
         (place / "in" / f"t{i:02}.docx").write_text("no notebook")
     run(place, "--jobs", "1", grade=of_its_release)
     said = capsys.readouterr().out
-    assert "1 written answer to be read: type marks into" in said
+    assert "1 written answer to be read: open" in said
     assert "t00.docx: It is not a notebook" in said
     assert "t10.docx" not in said
     assert "... and 2 more, which class.html lists." in said

@@ -23,7 +23,8 @@ from course_lib.pack.grade.feedback import write_feedback
 from course_lib.pack.grade.gradebook import absent, gradebook_text, unmatched
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.jobs import ROOT, Processes, grade_all, number_of_notebooks
-from course_lib.pack.grade.marks import marks_text, read_marks
+from course_lib.pack.grade.marking_page import marking_page
+from course_lib.pack.grade.marks import marks_table, marks_text, read_marks
 from course_lib.pack.grade.names import can_be_written
 from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.options import SHORT, parser, settings
@@ -326,8 +327,13 @@ def _write(
         shared=shared,
     )
     nothing = absent(points, roster) if roster else []
-    page = class_page(everything, nothing, remaining(graded_class.on_the_page()))
-    write_atomically(output / "class.html", page)
+    on_the_page = graded_class.on_the_page()
+    write_atomically(output / "class.html", class_page(everything, nothing, remaining(on_the_page)))
+    tasks = {(notebook, answer.question): answer.task for _, notebook, answer in listed}
+    write_atomically(
+        output / "questions.html",
+        marking_page(marks_table(listed, rows, models), tasks, on_the_page.command()),
+    )
     lines = summary(everything, deadline) if deadline else []
     lines += _other_names(points.students)
     print("\n".join([*lines, _states(output, everything), text(remaining(graded_class))]))

@@ -263,13 +263,15 @@ def _times(graded_class: GradedClass) -> Iterable[Entry]:
 
 def _marks(graded_class: GradedClass) -> Iterable[Entry]:
     table = graded_class.shown / "questions.csv"
+    page = graded_class.shown / "questions.html"
     waiting = Counter(
         notebook for _, notebook, answer in graded_class.listed if answer.points is None
     )
     if waiting:
         yield Entry(
-            f"{count_noun(waiting.total(), 'written answer')} to be read: type marks into {table}, "
-            "where the rubric and a model answer stand beside each.",
+            f"{count_noun(waiting.total(), 'written answer')} to be read: open {page}, give points "
+            f"by keys and put the table that it saves in the place of {table}, or type marks into "
+            "that table. The rubric and a model answer stand beside each.",
             tuple(f"{notebook}: {count}" for notebook, count in sorted(waiting.items())),
             graded_class.command(),
         )

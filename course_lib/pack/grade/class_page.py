@@ -7,6 +7,7 @@ Each is a table with a bar in every row, so that the numbers and the picture are
 import statistics
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from urllib.parse import quote
 
 from markupsafe import Markup
 from scipy.stats import pearsonr
@@ -14,7 +15,7 @@ from scipy.stats import pearsonr
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.pack.grade.by_hand import Entry
 from course_lib.pack.grade.csv_text import clean, count_noun
-from course_lib.pack.grade.feedback import rendered
+from course_lib.pack.grade.feedback import feedback_places, rendered
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import READ
 from course_lib.pack.grade.tables import totals
@@ -22,6 +23,8 @@ from course_lib.pack.grade.tables import totals
 STATES = {RIGHT: ("right", "#3a9d6a"), WRONG: ("wrong", "#d9792f"), ERROR: ("error", "#b8475c")}
 STATES |= {NOT_ATTEMPTED: ("not attempted", "#8c8c8c")}
 BLUE = "#4a90d9"
+KEY = '<i class="key" style="background:{}" aria-hidden="true"></i> {}'
+LINK = '<a href="{}">{}</a>'
 MIN_STUDENTS = 20  # students, for a correlation
 POINTS = ("mean %", "separates")
 SEPARATES = (
@@ -66,6 +69,7 @@ def class_page(
     sections = [_notebooks(class_totals.of, counting, graded, class_totals.students)]
     sections += [_distribution(class_totals.of, graded, class_totals.students), _hardest(graded)]
     sections += [_written(graded), _mistakes(graded)]
+    sections += [_students(class_totals.of, class_totals.students, everything)]
     return rendered(
         "class.html",
         title="The class",
@@ -139,10 +143,11 @@ def _hardest(graded: list[GradedFile]) -> Section:
         rows.append(
             (_short(f"{it[0]}: {it[1]}") + " (More)" * it[2], *counts, *points[it[:2]], bar)
         )
-    columns = ("exercise", *(heading for heading, _ in STATES.values()), *POINTS, "")
+    headings = [Markup(KEY).format(colour, heading) for heading, colour in STATES.values()]
+    columns = ("exercise", *headings, *POINTS, "")
     caption = (
         "The exercises by the share of students who solved them, of the notebooks that could be "
-        "read. "
+        "read. The parts of a bar have the colours of the headings. "
     )
     return "Hardest exercises", caption + SEPARATES, columns, rows
 
@@ -196,6 +201,31 @@ def _mistakes(graded: list[GradedFile]) -> Section:
     rows = [(name, counts[name], _bar([(counts[name], BLUE)], counts[order[0]])) for name in order]
     caption = "The mistakes that the checks recognized, and how many students made them."
     return "Most frequent mistakes", caption, ("mistake", "students", ""), rows
+
+
+def _students(of: dict, students: dict, everything: Sequence[GradedFile]) -> Section:
+    """Return a table: each student's points, each a link to the feedback about the notebook."""
+    links: dict[tuple[str, str], str] = {}
+    others: dict[str, list[str]] = {}
+    for place, file in feedback_places(everything).items():
+        address = f"feedback/{quote(place)}"
+        if file.notebook in of:
+            links[file.student, file.notebook] = address
+        else:
+            others.setdefault(file.student, []).append(Markup(LINK).format(address, "feedback"))
+    rows = []
+    for student, points in sorted(students.items()):
+        cells = []
+        for notebook in of:
+            address = links.get((student, notebook))
+            shown = f"{points.get(notebook, 0):g}"
+            cells.append(Markup(LINK).format(address, shown) if address else "")
+        total = f"{sum(points.values()):g}"
+        rows.append([student, *cells, total])
+        if others:
+            rows[-1].append(Markup(" ").join(others.get(student, [])))
+    caption = "Each student's points, which link to the feedback."
+    return "Students", caption, ("student", *of, "total", *["other files"] * bool(others)), rows
 
 
 def _short(text: str) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import jinja2
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
@@ -18,6 +18,7 @@ from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.graded_file import GradedFile
 from course_lib.pack.grade.marks import MarkedAnswer
 from course_lib.pack.grade.names import file_names
+from course_lib.pack.grade.notebook_file import courses
 from course_lib.pack.grade.platforms import Platform, platforms
 from course_lib.pack.grade.tables import final_message, final_state, lateness
 
@@ -58,7 +59,10 @@ def feedback_page(file: GradedFile) -> str:
         for more in (False, True)
     ]
     left = f", {count_noun(file.unread, 'written answer')} still to be read" if file.unread else ""
-    about = {"title": f"{file.notebook}, {file.student}", "late": lateness(file), "left": left}
+    course = courses().get(file.notebook)
+    heading = course.title if course else file.notebook or file.submission.place
+    title = f"{heading}, {file.student}"
+    about = {"title": title, "heading": heading, "late": lateness(file), "left": left}
     details = [it for it in entries if it["text"] or "task" in it]
     return rendered("feedback.html", file=file, groups=groups, details=details, **about)
 
@@ -78,7 +82,7 @@ def _exercise(exercise: dict) -> dict:
     about = {
         "name": exercise["exercise"],
         "title": exercise["exercise"],
-        "text": final_message(exercise["message"]),
+        "text": with_code(final_message(exercise["message"])),
     }
     return exercise | about | {"state": final_state(exercise["state"])}
 
@@ -96,27 +100,58 @@ def _answer(answer: MarkedAnswer) -> dict:
         "points": "" if answer.points is None else f"{answer.points:g}",
     }
     about |= {"of": answer.of, "more": answer.more, "text": answer.text}
-    return about | {"task": answer.task.replace("**", ""), "comment": answer.comment}
+    return about | {"task": with_code(in_paragraphs(answer.task)), "comment": answer.comment}
+
+
+def in_paragraphs(text: str) -> str:
+    """Return a text of the course without the signs for bold, with each paragraph in one line."""
+    paragraphs = re.split(r"\n\s*\n", text.replace("**", ""))
+    is_no_item = r"(?!\s*(?:[-*]|\d+\.)\s)"
+    return "\n\n".join(re.sub(rf"\n{is_no_item}", " ", paragraph) for paragraph in paragraphs)
+
+
+def with_code(text: str) -> Markup:
+    """Return a text of the course as HTML, in which what stands between backticks is code.
+
+    Examples
+    --------
+    >>> with_code("Return `R` & no `<b>`.")
+    Markup('Return <code>R</code> &amp; no <code>&lt;b&gt;</code>.')
+    """
+    escaped = str(escape(_showable(text)))
+    return Markup(re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped))
 
 
 # ---- all of them ----
 
 
+def _counting(everything: Iterable[GradedFile]) -> list[GradedFile]:
+    return [file for file in everything if not file.superseded_by and file.student]
+
+
+def feedback_places(everything: Iterable[GradedFile]) -> dict[str, GradedFile]:
+    """Return {path below the folder of feedback: GradedFile} of all pages of feedback."""
+    files_of: dict[str, dict[str, GradedFile]] = {}
+    for file in _counting(everything):
+        files = files_of.setdefault(file.student, {})
+        files.setdefault(file.notebook or file.submission.place, file)
+    students = file_names(files_of)
+    places = {}
+    for student, files in files_of.items():
+        names = file_names(files)
+        for notebook, file in files.items():
+            places[f"{students[student]}/{names[notebook]}.html"] = file
+    return places
+
+
 def write_feedback(folder: Path, everything: Iterable[GradedFile]) -> None:
     """Write <student>/<notebook>.html for each file that counts; delete the pages of students not
     in this run."""
-    counting = [file for file in everything if not file.superseded_by and file.student]
-    students = file_names({file.student for file in counting})
-    pages = {}
-    for file in counting:
-        pages.setdefault(file.student, {}).setdefault(file.notebook or file.submission.place, file)
+    counting = _counting(everything)
     written = set()
-    for student, files in pages.items():
-        names = file_names(set(files))
-        for notebook, file in files.items():
-            path = folder / students[student] / f"{names[notebook]}.html"
-            write_atomically(path, feedback_page(file))
-            written.add(path)
+    for place, file in feedback_places(counting).items():
+        write_atomically(folder / place, feedback_page(file))
+        written.add(folder / place)
     for platform in platforms().values():
         for notebook, content in _uploads(counting, platform).items():
             path = folder / platform.name / f"{notebook}.zip"

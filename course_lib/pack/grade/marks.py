@@ -102,7 +102,14 @@ def mark_answer(question: dict, student: str, notebook: str, rows: dict) -> Mark
 def marks_text(
     listed: Iterable[tuple[str, str, MarkedAnswer]], rows: dict, models: dict | None = None
 ) -> str:
-    """Return the text of questions.csv: a row for each answer, then the earlier marks of other
+    """Return the text of questions.csv; its arguments are those of `marks_table`."""
+    return table_text(COLUMNS, marks_table(listed, rows, models), lines=True)
+
+
+def marks_table(
+    listed: Iterable[tuple[str, str, MarkedAnswer]], rows: dict, models: dict | None = None
+) -> list[list]:
+    """Return the rows of questions.csv: one for each answer, then the earlier marks of other
     answers.
 
     listed: (student, notebook, MarkedAnswer) of each. rows: as `read_marks` returns them; the
@@ -127,4 +134,4 @@ def marks_text(
     for its_key, row in rows.items():
         if its_key not in written and (row["mark"].strip() or row["comment"].strip()):
             table.append([row[name] if name != "state" else OLDER for name in COLUMNS])
-    return table_text(COLUMNS, table, lines=True)
+    return table

@@ -72,6 +72,7 @@ class Course:
 
     more: the names of the exercises and questions whose cells are in More. texts: the sources of
     its cells that are not of code. given: the sources of its code cells as students get them.
+    title: the heading of the notebook.
     """
 
     name: str
@@ -81,6 +82,7 @@ class Course:
     more: frozenset = frozenset()
     texts: frozenset = frozenset()
     given: frozenset = frozenset()
+    title: str = ""
 
 
 # ---- reading a submission ----
@@ -230,6 +232,7 @@ def courses() -> dict[str, Course]:
             more,
             frozenset(cell.source.strip() for cell in book.cells if cell.cell_type != "code"),
             frozenset(cell.source.strip() for cell in given.cells if cell.cell_type == "code"),
+            book.cells[0].source.partition("\n")[0].removeprefix("# "),
         )
     return known
 
