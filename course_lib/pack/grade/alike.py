@@ -11,7 +11,7 @@ import hashlib
 import itertools
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from markupsafe import Markup, escape
@@ -95,9 +95,15 @@ def earlier_works(folder: Path, platform: str = "", students: str = EACH_ENTRY) 
     years = [
         path for path in sorted(folder.iterdir()) if path.is_dir() and path.name.isdecimal()
     ] or [folder]
-    return [
-        work for year in years for work in works(find(year, names, platform, students), year.name)
-    ]
+    earlier = []
+    for year in years:
+        # Whether two hand-ins of an earlier year are of one student makes no difference here.
+        found = [
+            replace(submission, refused="") if submission.question else submission
+            for submission in find(year, names, platform, students)
+        ]
+        earlier += works(found, year.name)
+    return earlier
 
 
 @functools.cache

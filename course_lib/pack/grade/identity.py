@@ -157,24 +157,49 @@ def tell_apart(
         return Relation.SAME if lines[one] == lines[other] else Relation.DIFFERENT
 
     joined = _Groups(handed_in)
-    doubts: dict[str, Doubt] = {}
-    for several in _alike(handed_in):
+    for several in _alike(handed_in, lines):
         for one, other in itertools.combinations(several, 2):
-            said = settled(one, other)
-            if said is Relation.SAME:
+            if settled(one, other) is Relation.SAME:
                 joined.join(one, other)
-            elif said is Relation.UNKNOWN:
+    doubts: dict[str, Doubt] = {}
+    for several in _of_one_name(handed_in, lines):
+        for one, other in itertools.combinations(several, 2):
+            if settled(one, other) is Relation.UNKNOWN:
                 doubts.setdefault(one.name, Doubt(one, other))
     return Students(_labels(joined.groups()), tuple(doubts.values()))
 
 
-def _alike(identities: Iterable[Identity]) -> list[list[Identity]]:
-    """Return the lists of identities that have a name or another text in common."""
+def _alike(
+    identities: Iterable[Identity], lines: Mapping[Identity, Hashable | None]
+) -> list[list[Identity]]:
+    """Return lists of identities, in one of which any two of the same student are."""
     alike = collections.defaultdict(list)
     for identity in identities:
-        for item in [("name", identity.name), *identity.known().items()]:
+        alike["name", identity.name, identity.participant, identity.section].append(identity)
+        if identity.participant:
+            alike["participant", identity.name, identity.participant].append(identity)
+        if lines[identity] is not None:
+            alike["line", identity.name, lines[identity]].append(identity)
+        for item in identity.known().items():
             alike[item].append(identity)
     return [several for several in alike.values() if len(several) > 1]
+
+
+def _of_one_name(
+    handed_in: Mapping[Identity, set[str]], lines: Mapping[Identity, Hashable | None]
+) -> list[list[Identity]]:
+    """Return lists of identities of one name, with two at most of those to which the same applies.
+
+    A whole class may have one name: an anonymous one.
+    """
+    names: dict[str, dict[Hashable, list[Identity]]] = {}
+    for identity, notebooks in handed_in.items():
+        about = (frozenset(identity.known().items()), bool(identity.participant), identity.section)
+        kinds = names.setdefault(identity.name, {})
+        kind = kinds.setdefault((about, frozenset(notebooks), lines[identity]), [])
+        if len(kind) < 2:
+            kind.append(identity)
+    return [list(itertools.chain.from_iterable(kinds.values())) for kinds in names.values()]
 
 
 class _Groups:

@@ -81,8 +81,9 @@ def _add_what(group: argparse._ArgumentGroup) -> None:
         metavar="PATTERN",
         help=(
             "which files and folders are one student's each: * for all that are directly in the"
-            " folder, */* for those in its folders, such as sections. Without it, a folder that"
-            " seems to hold several students leads to a question"
+            " folder, */* for those in its folders, such as sections, */login if their names are"
+            " logins or numbers, of which each is one student wherever it stands. Without it, a"
+            " folder that seems to hold several students leads to a question"
         ),
     )
     group.add_argument(

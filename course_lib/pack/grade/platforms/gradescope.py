@@ -108,7 +108,9 @@ def _hand_in(student: dict, time: float | None) -> HandIn:
         " ".join(text.split()) if isinstance(text := student.get(key), str) else ""
         for key in (":name", ":sid", ":email")
     )
-    return HandIn(name, number=number, student_number=number, address=address, time=time)
+    return HandIn(
+        name or number or address, number=number, student_number=number, address=address, time=time
+    )
 
 
 class Texts(getattr(yaml, "CBaseLoader", yaml.BaseLoader)):
