@@ -70,7 +70,7 @@ submission_2:
 """
 
 
-def test_two_of_one_name_on_gradescope_with_a_roster_have_two_lines(tmp_path):
+def test_two_of_one_name_on_gradescope_have_two_lines(tmp_path):
     """Its list as ucbds-infra/otter-grader, otter/grade/metadata.py, GradescopeParser, reads it."""
     places = ("submission_1/01_rotations.ipynb", "submission_2/02_rigid_motion.ipynb")
     hand_in_all(tmp_path / "in", *places)
@@ -135,7 +135,7 @@ def test_the_answer_in_the_roster_reaches_the_gradebook(tmp_path):
 
 
 @pytest.mark.parametrize("word", ["Participant", "Teilnehmerin", "Participante", "Участник"])
-def test_the_anonymous_of_moodle_are_a_student_each_in_any_language(tmp_path, word):
+def test_each_anonymous_of_moodle_is_a_student_in_any_language(tmp_path, word):
     """Its name for all is the word `participant` of the site's language, without the slash of
     Teilnehmer/in (get_student_prefix, and clean_filename of moodlelib.php)."""
     places = [moodle(word, number, "01_rotations") for number in (42, 43, 44)]
@@ -147,7 +147,7 @@ def test_the_anonymous_of_moodle_are_a_student_each_in_any_language(tmp_path, wo
     assert sorted(everyone) == [f"{word} {number}" for number in (42, 43, 44, 45)]
 
 
-def test_a_name_on_two_lines_of_the_roster_is_asked_about_before_grading(tmp_path):
+def test_a_name_on_two_lines_of_the_roster_is_asked_about(tmp_path):
     hand_in_all(tmp_path / "in", "Li Xiang/01_rotations.ipynb")
     two = f"{CANVAS.strip()},student\n"
     two += '"Xiang, Li",1,u1,li,A,%s\n"Xiang, Li",2,u2,xi,A,\n'
@@ -180,6 +180,15 @@ IDENTITIES = st.builds(
 )
 
 
+def test_a_whole_class_of_one_name_is_told_apart_and_asked_about_once():
+    anonymous = {Identity("Participant", participant=str(n)): {NOTEBOOKS[0]} for n in range(500)}
+    told_apart = tell_apart(anonymous)
+    assert len(set(told_apart.labels.values())) == 500
+    assert told_apart.doubts == ()
+    late = Identity("Participant", participant="500")
+    assert len(tell_apart(anonymous | {late: {NOTEBOOKS[1]}}).doubts) == 1
+
+
 @given(st.lists(IDENTITIES, min_size=2, max_size=5, unique=True))
 def test_two_different_students_never_have_one_label(identities):
     handed_in = {who: {NOTEBOOKS[i % 2]} for i, who in enumerate(identities)}
@@ -205,7 +214,7 @@ NOT_UNDERSTOOD = {
 
 
 @pytest.mark.parametrize("language", NOT_UNDERSTOOD)
-def test_a_roster_in_another_language_is_refused_with_the_line_to_write(tmp_path, language):
+def test_a_roster_in_another_language_gets_the_line_to_write(tmp_path, language):
     headings, suggested = NOT_UNDERSTOOD[language]
     with pytest.raises(GradingStopped) as refusal:
         roster_of(tmp_path, f"{headings}\nJosé,Müller,0012,j@example.org\n")
@@ -291,7 +300,7 @@ def test_a_list_that_is_no_yaml_stops_with_a_sentence(tmp_path, capsys):
     assert "is not YAML as Gradescope writes it at line" in capsys.readouterr().err
 
 
-def test_a_name_that_the_locale_cannot_write_has_a_file_of_another_name(monkeypatch):
+def test_a_name_that_the_locale_lacks_has_another_file_name(monkeypatch):
     monkeypatch.setattr(names.sys, "getfilesystemencoding", lambda: "iso8859-1")
     written = file_names(["Zoë", "李小龍", "李小虎"])
     assert written["Zoë"] == "Zoë"
@@ -324,7 +333,7 @@ def test_a_name_in_a_zip_that_the_locale_cannot_write_is_shown(monkeypatch):
     assert printable("李小龍") == "李小龍"
 
 
-def test_initials_behind_the_notebooks_name_are_a_remark_and_no_second_student(tmp_path):
+def test_initials_behind_the_notebooks_name_are_a_remark(tmp_path):
     hand_in_all(tmp_path, "bob_01_rotations.ipynb", "bob_01_rotations_BR.ipynb")
     found = find(tmp_path, NOTEBOOKS)
     assert {(each.student, each.notebook) for each in found} == {("bob", "01_rotations")}
