@@ -309,11 +309,12 @@ def test_all_samples_are_in_the_chart_with_their_cells():
     xy = rng.uniform(0, 1, (4000, 2))
     cell = np.minimum((xy * 5).astype(int), 4)
     fig = nb6.samples(xy, cell, np.zeros(2), np.ones(2), 5).fig
-    (dots,) = fig.data
+    dots, held = fig.data
     assert dots.type == "scattergl"
     np.testing.assert_allclose(np.stack([dots.x, dots.y], -1), xy, rtol=0, atol=5.1e-4)
-    in_first = (cell == cell[0]).all(axis=1).sum()
-    assert dots.customdata[0] == [cell[0] @ [1, 5], in_first]
+    column, row = cell[0]
+    assert held.z[row][column] == (cell == cell[0]).all(axis=1).sum()
+    assert held.customdata[row][column] == [column, row]
 
 
 def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():

@@ -12,7 +12,9 @@ from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, PALE_GREY, R
 from course_lib.figures.toys.toy import Toy
 
 _ANSWERS = ("the better answer", "the worse answer")
+EDGE_IS_NEAR = 36.0  # degrees: with such a bend the tip is 10 cm from the outer edge
 LEAST_ERROR = 1e-3  # cm: a tenth of the thickness of paper; smaller errors have its colour
+ERROR_COLOURS = "Viridis_r"  # dark for a large error, which stands out on a white ground
 EXACT = 0.01  # cm: a tip that is nearer than that to the desired position is at it
 
 
@@ -64,7 +66,12 @@ def two_elbows(solutions, xy, sent=None):
     )
     if max(distances) < EXACT:
         alt += " Both tips are there; the two form a rhombus."
-        return Picture(fig, alt, "Both elbows lead to the same position.")
+        bend = np.rad2deg(abs(solutions[0][1]))
+        caption = (
+            f"Both elbows lead to the same position, ({xy[0]:g}, {xy[1]:g}) m. Each is bent by "
+            f"{bend:.1f}°, one to each side."
+        )
+        return Picture(fig, alt, caption)
     caption = (
         f"Neither tip is at the desired position: they miss it by {distances[0]:.1f} and "
         f"{distances[1]:.1f} cm."
@@ -107,7 +114,7 @@ def _enlarge_misses(ax, tips, xy, distances):
 def samples(xy, cell, low, high, n):
     """Return all samples in the workspace, coloured by their cells; neighbours differ.
 
-    Zoom shows each cell.
+    Zoom shows each cell, and the cell under the pointer says how many samples it holds.
 
     Parameters
     ----------
@@ -125,18 +132,12 @@ def samples(xy, cell, low, high, n):
     Picture
     """
     number = cell[:, 0] + n * cell[:, 1]
-    count = np.bincount(number)
+    count = np.bincount(number, minlength=n * n)
     fig = charts.panels(xlabel="x (m)", ylabel="y (m)", equal=True, height=560)
     colours = [COLOURS[k] for k in (cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
     # Millimetres are fine enough for any zoom, and make the notebook shorter.
-    charts.add_points(
-        fig,
-        *np.round(xy, 3).T,
-        "sample",
-        colour=colours,
-        size=3,
-        details={"cell": number, "samples in it": count[number]},
-    )
+    charts.add_points(fig, *np.round(xy, 3).T, "sample", colour=colours, size=3)
+    _count_under_the_pointer(fig, count.reshape(n, n), low, high)
     for lines_of, first, last in (("x", low[0], high[0]), ("y", low[1], high[1])):
         edges = first + np.arange(n + 1) * (last - first) / n
         fig.update_layout({f"{lines_of}axis": {"range": [first, last], "showgrid": False}})
@@ -151,9 +152,37 @@ def samples(xy, cell, low, high, n):
     )
     caption = (
         "The samples are denser near the outer edge, which cuts many cells. Zoom in to see single "
-        "cells."
+        "cells, and point at a cell to read how many samples it holds."
     )
     return Picture(fig, alt, caption)
+
+
+def _count_under_the_pointer(fig, count, low, high):
+    """Let the cell under the pointer say how many samples it holds.
+
+    An invisible map of the cells does it: the same words for each of 50,000 dots would be half of
+    the chart.
+    """
+    rows, columns = count.shape
+    middles = [
+        first + (np.arange(cells) + 0.5) * (last - first) / cells
+        for first, last, cells in zip(low, high, (columns, rows), strict=True)
+    ]
+    where = np.stack(np.meshgrid(np.arange(columns), np.arange(rows)), -1)
+    fig.update_traces(hoverinfo="skip", hovertemplate=None)
+    fig.add_heatmap(
+        x=np.round(middles[0], 4),
+        y=np.round(middles[1], 4),
+        z=np.where(count > 0, count.astype(float), np.nan),
+        customdata=where.tolist(),
+        colorscale=[[0, "rgba(0,0,0,0)"], [1, "rgba(0,0,0,0)"]],
+        showscale=False,
+        showlegend=False,
+        name="cell",
+        hovertemplate=(
+            "cell (%{customdata[0]}, %{customdata[1]})<br>%{z:,} samples<extra></extra>"
+        ),
+    )
 
 
 def clusters(contents):
@@ -229,7 +258,10 @@ def two_cells(q, xy, in_joints, in_plane):
     )
     for name, inside, colour, size in groups:
         dots = {"colour": colour, "size": size}
-        angles = {"q1 (degrees)": degrees[inside, 0], "q2 (degrees)": degrees[inside, 1]}
+        angles = {
+            "q<sub>1</sub> (degrees)": degrees[inside, 0],
+            "q<sub>2</sub> (degrees)": degrees[inside, 1],
+        }
         positions = {"x (m)": xy[inside, 0], "y (m)": xy[inside, 1]}
         # Beside its own coordinates each dot says where it is in the other panel.
         charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **dots)
@@ -273,16 +305,20 @@ def errors(contents, caption, details=None):
         equal=True,
         height=90 + 330 * len(contents),
     )
+    # What is drawn and how it is sorted follow from rounded errors, so that two errors that differ
+    # in the last bits only keep their places on every machine.
+    contents = {title: (xy, np.round(error, 5)) for title, (xy, error) in contents.items()}
     largest = max(np.nanmax(error) for _, error in contents.values())
     scale = charts.ColourScale(
-        "error (cm)", low=LEAST_ERROR, high=largest, log=True, colours="Viridis_r"
+        "error (cm)", low=LEAST_ERROR, high=largest, log=True, colours=ERROR_COLOURS
     )
     in_words = []
     for panel, (title, (xy, error)) in enumerate(contents.items()):
         answered = ~np.isnan(error)
         position = xy[answered]
         size = np.maximum(error[answered], LEAST_ERROR)
-        order = np.argsort(size)  # the large errors are drawn last, above the others
+        # The large errors are drawn last, above the others, and equal ones in the order given.
+        order = np.argsort(size, kind="stable")
         own_details = (details or {}).get(title, {})
         charts.add_points(
             fig,
@@ -412,7 +448,8 @@ def convergence(sizes, curves, slopes):
     by_name = {}
     for name, largest in curves.items():
         in_words.append(f"{name} falls with slope {slopes[name]:.1f} to {100 * largest[-1]:.1g}")
-        by_name[f"{name}: slope {slopes[name]:.1f}"] = 100 * largest
+        # Three digits: the further ones of the smallest errors are those of rounding.
+        by_name[f"{name}: slope {slopes[name]:.1f}"] = [_three_digits(100 * e) for e in largest]
     fig = charts.lines(
         100 * sizes,
         by_name,
@@ -428,6 +465,10 @@ def convergence(sizes, curves, slopes):
     )
     caption = "At the workspace's edge the degree of the polynomial does not change the slope."
     return Picture(fig, alt, caption)
+
+
+def _three_digits(number):
+    return float(f"{number:.3g}")
 
 
 def by_bend(edges, mean):
@@ -446,9 +487,13 @@ def by_bend(edges, mean):
     -------
     Picture
     """
-    fig = charts.panels(xlabel="|q<sub>2</sub>| (degrees)", ylabel="mean error (cm)")
-    charts.add_bars(fig, edges, mean, "affine, split by the sign")
-    charts.add_rule(fig, x=36.0, text="36°")
+    fig, (ax,) = plane_figure(4.4, 3.0)
+    ax.bar(edges[:-1], mean, np.diff(edges), align="edge", color=BLUE, edgecolor="white")
+    ax.axvline(EDGE_IS_NEAR, color=BLACK, linestyle="--", linewidth=1.2)
+    ax.annotate(
+        f"{EDGE_IS_NEAR:.0f}°", (EDGE_IS_NEAR, 0.97 * max(mean)), (4, 0), textcoords="offset points"
+    )
+    ax.set(xlabel="$|q_2|$ (degrees)", ylabel="mean error (cm)", xlim=(0, edges[-1]))
     top = int(np.argmax(mean))
     alt = (
         f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} "
@@ -456,8 +501,8 @@ def by_bend(edges, mean):
         f"{edges[-1]} degrees."
     )
     caption = (
-        "Left of the dashed line (36 degrees) the tip is less than 10 cm, the diagonal of a cell, "
-        "from the edge of the workspace."
+        f"Left of the dashed line ({EDGE_IS_NEAR:.0f} degrees) the tip is less than 10 cm, the "
+        "diagonal of a cell, from the outer edge of the workspace."
     )
     return Picture(fig, alt, caption)
 
@@ -488,12 +533,17 @@ def costs(memory, error):
         charts.add_points(
             fig,
             [float(size)],
-            [error[name]],
+            [_three_digits(error[name])],
             name,
             symbol=f"{symbols[number % len(symbols)]}-open",
             size=11 + 2 * (number % len(symbols)),
         )
-    fig.update_traces(marker_line_width=3)
+    # The pointer shows the numbers as the text and the table write them.
+    fig.update_traces(
+        marker_line_width=3,
+        hovertemplate="%{fullData.name}<br>memory: %{x:,} bytes<br>mean error: %{y:.2~g} cm"
+        "<extra></extra>",
+    )
     in_words = [f"{name}: {size:,} bytes, {error[name]:.2g} cm" for name, size in memory.items()]
     alt = f"Mean error of both branches over memory, both logarithmic. {'; '.join(in_words)}."
     caption = (
@@ -503,39 +553,16 @@ def costs(memory, error):
     return Picture(fig, alt, caption)
 
 
-def workspace_as_reported(xy):
-    """Return the first of the report's charts: the positions of all samples, as plotly draws them.
+def samples_as_reported(xy, cell):
+    """Return the report's first two charts: the positions of the samples, and those by cell.
+
+    They are drawn as plotly draws them. The second one has a colour for each cell that is drawn at
+    random.
 
     Parameters
     ----------
     xy : array_like, shape (m, 2)
-        Positions, in metres; the chart shows centimetres, as the report does.
-
-    Returns
-    -------
-    Picture
-    """
-    fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
-    charts.add_points(fig, *np.round(100 * xy, 1).T, "sample", size=6)
-    radius = 100 * np.hypot(*xy.T)
-    alt = (
-        f"{len(xy):,} positions as overlapping dots of 6 pixels in a half ring from radius "
-        f"{radius.min():.0f} to {radius.max():.0f} cm."
-    )
-    caption = (
-        "This is the report's first chart, a `Scattergl` of the samples. Dots of this size "
-        "hide how dense they are."
-    )
-    return Picture(fig, alt, caption)
-
-
-def grid_as_reported(xy, cell):
-    """Return the second of the report's charts: the samples, each cell in a colour drawn at random.
-
-    Parameters
-    ----------
-    xy : array_like, shape (m, 2)
-        Positions, in metres.
+        Positions, in metres; the charts show centimetres, as the report does.
     cell : array_like of int, shape (m, 2)
         Column and row of each.
 
@@ -546,27 +573,31 @@ def grid_as_reported(xy, cell):
     column, row = cell.T
     number = column * (row.max() + 1) + row
     colours = np.random.default_rng(0).choice(COLOURS, number.max() + 1)
-    fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
-    charts.add_points(
-        fig,
-        *np.round(100 * xy, 1).T,
-        "sample",
-        colour=colours[number].tolist(),
-        size=6,
-    )
+    fig, axes = plane_figure(8.8, 3.8, columns=2, sharey=True)
+    for ax, colour in zip(axes, (BLUE, colours[number]), strict=True):
+        # Six pixels in plotly are 4.5 points.
+        ax.scatter(*(100 * xy).T, s=4.5**2, c=colour, linewidths=0, rasterized=True)
+        ax.set(aspect="equal", xlabel="x (cm)")
+    axes[0].set_ylabel("y (cm)")
+    radius = 100 * np.hypot(*xy.T)
     alt = (
-        f"The same {len(xy):,} positions; the dots of each of {len(np.unique(number))} cells have "
-        "one colour, and cells that touch may by chance have the same."
+        f"{len(xy):,} positions as overlapping dots of 6 pixels in a half ring from radius "
+        f"{radius.min():.0f} to {radius.max():.0f} cm, twice. At the right the dots of each of "
+        f"{len(np.unique(number))} cells have one colour, and cells that touch may by chance have "
+        "the same."
     )
     caption = (
-        "This is the report's second chart, with a colour for each cell that is drawn at "
-        "random, as the report intended."
+        "This is the report's first chart, of the samples (left), in which dots of this size hide "
+        "how dense they are. This is the report's second chart, of the samples by cell (right), "
+        "with colours that are drawn at random, as the report intended."
     )
     return Picture(fig, alt, caption)
 
 
 def errors_as_reported(xy, error):
-    """Return the third of the report's charts: markers of error + 5 pixels, in Viridis.
+    """Return the third of the report's charts: markers of error + 5 pixels.
+
+    Its colours run from light to dark, as in `errors`, and in the report the other way.
 
     Parameters
     ----------
@@ -580,17 +611,19 @@ def errors_as_reported(xy, error):
     Picture
     """
     fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
-    scale = charts.ColourScale("error (cm)")
-    charts.add_points(fig, *(100 * xy).T, "query", size=error + 5, values=error, scale=scale)
+    error = np.round(error, 5)
+    scale = charts.ColourScale("error (cm)", low=0.0, colours=ERROR_COLOURS)
+    position = np.round(100 * xy, 1)
+    charts.add_points(fig, *position.T, "query", size=error + 5, values=error, scale=scale)
     small = (error < 1).mean()
     alt = (
         f"{len(xy):,} queries as dots whose diameter in pixels is the error in cm plus 5, in the "
-        f"colours of Viridis from 0 to {error.max():.1f} cm; {small:.0%} of them are below 1 cm "
+        f"colours of a bar from 0 to {error.max():.1f} cm; {small:.0%} of them are below 1 cm "
         "and look alike."
     )
     caption = (
-        "This is the report's third chart, with the colour bar that the report leaves out. Because "
-        "the diameter is the error in cm plus 5 pixels, all differences below a centimetre are "
-        "hidden."
+        "This is the report's third chart, with the colour bar that the report leaves out and with "
+        "its colours reversed, so that a dark dot is a large error here too. Because the diameter "
+        "is the error in cm plus 5 pixels, all differences below a centimetre are hidden."
     )
     return Picture(fig, alt, caption)

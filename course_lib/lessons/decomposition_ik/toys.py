@@ -31,7 +31,7 @@ def cells_toy():
     return Toy("cells", model, alt, caption=caption)
 
 
-def table(at):
+def table(at, caption="Drag the query, and watch how far the tip is from the query."):
     """Return a figure for `alive`: a position to drag, and the 2R arm that should reach it.
 
     f(position) answers with the arm's two joint angles. The true arm, with links of 1 m, is drawn
@@ -43,6 +43,8 @@ def table(at):
     at : array_like, shape (2,)
         The query at the start, in metres. f is called with such an array and returns angles (2,),
         or None.
+    caption : str, optional
+        What to try.
 
     Returns
     -------
@@ -85,6 +87,4 @@ def table(at):
         "A planar arm with two links that takes the joint angles answered for a position, which "
         "can be dragged, and beside it, blue, the arm that reaches the position exactly."
     )
-    return Figure(
-        model, alt, "Drag the query, and watch how far the tip is from the query.", ask, stored
-    )
+    return Figure(model, alt, caption, ask, stored)
