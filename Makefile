@@ -35,7 +35,7 @@ help:
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
 
 # Compares what .venv was made from, and does nothing where that is unchanged.
-environment:
+environment: ## set up the packages in .venv, if environment.txt has changed; the other commands do this first
 	@sh course_lib/pack/environment.sh
 
 # Jupyter refuses to run as root unless told to. The settings of the folder named first keep it from

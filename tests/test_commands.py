@@ -39,7 +39,7 @@ def course(tmp_path_factory):
 
 def test_make_alone_lists_every_target_on_a_line(course):
     makefile = (ROOT / "Makefile").read_text().replace("\\\n", "")
-    (targets,) = re.findall(r"^\.PHONY: help environment (.*)$", makefile, re.MULTILINE)
+    (targets,) = re.findall(r"^\.PHONY: help (.*)$", makefile, re.MULTILINE)
     lines = made(course).splitlines()
     assert [line.split()[:2] for line in lines] == [["make", name] for name in targets.split()]
     assert all(len(line.split()) > 3 for line in lines)
