@@ -30,6 +30,11 @@
     const miss = (q, T) => M.norm(error(q, T));
     const isAt = (q, T) => miss(q, T) < REACHED;
     const areApart = (q, p) => q.some((angle, i) => Math.abs(M.wrap(angle - p[i])) > APART);
+    /**
+     * A solution near q, its angles from -180 to 180 degrees: steps that are far too long, as after
+     * a fast move of the target, would add up to several revolutions.
+     */
+    const solve = (q, T, steps) => M.reach(arm, q, T, noLimits, steps).map(M.wrap);
 
     /** Follow the target to T. */
     function follow(T) {
@@ -41,20 +46,20 @@
       // Two that ran together would remain together.
       const isAnother = (q) => isAt(q, T) && followed.every((p) => !p || areApart(q, p));
       for (const earlier of state.all) {
-        const q = M.reach(arm, earlier, T, noLimits, STEPS_A_MOVE);
+        const q = solve(earlier, T, STEPS_A_MOVE);
         followed.push(isAnother(q) ? q : null);
       }
       for (const start of starts) {
         const lost = followed.indexOf(null);
         if (lost < 0) break;
-        const q = M.reach(arm, start, T, noLimits, STEPS_A_MOVE);
+        const q = solve(start, T, STEPS_A_MOVE);
         if (isAnother(q)) followed[lost] = q;
       }
       // A solution that is lost remains where it was, so that it is found when the target is back.
       state.all = followed.map((q, i) => q ?? state.all[i]);
       const isOutOfReach = followed.every((q) => q === null);
       const nearest = state.nearest ?? state.all[0];
-      state.nearest = isOutOfReach ? M.reach(arm, nearest, T, noLimits) : null;
+      state.nearest = isOutOfReach ? solve(nearest, T) : null;
     }
     /** The solutions for T, or what comes nearest to it. */
     function solutions(T) {
@@ -71,7 +76,7 @@
   FIGURES.reach = (card, meta, ask) => {
     const { arm, size, goal, starts } = meta;
     const view = card.armSpace();
-    const state = card.state({
+    const initial = () => ({
       q: meta.q,
       all: starts,
       nearest: null, // the angles out of reach
@@ -79,6 +84,7 @@
       at: M.positionOf(goal),
       rotated: [0, 0, 0],
     });
+    const state = card.state(initial());
     const library = libraryOf(meta, state);
     // Room to begin dragging, in the first picture.
     const sides = [-1, 1].flatMap((sign) => M.eye(3).map((axis) => M.scale(axis, sign)));
@@ -109,14 +115,21 @@
         moved();
       },
     });
-    ["z", "y", "x"].forEach((axis, i) => {
+    const ranges = ["z", "y", "x"].map((axis, i) => {
       const limits = { min: -180, max: 180, step: 1, value: state.rotated[i] };
-      card.range(`Rotate about ${axis}`, limits, P.inDegrees, (angle) => {
+      return card.range(`Rotate about ${axis}`, limits, P.inDegrees, (angle) => {
         state.rotated[i] = angle;
         moved();
       });
     });
-    if (starts) addSolutionRange(card, state, starts.length);
+    const solution = starts ? addSolutionRange(card, state, starts.length) : null;
+    card.button("Start again", () => {
+      card.halt();
+      Object.assign(state, initial());
+      for (const range of ranges) range.set(0);
+      solution?.set(state.chosen);
+      moved();
+    });
     const numbers = card.numbers();
     const words = card.words([OUT_OF_REACH, WITHIN_REACH]);
     moved();
@@ -179,6 +192,7 @@
     };
     const solution = card.setting("Solution", state, "chosen", limits, write);
     card.player("From one to the next", solution, 0.0025);
+    return solution;
   }
 
   function comment({ state, shown, isOutOfReach, starts }) {
