@@ -14,10 +14,19 @@
     { below: 0, colour: COLOURS.large, words: "below 1 m" },
     { below: Infinity, colour: COLOURS.huge, words: "1 m and more" },
   ];
+  // Where rounding decides, the map holds null.
+  const UNSETTLED = { colour: COLOURS.steel, words: "jumps about" };
   const SWATCH = "display:inline-block;width:.9em;height:.9em;margin-right:.35em;background:";
   const DIGITS = 2; // of a step size or a damping in words
 
   const short = (x) => String(Number(x.toPrecision(DIGITS)));
+  const levelOf = (error) =>
+    error === null ? UNSETTLED : LEVELS.find(({ below }) => error < below);
+  /** The index of the number in a list that is nearest to x. */
+  function nearestIn(list, x) {
+    const distances = list.map((y) => Math.abs(y - x));
+    return distances.indexOf(Math.min(...distances));
+  }
 
   P.toy("step_map", "Step size, damping and the run of the arm", (card, meta) => {
     const { lengths, target, steps, alphas, epsilons, logErrors } = meta;
@@ -74,7 +83,11 @@
     const writeStep = (k) => `${k} of ${steps}`;
     const step = card.setting("Steps", state, "step", { min: 0, max: steps, step: 1 }, writeStep);
     card.player("Play", step, 1 / steps);
-    const words = card.words([comment([0.02, 99], 1.23, 99)]);
+    const words = card.words([comment([0.02, 99], 1.23, 99, true)]);
+    function isUnsettled() {
+      const [alpha, eps] = state.at;
+      return logErrors[nearestIn(epsilons, eps)][nearestIn(alphas, alpha)] === null;
+    }
 
     function compute() {
       const key = state.at.join();
@@ -100,7 +113,7 @@
       const [across, upwards] = [alphas, epsilons].map((list) => (list[1] - list[0]) * 0.6);
       logErrors.forEach((row, j) => {
         row.forEach((error, i) => {
-          const { colour } = LEVELS.find(({ below }) => error < below);
+          const { colour } = levelOf(error);
           const corners = [
             [alphas[i] - across, epsilons[j] - upwards],
             [alphas[i] + across, epsilons[j] - upwards],
@@ -149,6 +162,7 @@
         state.at.map((exponent) => 10 ** exponent),
         miss,
         state.step,
+        isUnsettled(),
       );
     };
   });
@@ -168,18 +182,20 @@
   function addLegend(parent) {
     const look = { style: "display:flex;flex-wrap:wrap;gap:.2rem 1rem" };
     const legend = P.element("p", look, parent, "Distance from the target:");
-    for (const { colour, words } of LEVELS) {
+    for (const { colour, words } of [...LEVELS, UNSETTLED]) {
       const item = P.element("span", {}, legend);
       P.element("span", { style: SWATCH + tint(colour) }, item);
       item.append(words);
     }
   }
 
-  function comment([alpha, eps], miss, steps) {
+  function comment([alpha, eps], miss, steps, isUnsettled) {
     const left = miss < 0.001 ? P.power(miss) : P.number(miss, 3);
+    const after = `after ${steps} ${steps === 1 ? "step" : "steps"}`;
+    const chance = isUnsettled ? " It jumps about: rounding decides where it is in the end." : "";
     return (
       `With α = ${short(alpha)} and ε = ${short(eps)} m² the tip is ${left} m from the target ` +
-      `after ${steps} ${steps === 1 ? "step" : "steps"}.`
+      `${after}.${chance}`
     );
   }
 })();
