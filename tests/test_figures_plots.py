@@ -62,6 +62,10 @@ LINES = {
 }  # fmt: skip
 
 
+# Metres: the steps of an arm are drawn with the digits that every machine has in common.
+ROUNDED_TO = {"descent": 5.1e-5, "distance": 5.1e-3}
+
+
 def curves_of_chart(fig, panel):
     """Return the points (n, 2) of each series in a panel of a chart by plotly, in their order."""
     x_axis, y_axis = fig.layout.meta["panels"][panel]
@@ -74,7 +78,7 @@ def test_lines_go_through_their_data_and_lie_in_the_panel(name):
     picture, panel, expected = LINES[name]
     if hasattr(picture.fig, "to_plotly_json"):  # its panels always contain their data
         for points, wanted in zip(curves_of_chart(picture.fig, panel), expected, strict=False):
-            assert_allclose(points, wanted, atol=1e-9)
+            assert_allclose(points, wanted, rtol=1e-7, atol=ROUNDED_TO.get(name, 1e-9))
         return
     ax = picture.fig.axes[panel]
     low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
@@ -220,3 +224,18 @@ def test_the_arm_of_a_query_is_at_its_answers_the_better_one_first():
     assert course["angles"] == [[[0.3, 0.4], [0.5, 0.6]], [[0.1, 0.2], None]]
     assert course["errors"] == [[1.0, 3.0], [2.0, None]]
     assert course["cells"] == [7, 8]
+
+
+def test_a_descent_is_drawn_alike_when_rounding_differs():
+    noise = 1e-10 * np.random.default_rng(1).normal(size=ARM.shape)
+    near = TARGET + 1e-9 * SPACE[:, :2]  # where rounding decides all digits of a distance
+    runs = [np.concatenate([ARM, np.tile(near[:, None], (1, 3, 1))])]
+    runs.append(runs[0] + np.concatenate([noise, 1e-10 * SPACE[:, None, :2] * np.ones((1, 3, 1))]))
+    first, second = (nb3.descents({"run": run}, TARGET, "").fig.to_json() for run in runs)
+    assert first == second
+
+
+def test_the_pointer_says_nothing_on_an_arm_that_a_run_ends_with():
+    tip, arm, *_ = nb3.descents({"run": ARM / 10}, TARGET, "").fig.data
+    assert (arm.hoverinfo, arm.hovertemplate) == ("skip", None)
+    assert "distance from the target" in tip.hovertemplate

@@ -71,7 +71,7 @@ def alive(figure, f=None):
     return Toy("alive", figure.model | {"stored": stored}, figure.alt, answer, figure.caption)
 
 
-def reach(arm, target, *, q, says=None):
+def reach(arm, target, *, q, says=None, caption="Drag the target."):
     """Return a figure for `alive`: an arm, and a target to drag.
 
     f(target) answers with joint angles.
@@ -88,6 +88,8 @@ def reach(arm, target, *, q, says=None):
     says : callable, optional
         says(target, angles), angles of shape (k, n), returns a sentence on the answer, which is
         shown with it.
+    caption : str, optional
+        What to try, or what to notice.
 
     Returns
     -------
@@ -127,4 +129,4 @@ def reach(arm, target, *, q, says=None):
         starts = np.round(real_array(q, "q", (arm.n,)), 6)
         model["starts"] = starts.tolist()
         q, *others = starts
-    return Figure(arm_view(arm, q, title, others) | model, alt, "Drag the target.", ask)
+    return Figure(arm_view(arm, q, title, others) | model, alt, caption, ask)

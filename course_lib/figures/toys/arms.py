@@ -12,7 +12,7 @@ from course_lib.figures.toys.toy import Answers, Toy, numbers, solid
 from course_lib.rigid import inverse, is_se
 
 
-def jog(arm, fk=None, *, q, base=None, names=None):
+def jog(arm, fk=None, *, q, base=None, names=None, caption=None):
     """Return a toy: an arm with a slider for each joint.
 
     In a live notebook your own forward kinematics moves it. Where ``fk`` and the library differ,
@@ -34,6 +34,8 @@ def jog(arm, fk=None, *, q, base=None, names=None):
     names : (str, str), optional
         Names of the base frame and of the end-effector's frame, as the text around the figure has
         them; "s" and "b" if None.
+    caption : str, optional
+        What to try, or what to notice; what a joint does to the axes if None.
 
     Returns
     -------
@@ -63,10 +65,11 @@ def jog(arm, fk=None, *, q, base=None, names=None):
         answer = Answers(fk, _moved_by(arm, inverse(base), takes_screws))
     model = arm_view(arm, q, f"An arm with {arm.n} joints")
     model["parts"] = ["axes"]
-    caption = (
-        "A joint moves the dashed axes of all joints after it, and leaves the others where "
-        "they are."
-    )
+    if caption is None:
+        caption = (
+            "A joint moves the dashed axes of all joints after it, and leaves the others where "
+            "they are."
+        )
     if names is not None:
         model["frameNames"] = list(names)
     return Toy("arm", model, alt, answer, caption)

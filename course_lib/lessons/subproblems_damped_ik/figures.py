@@ -34,7 +34,12 @@ from course_lib.rotations import exp_so3, log_so3
 
 VIEW = (1.3, 1.0, 0.7)
 # Metres: what is below is drawn here, since rounding decides it, differently on other machines.
-LEAST_DISTANCE = 1e-8
+LEAST_DISTANCE = 1e-6
+LEAST_IN_WORDS = "below 1 µm"
+# A step of 122 radians magnifies rounding errors. Nobody sees a tenth of a millimetre in a picture
+# of eight metres, and its digits are the same on every machine.
+DECIMALS_OF_TIPS = 4  # of metres
+DIGITS_OF_DISTANCES = 3
 GREEK = {"alpha": "α", "eps": "ε"}  # as charts write them
 MAX_DRAWN_STEP = 1  # metre: a tip that moves farther in one step jumps about
 _LEAST_OF_MAP = 1e-8  # metres
@@ -123,8 +128,10 @@ def circles_meet(k1, k2, p1, p2, theta):
         "Two circles on one sphere, that of p1 about the axis k1 and that of p2 about k2; they "
         f"{verbs[min(meetings, 2)]}."
     )
+    count = ("no point", "one point", "two points")[min(meetings, 2)]
     caption = (
-        "Each point in which the circles meet gives one pair of angles $(\\theta_1, \\theta_2)$."
+        f"The circles meet in {count}, and each point in which they meet gives one pair of angles "
+        "$(\\theta_1, \\theta_2)$."
     )
     return _scene({"k1": k1, "k2": k2}, dots, paths, alt, caption)
 
@@ -231,7 +238,8 @@ def orientation_paths(tracks, duration):
         length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
         speed_in_words = f"{interval(speed)} rad/s"
         lengths.append(f"{label} on a path of length {length:.2f}, at {speed_in_words}")
-        speeds.append(label.replace("omega", "$\\omega$") + f", {speed_in_words}")
+        symbol = label.replace("omega", "$\\omega$")
+        speeds.append(f"at {speed_in_words} with {symbol}")
     start, end = next(iter(tracks.values()))[[0, -1], :, 0]
     words += [("start", 1.12 * start, BLACK), ("end", 1.12 * end, BLACK)]
     parts = [Part(0, PALE, ball(np.zeros(3), 0.98, 32))]
@@ -247,7 +255,7 @@ def orientation_paths(tracks, duration):
     )
     caption = (
         "With constant $\\omega$ every point moves on a circle about $\\omega$, and with constant "
-        f"rates it does not. The body rotates at {'; '.join(speeds)}."
+        f"rates it does not. The body rotates {' and '.join(speeds)}."
     )
     return still(parts, alt, caption, paths=paths, words=words, view=in_front_of_the_paths)
 
@@ -368,8 +376,10 @@ def choices(times, counts):
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
-        "The first panel shows the times to the candidates of the example, the fastest first. The "
-        "second panel shows how many of the eight configurations of a pose are within the limits."
+        f"One pose: the motion to the slowest of its {len(times)} candidates takes "
+        f"{times[-1]:.2f} s, and the motion to the fastest takes {times[0]:.2f} s. {len(counts)} "
+        f"poses: between {min(counts)} and {max(counts)} of their eight configurations are within "
+        "the limits."
     )
     return Picture(fig, alt, caption)
 
@@ -465,8 +475,8 @@ def largest_rates(inverse_rate_matrix):
 def descents(runs, target, caption):
     """Return the tips' paths of several runs towards one target, and their distances from it.
 
-    The distances are drawn over the steps. Each dot is a step and says its number. The arm is drawn
-    where each run ends, unless the tip jumps about.
+    The distances are drawn over the steps; those below a micrometre are drawn at one. Each dot is a
+    step and says its number. The arm is drawn where each run ends, unless the tip jumps about.
 
     Parameters
     ----------
@@ -496,28 +506,25 @@ def descents(runs, target, caption):
     for number, (label, arms) in enumerate(runs.items()):
         name = re.sub(r"\b(alpha|eps)\b", lambda word: GREEK[word[0]], label)
         colour = COLOURS[number % len(COLOURS)]
-        tips = arms[:, -1]
+        tips = arms[:, -1].round(DECIMALS_OF_TIPS)
         steps = np.arange(len(tips))
-        distances = np.linalg.norm(tips - target, axis=-1).clip(LEAST_DISTANCE)
+        distances = _drawn_distances(arms[:, -1], target)
+        details = {"step": steps, "distance from the target": _in_words(distances)}
         jumps_about = np.linalg.norm(np.diff(tips, axis=0), axis=1).max() > MAX_DRAWN_STEP
         if jumps_about:  # lines between the dots would hide everything
-            charts.add_points(
-                fig, *tips.T, name, colour=colour, opacity=0.6, details=_of_steps(steps, distances)
-            )
+            charts.add_points(fig, *tips.T, name, colour=colour, opacity=0.6, details=details)
         else:
-            charts.add_line(
-                fig,
-                *tips.T,
-                name,
-                colour=colour,
-                markers=True,
-                details=_of_steps(steps, distances),
-            )
+            charts.add_line(fig, *tips.T, name, colour=colour, markers=True, details=details)
             _draw_arm(fig, arms[-1], name, colour)
         charts.add_line(fig, steps, distances, name, panel=1, colour=colour, markers=True)
+        fig.data[
+            -1
+        ].hovertemplate = f"{name}<br>step: %{{x}}<br>distance: %{{customdata}}<extra></extra>"
+        fig.data[-1].customdata = _in_words(distances)
         least_distance = min(least_distance, distances.min())
         largest_distance = max(largest_distance, distances.max())
-        end = "less than a micrometre" if distances[-1] < 1e-6 else f"{distances[-1]:.2g} m"
+        is_near = distances[-1] == LEAST_DISTANCE
+        end = "less than a micrometre" if is_near else f"{distances[-1]:.2g} m"
         verb = "jumps about and is" if jumps_about else "ends"
         in_words.append(f"{label}: {verb} {end} from it")
     fig.update_traces(marker_size=4, selector={"mode": "lines+markers"})  # a hundred steps or more
@@ -533,16 +540,31 @@ def descents(runs, target, caption):
     return Picture(fig, alt, caption)
 
 
-def _of_steps(steps, distances):
-    """Return what a dot of a path says besides its position."""
-    return {"step": steps, "distance from the target (m)": distances}
+def _drawn_distances(tips, target):
+    """Return the distances (n,) of tips (n, 2) from a target, as they are drawn."""
+    distances = np.linalg.norm(tips - target, axis=-1)
+    powers = np.floor(np.log10(distances.clip(LEAST_DISTANCE)))
+    last_digit = 10.0 ** (powers + 1 - DIGITS_OF_DISTANCES)
+    rounded = np.round(distances / last_digit) * last_digit
+    return rounded.clip(LEAST_DISTANCE)
+
+
+def _in_words(distances):
+    """Return what the pointer says of drawn distances (n,)."""
+    return [
+        LEAST_IN_WORDS if distance == LEAST_DISTANCE else f"{distance:.{DIGITS_OF_DISTANCES}g} m"
+        for distance in distances
+    ]
 
 
 def _draw_arm(fig, points, name, colour):
-    """Draw an arm (links + 1, 2) in the first panel; the legend's entry `name` switches it off."""
-    joints = {"joint": np.arange(1, len(points) + 1)}
-    charts.add_line(fig, *points.T, name, colour=colour, dash="solid", width=5, details=joints)
-    fig.data[-1].update(opacity=0.45)
+    """Draw an arm (links + 1, 2) in the first panel, on which the pointer says nothing.
+
+    The legend's entry `name` switches it off.
+    """
+    points = points.round(DECIMALS_OF_TIPS)
+    charts.add_line(fig, *points.T, name, colour=colour, dash="solid", width=5)
+    fig.data[-1].update(opacity=0.45, hoverinfo="skip", hovertemplate=None)
 
 
 def _window(corners, margin):
@@ -581,7 +603,8 @@ def race(racers, points_of, target):
         runs[f"{label}: {steps}, at most {largest_step:.3g} rad"] = arms
     caption = (
         "Gauss-Newton jumps from dot to dot. The other two methods take smooth paths and end in "
-        "nearly the same configuration, which is drawn."
+        "nearly the same configuration, which is drawn. Distances below a micrometre are drawn at "
+        "one."
     )
     return descents(runs, target, caption)
 
@@ -647,7 +670,7 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
     epsilons : array_like, shape (m,)
         Dampings, in square metres, evenly spaced on a logarithmic axis.
     errors : ndarray, shape (n, m)
-        In metres.
+        In metres; NaN for a run that rounding decides, which has a colour of its own.
     largest : float
         The largest singular value at the target, in metres.
     runs : sequence of (alpha, eps)
@@ -676,8 +699,9 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
     )
     caption = (
         "Click just left and then just right of the black curve: on one side the tip comes to rest "
-        "at the target, and on the other side it jumps about. At the left and at the top the steps "
-        "are too small, and the tip is still on its way."
+        "at the target, and on the other side it jumps about. Where it does so for long, rounding "
+        "decides where it ends, and the map is grey. At the left and at the top the steps are too "
+        "small, and the tip is still on its way."
     )
     model = {
         "lengths": [1.0] * len(start),
@@ -686,13 +710,20 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
         "steps": int(steps),
         "alphas": np.log10(alphas).round(4).tolist(),
         "epsilons": np.log10(epsilons).round(4).tolist(),
-        # Rounding decides smaller distances, and the map shows them by the same colour.
-        "logErrors": np.log10(np.maximum(errors.T, _LEAST_OF_MAP)).round(2).tolist(),
+        "logErrors": [[_log_or_none(error) for error in row] for row in errors.T],
         "largest": round(float(largest), 6),
         "runs": [list(map(float, run)) for run in runs],
         "at": list(map(float, runs[0])),
     }
     return Toy("step_map", model, alt, caption=caption)
+
+
+def _log_or_none(error):
+    """Return the decimal logarithm of a distance, in metres, or None for NaN."""
+    if np.isnan(error):
+        return None
+    # Rounding decides smaller distances, and the map shows them by the same colour.
+    return float(np.log10(max(error, _LEAST_OF_MAP)).round(2))
 
 
 def two_arms(paths, points_of):

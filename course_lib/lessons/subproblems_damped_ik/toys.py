@@ -3,6 +3,10 @@
 from course_lib.arguments import real_array
 from course_lib.figures.toys.toy import Toy
 
+ELLIPSE_CAPTION = (
+    "The longer the ellipse in a direction, the faster the joints can move the tip there."
+)
+
 
 def circles_toy():
     """Return a toy: the circles of p1 about k1 and of p2 about k2, which meet, touch or miss.
@@ -16,12 +20,17 @@ def circles_toy():
         "the axis k2. Sliders move the axes, the points can be dragged; at the start the circles "
         "meet."
     )
-    caption = "Each point moves on a circle about its own axis; both circles lie on the sphere."
+    caption = (
+        "Each point moves on a circle about its own axis, and both circles lie on the sphere. At "
+        "the start they meet twice."
+    )
     angles = {"between": 70, "p1": 50, "p2": 45, "around1": -80, "around2": -160}
     return Toy("circles", {"angles": angles}, alt, caption=caption)
 
 
-def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping=0.05):
+def planar_arm_toy(
+    q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping=0.05, caption=ELLIPSE_CAPTION
+):
     """Return a toy: a planar arm with four links of 1 m, and a target to drag.
 
     The arm takes damped least-squares steps towards the target.
@@ -36,6 +45,8 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
         Share of each computed step that is taken, from 0.05 to 4.
     damping : float
         Added to the diagonal of J J^T, in square metres, from 1e-4 to 30.
+    caption : str, optional
+        What to notice.
 
     Returns
     -------
@@ -64,5 +75,4 @@ def planar_arm_toy(q=(0.4, 0.4, 0.4, 0.4), target=(-1.9, 1.1), step=0.5, damping
         "least-squares steps; a green ellipse shows the manipulability, a curve the distance left "
         "after each step."
     )
-    caption = "The longer the ellipse in a direction, the faster the joints can move the tip there."
     return Toy("planar_arm", model, alt, caption=caption)
