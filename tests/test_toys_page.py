@@ -855,6 +855,33 @@ def test_the_library_follows_each_of_several_solutions_while_the_target_moves(vi
     assert "from the target" not in box.locator(".numbers").inner_text(), "all eight reach it"
 
 
+def test_fast_moves_leave_all_angles_within_half_a_revolution(visit):
+    box = figure_of(visit, "eight")
+    for value in (-180, 170, -90, 120, 0):
+        for axis in "zyx":
+            put(box, f"Rotate about {axis}", value)
+    visit.page.evaluate(SETTLED, 100)
+    numbers = box.locator(".numbers").inner_text().replace(MINUS, "-")
+    degrees = [abs(int(angle)) for angle in re.findall(r"-?\d+(?=°)", numbers)]
+    assert len(degrees) == 48
+    assert max(degrees) <= 180
+
+
+def test_a_reaching_arm_starts_again_where_it_began(visit):
+    box = figure_of(visit, "eight")
+    start_again = box.get_by_role("button", name="Start again")
+    start_again.click()
+    visit.page.evaluate(SETTLED, 100)
+    before = box.locator(".numbers").inner_text()
+    put(box, "Rotate about y", 50)
+    put(box, "Solution", 3)
+    start_again.click()
+    visit.page.evaluate(SETTLED, 100)
+    assert box.locator(".numbers").inner_text() == before
+    values = box.locator("input[type=range]").evaluate_all("all => all.map((one) => one.value)")
+    assert values == ["0", "0", "0", "1"]
+
+
 def test_all_solutions_are_found_again_when_the_target_was_out_of_reach(visit):
     box = figure_of(visit, "eight")
     says = box.locator("p[role=status]")
