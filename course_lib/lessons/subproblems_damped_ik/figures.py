@@ -496,7 +496,8 @@ def descents(runs, target, caption):
         ["path of the tip", "distance from the target"],
         xlabel=["x (m)", "step"],
         ylabel=["y (m)", "distance (m)"],
-        height=430,
+        columns=1,  # the path is much wider than high
+        height=640,
     )
     fig.layout.yaxis.update(scaleanchor="x", constrain="domain")
     fig.layout.xaxis.constrain = "domain"
