@@ -28,11 +28,12 @@
   const damped = (s, damping) => s / (s * s + damping);
 
   P.toy("gains", "What damping does to a step", (card, meta) => {
-    const state = card.state({
+    const initial = () => ({
       s: [...meta.singularValues],
       logDamping: Math.log10(meta.damping),
       angle: -15 * P.rad,
     });
+    const state = card.state(initial());
     const damping = () => 10 ** state.logDamping;
     const error = () => [Math.cos(state.angle), Math.sin(state.angle)];
     const shape = () => (card.views.clientWidth < SIDE_BY_SIDE ? FLAT : 1);
@@ -80,7 +81,11 @@
     });
     const limits = { min: -3, max: 1.3, step: 0.05 };
     const writeDamping = (exponent) => `${Number((10 ** exponent).toPrecision(2))} m²`;
-    card.setting("Damping ε", state, "logDamping", limits, writeDamping);
+    const range = card.setting("Damping ε", state, "logDamping", limits, writeDamping);
+    card.button("Start again", () => {
+      Object.assign(state, initial());
+      range.set(state.logDamping);
+    });
     addLegend(card.controls, meta.dampings);
     const numbers = card.numbers();
     const words = card.words([comment(0.123, 12.3)]);

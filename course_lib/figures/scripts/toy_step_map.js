@@ -33,7 +33,8 @@
     const reach = lengths.reduce((sum, length) => sum + length, 0);
     const x = [alphas[0], alphas.at(-1)];
     const y = [epsilons[0], epsilons.at(-1)];
-    const state = card.state({ at: meta.at.map(Math.log10), step: steps });
+    const initial = () => ({ at: meta.at.map(Math.log10), step: steps });
+    const state = card.state(initial());
     let run = []; // the joint angles after each step
     let computed = ""; // the point whose run this is
 
@@ -83,6 +84,11 @@
     const writeStep = (k) => `${k} of ${steps}`;
     const step = card.setting("Steps", state, "step", { min: 0, max: steps, step: 1 }, writeStep);
     card.player("Play", step, 1 / steps);
+    card.button("Start again", () => {
+      card.halt();
+      Object.assign(state, initial());
+      step.set(state.step);
+    });
     const words = card.words([comment([0.02, 99], 1.23, 99, true)]);
     function isUnsettled() {
       const [alpha, eps] = state.at;
