@@ -111,8 +111,9 @@ PREDICTIONS = (
                 "and the elbow another one. Are all of these beyond a limit?"
             ),
             "b": (
-                "About half of the eight are lost. Most often the elbow, joint 3, would have to bend "
-                "too far; the shoulder, joint 2, comes next, and then the wrist, joints 4 and 5."
+                "About half of the eight are lost. Most often the elbow, joint 3, would have to "
+                "bend too far. The shoulder, joint 2, comes next, and then the wrist, joints 4 and "
+                "5."
             ),
             "c": (
                 "Joint 1 reaches nearly all directions, but joint 3 bends up to 110 degrees to one "
