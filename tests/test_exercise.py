@@ -17,6 +17,7 @@ from course_lib.checks.exercise import (
     FORGOTTEN_RETURN,
     NOT_ATTEMPTED,
     RIGHT,
+    SHARED_RESULT,
     UNCHANGED,
     WRONG,
     LocalFunction,
@@ -26,6 +27,8 @@ from course_lib.checks.exercise import (
 )
 from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.naming import KEPT_FOR_AN_ARRAY
+from course_lib.checks.special_cases import MadeCase, Sweep
 from course_lib.checks.write_test import Version, _kinds
 
 
@@ -199,7 +202,7 @@ def test_a_version_computes_its_answer_to_the_same_arguments_once():
     exercise = replace(TEST_LOG, versions=(Version("that is counted", counted, right=True),))
     answers = []
     for seed in (1, 2):  # grading asks each version several times
-        _, consult = exercise.questions(np.random.default_rng(seed))
+        _, consult = exercise.questions(seed)
         requests = [_request(0, rotations.rot_z(angle)) for angle in (0.5, 0.7)]
         answers.append([json.loads(consult(request)) for request in requests])
     assert len(computed) == 2
@@ -208,7 +211,7 @@ def test_a_version_computes_its_answer_to_the_same_arguments_once():
 
 
 def test_each_version_has_its_own_answer_to_the_same_arguments():
-    _, consult = TEST_LOG.questions(np.random.default_rng(0))
+    _, consult = TEST_LOG.questions(0)
     asked = rotations.exp_so3(np.array([0.1, 0.2, 0.3]))
     first = [consult(_request(number, asked)) for number in range(len(TEST_LOG.versions))]
     again = [consult(_request(number, asked)) for number in range(len(TEST_LOG.versions))]
@@ -219,7 +222,7 @@ def test_each_version_has_its_own_answer_to_the_same_arguments():
 def test_what_is_kept_of_answers_is_bounded(monkeypatch):
     monkeypatch.setattr("course_lib.checks.write_test._MAX_KEPT", 3)
     exercise = replace(TEST_LOG)
-    _, consult = exercise.questions(np.random.default_rng(0))
+    _, consult = exercise.questions(0)
     for angle in np.linspace(0, 1, 9):
         consult(_request(0, rotations.rot_z(angle)))
     assert len(exercise._kept) == 3
@@ -230,9 +233,7 @@ def test_the_number_of_a_candidate_says_nothing_of_what_it_is():
         return log._number in numbers
 
     for seed in range(3):  # the best choice of numbers for one seed is not for the next
-        order = [
-            case.version.right for (case,) in TEST_LOG.questions(np.random.default_rng(seed))[0]
-        ]
+        order = [case.version.right for (case,) in TEST_LOG.questions(seed)[0]]
         numbers = {k for k, is_right in enumerate(order) if is_right}
         assert judge(TEST_LOG, LocalFunction(by_number), seed).state == RIGHT
         assert judge(TEST_LOG, LocalFunction(by_number), seed + 100).state == WRONG
@@ -251,7 +252,7 @@ REQUESTS += [_request(number, np.eye(3)) for number in (99, -1, "0")]
 
 @pytest.mark.parametrize("request_", REQUESTS, ids=lambda text: text[:60])
 def test_a_call_that_no_test_makes_is_answered_with_an_error(request_):
-    _, consult = TEST_LOG.questions(np.random.default_rng(0))
+    _, consult = TEST_LOG.questions(0)
     assert "error" in json.loads(consult(request_))
 
 
@@ -353,13 +354,77 @@ def test_a_change_returned_without_what_it_changes_is_called_so():
 # What else a verdict says
 
 
-def test_the_notebook_asks_the_cases_of_more_seeds_before_it_says_right():
-    """An answer that is wrong for one seed in ten is not right in the notebook."""
-    exercise = replace(DOUBLE, cases=lambda rng: [(2.0,), (float(rng.integers(10)),)], broken=None)
-    rarely_wrong = LocalFunction(lambda x: 2 * x if x != 7 else 0.0)
-    assert judge(exercise, rarely_wrong).state == RIGHT
-    assert review(exercise, rarely_wrong).state == WRONG
+def test_the_notebook_asks_several_sets_before_it_says_right():
+    exercise = replace(DOUBLE, cases=lambda rng: [(2.0,), (rng.random(),)], broken=None)
+    numbers = [exercise.questions(seed)[0][1][0] for seed in exercise.public_seeds]
+    wrong_for_the_last_set = LocalFunction(lambda x: 2 * x if x != numbers[-1] else 0.0)
+    assert judge(exercise, wrong_for_the_last_set).state == RIGHT
+    assert review(exercise, wrong_for_the_last_set).state == WRONG
     assert review(exercise, LocalFunction(lambda x: 2 * x)).state == RIGHT
+
+
+def test_no_clock_decides_how_many_cases_the_notebook_asks():
+    asked = []
+    exercise = replace(DOUBLE, broken=None)
+    for slow in (False, True):
+        calls = []
+
+        def double(x, slow=slow, calls=calls):
+            calls.append(x)
+            return 2 * x + 0 * (sum(range(30_000)) if slow else 0)
+
+        assert review(exercise, LocalFunction(double)).state == RIGHT
+        asked.append(calls)
+    assert len(asked[0]) == len(asked[1])
+
+
+def test_a_secret_seed_asks_the_author_s_cases_only():
+    cases, _ = TURNED.questions(7)
+    assert cases
+    assert not any(isinstance(case, MadeCase) for case in cases)
+
+
+TURNED = replace(
+    DOUBLE,
+    cases=lambda rng: [(rng.uniform(1, 2, 2),), (np.array([3.0, 0.0]),)],
+    properties=(Property("y is 2 x", lambda y, x: np.allclose(y, 2 * x)),),
+    library=lambda x: 2 * x,
+    returns=numbers(np.shape),
+    broken=None,
+    sweeps=(Sweep("nearly 1", lambda rng, gap: (np.array([1 + gap, 2.0]),)),),
+)
+
+
+def test_one_array_that_all_calls_fill_is_refused():
+    result = np.zeros(2)
+
+    def fills(x):
+        np.multiply(x, 2, out=result, casting="unsafe")
+        return result
+
+    assert review(TURNED, LocalFunction(fills)).mistake is SHARED_RESULT
+
+
+def test_a_result_kept_for_an_array_with_other_numbers_is_refused():
+    kept = []
+
+    def remembers(x):
+        for array, result in kept:
+            if array is x:
+                return result
+        kept.append((x, 2 * x))
+        return 2 * x
+
+    assert review(TURNED, LocalFunction(remembers)).mistake is KEPT_FOR_AN_ARRAY
+
+
+def test_an_answer_that_is_the_argument_itself_is_accepted():
+    exercise = replace(
+        TURNED,
+        library=lambda x: x,
+        properties=(Property("y is x", lambda y, x: np.array_equal(y, x)),),
+    )
+    assert review(exercise, LocalFunction(lambda x: x)).state == RIGHT
 
 
 def test_nothing_there_is_not_attempted():

@@ -8,7 +8,8 @@ import pytest
 from hostile.build import NAME, OTHERS, SEED, book
 from toy_exercises import NEAREST_SO
 
-from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction
+from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, review
+from course_lib.checks.messages import describe
 from course_lib.pack.grade import judging, notebook_file, right_functions, submission
 from course_lib.pack.grade.judging import ask
 from course_lib.pack.grade.notebook_file import courses
@@ -55,7 +56,7 @@ def outcome(student, seed):
 def test_a_right_answer_is_asked_for_several_sets_of_cases():
     student = InThisProcess(right)
     assert outcome(student, SEED).verdict.state == RIGHT
-    assert student.asked == judging.SETS >= 3
+    assert student.asked == 1 + NEAREST_SO.sets >= 3
 
 
 def test_a_wrong_answer_is_asked_once_more_with_the_same_cases():
@@ -71,23 +72,25 @@ def test_a_student_s_test_is_asked_for_one_set_of_cases():
     assert student.asked == 1
 
 
-def test_an_answer_that_is_wrong_for_some_sets_is_refused_more_often_than_by_one_set(monkeypatch):
-    def accepted():
-        answers = (InThisProcess(wrong_for_one_set_in(4)) for _ in range(40))
-        states = [outcome(answer, seed).verdict.state for seed, answer in enumerate(answers)]
-        return states.count(RIGHT)
-
-    by_several = accepted()
-    monkeypatch.setattr(judging, "SETS", 1)
-    by_one = accepted()
-    assert 0 < by_several < 0.75 * by_one < by_one < 40
+def test_an_answer_that_is_wrong_for_some_numbers_is_refused():
+    answers = (InThisProcess(wrong_for_one_set_in(4)) for _ in range(40))
+    states = [outcome(answer, seed).verdict.state for seed, answer in enumerate(answers)]
+    assert WRONG in states
 
 
-def test_the_sets_of_one_file_differ():
-    seeds = judging._seeds(Run([], Limits(), SEED, (NEAREST_SO,), None))
-    sets = [NEAREST_SO.questions(np.random.default_rng(seed))[0] for seed in seeds]
-    texts = {repr(cases) for cases in sets}
-    assert len(texts) == judging.SETS
+def test_the_sets_of_one_file_are_those_of_the_notebook_and_a_secret_one():
+    seeds = judging._seeds(Run([], Limits(), SEED, (NEAREST_SO,), None), NEAREST_SO)
+    assert seeds == [*NEAREST_SO.public_seeds, SEED]
+    texts = {repr(NEAREST_SO.questions(seed)[0]) for seed in seeds}
+    assert len(texts) == len(seeds)
+
+
+def test_a_refused_answer_gets_the_notebook_s_message_whatever_the_secret_seed():
+    in_the_notebook = describe(review(NEAREST_SO, LocalFunction(lambda M: -right(M))))
+    graded = {
+        describe(outcome(InThisProcess(lambda M: -right(M)), seed).verdict) for seed in range(5)
+    }
+    assert graded == {in_the_notebook}
 
 
 # ---- what nobody has worked on ----

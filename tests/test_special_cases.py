@@ -11,13 +11,22 @@ import pytest
 from toy_exercises import DOUBLE
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import RIGHT, WRONG, Exercise, LocalFunction, Property, judge
+from course_lib.checks.exercise import (
+    PUBLIC_SEED,
+    RIGHT,
+    WRONG,
+    Exercise,
+    LocalFunction,
+    Property,
+    judge,
+)
 from course_lib.checks.messages import describe
 from course_lib.checks.special_cases import (
     BESIDE,
     ON_BOTH_SIDES,
     OUT_OF_REACH,
     SMALL_NUMBERS,
+    InPlace,
     MadeCase,
     Sweep,
     made_cases,
@@ -51,9 +60,22 @@ def made(cases, names=("x",), sweeps=(), angles=(), small=()):
 
 
 def test_a_case_of_whole_numbers_is_asked_again_with_the_type_int():
-    (again,) = made([(np.array([1.5, 2.0]),), (np.array([3.0, -1.0]),)])
+    again, *_ = made([(np.array([1.5, 2.0]),), (np.array([3.0, -1.0]),)])
     assert again[0].dtype == int
     assert again[0].tolist() == [3, -1]
+
+
+def test_one_argument_alone_holds_whole_numbers_too():
+    both, one = made([(np.array([3.0, -1.0]), np.array([2.0, 5.0, 6.0]))], ("x", "y"))
+    assert [array.dtype.kind for array in both] == ["i", "i"]
+    assert [array.dtype.kind for array in one] == ["f", "i"]
+
+
+def test_the_same_arrays_are_asked_with_other_numbers():
+    *_, before, after = made([(np.array([1.5, 2.5]), 1), (np.array([3.5, 4.5]), 2)], ("x", "n"))
+    assert isinstance(after, InPlace)
+    assert before[0].shape == after[0].shape
+    assert not np.array_equal(before[0], after[0])
 
 
 def test_zeros_that_rounding_has_left_count_as_whole():
@@ -70,9 +92,10 @@ def test_a_case_with_zeros_is_asked_again_with_negative_ones():
 
 
 def test_angles_are_asked_for_beyond_one_revolution():
-    (again,) = made([(np.array([0.5, 0.25]), 1.5)], names=("q", "x"), angles=("q",))
-    assert np.allclose(again[0], [0.5 + 4 * np.pi, 0.25 - 4 * np.pi])
-    assert again[1] == 1.5
+    two, sixteen = made([(np.array([0.5, 0.25]), 1.5)], names=("q", "x"), angles=("q",))
+    assert np.allclose(two[0], [0.5 + 4 * np.pi, 0.25 - 4 * np.pi])
+    assert np.allclose(sixteen[0], [0.5 + 32 * np.pi, 0.25 - 32 * np.pi])
+    assert two[1] == sixteen[1] == 1.5
 
 
 def test_a_sweep_asks_at_each_of_its_values_for_which_there_is_a_case():
@@ -233,7 +256,7 @@ def test_lists_of_another_shape_are_not_the_same():
 
 def whole_cases(exercise):
     """The cases of an exercise with arrays of the type int."""
-    cases, _ = exercise.questions(np.random.default_rng(0))
+    cases, _ = exercise.questions(PUBLIC_SEED)
     return [
         case
         for case in cases
@@ -364,7 +387,7 @@ def test_what_a_check_accepts_in_another_form_comes_to_later_cells_as_it_was_rea
     returned."""
     if exercise.through or exercise.name in ("panda_ik", "newton_ik", "plan_pick", "good_matches"):
         return  # symbols stay symbols; the others take seconds
-    cases, _ = exercise.questions(np.random.default_rng(0))
+    cases, _ = exercise.questions(PUBLIC_SEED)
     for case in [case for case in cases if not isinstance(case, MadeCase)][:6]:
         if any(hasattr(argument, "number") for argument in case):
             return  # a sampler: another answer each time

@@ -47,9 +47,10 @@ def reply(
     function : callable or None
         The student's; None if there is none.
     questions : str
-        JSON text of {"cases": [arguments, ...], "forbidden": [dotted names], "seconds": CPU time
+        JSON text of {"cases": [arguments, ...], "in_place": [positions of cases whose numbers are
+        put into the arrays of the case before], "forbidden": [dotted names], "seconds": CPU time
         for all cases, "through": a key of ADAPTERS, "names": [names of the arguments], "exercise":
-        its name}, written by wire.write.
+        its name}, written by wire.write. Without "in_place", all arrays are new.
     consult : callable, optional
         Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed
         only for exercises in which the student writes a test, and with `instead`.
@@ -63,10 +64,10 @@ def reply(
         JSON text of {"answers": a list with a dict for each case, "refused": [names of functions
         that are not allowed and were called in this process, in the cells too]}. The keys of an
         answer are among "value" (what came back, see wire.py), "changed" (positions of the
-        arguments changed in place), "change" (in words, of the first of these), "warning" (the text
-        of the first one), and "error" ({"type", "message", "line", "source", "cell"}; the line is
-        one of the student's own code, "cell" names the function in whose cell it stands, if not in
-        this function's).
+        arguments changed in place), "change" (in words, of the first of these), "overwritten"
+        (whether a later call has changed the result), "warning" (the text of the first one), and
+        "error" ({"type", "message", "line", "source", "cell"}; the line is one of the student's own
+        code, "cell" names the function in whose cell it stands, if not in this function's).
 
     Examples
     --------
@@ -87,6 +88,7 @@ def reply(
     }
     too_long = f"more than {asked['seconds']} seconds of computing"
     answers, last = [], _error("TimeUp", too_long)
+    in_place, arguments, results = set(asked.get("in_place", ())), [], []
     with contextlib.ExitStack() as stack:
         stack.enter_context(contextlib.suppress(TimeUp))
         stack.enter_context(_quiet())
@@ -94,11 +96,18 @@ def reply(
         stack.enter_context(right_ones(namespace_of(function), stand_ins))
         refused = stack.enter_context(_taken_away(asked["forbidden"], function, asked["exercise"]))
         start_again = stack.enter_context(cpu_clock(asked["seconds"], TimeUp, too_long))
-        for case in cases:
+        for position, case in enumerate(cases):
             if any(isinstance(argument, Candidate) for argument in case):
                 start_again()  # a test has its time for each candidate, as in grading
             began = time.process_time()
-            answers.append(refused or _answer(function, case, through, names, consult))
+            arguments = _arguments(case, arguments if position in in_place else [], consult)
+            if refused:
+                answers.append(refused)
+            else:
+                answer, result = _answer(function, case, arguments, through, names)
+                answers.append(answer)
+                # What was returned for arrays that are filled anew may be these arrays.
+                results.append(None if position + 1 in in_place else result)
             error = answers[-1].get("error", {})
             if error.get("type") in ENDS_ALL:
                 # The clock runs for all cases. A call that took little of the time is not to blame.
@@ -107,12 +116,34 @@ def reply(
                     error["message"] = f"{too_long} {CALLS_TOGETHER}"
                 last = answers[-1]
                 break
+        _mark_overwritten(answers, results)
     answers += [last] * (len(cases) - len(answers))  # the other cases would end in the same way
     return json.dumps({"answers": answers, "refused": sorted(NotAllowed.met)})
 
 
-def _answer(function, case, through, names, consult):
+def _arguments(case, before, consult):
+    """Return what the student's function is called with: copies, or the arrays of the call before
+    with the numbers of this case in them."""
     arguments = [_made_real(argument, consult) for argument in map(_copied, case)]
+    for k, (array, new) in enumerate(zip(before, arguments, strict=False)):
+        is_array = isinstance(array, np.ndarray) and isinstance(new, np.ndarray)
+        if is_array and (array.shape, array.dtype) == (new.shape, new.dtype):
+            array[...] = new
+            arguments[k] = array
+    return arguments
+
+
+def _mark_overwritten(answers, results):
+    """Say of each answer whether the result that was recorded has changed since."""
+    for answer, result in zip(answers, results, strict=False):
+        if "value" in answer and isinstance(result, np.ndarray | list | tuple):
+            with contextlib.suppress(Exception):  # a student may have put anything into a list
+                if to_json(result) != answer["value"]:
+                    answer["overwritten"] = True
+
+
+def _answer(function, case, arguments, through, names):
+    """Return the answer to a case, as `reply` describes it, and what came back itself."""
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("default")
@@ -123,12 +154,15 @@ def _answer(function, case, through, names, consult):
             first = changed[0]
             with contextlib.suppress(Exception):  # a student may have put anything into a list
                 answer["change"] = _first_change(case[first], arguments[first])
-        return answer | ({"warning": str(caught[0].message)[:_MAX_WARNING]} if caught else {})
+        if caught:
+            answer["warning"] = str(caught[0].message)[:_MAX_WARNING]
+        return answer, value
     except NotPlain as kind:
-        return _error("NotPlain", str(kind))
+        return _error("NotPlain", str(kind)), None
     # Also GeneratorExit, and exceptions that students derive from BaseException.
     except BaseException as raised:
-        return _error(type(raised).__name__, _text(raised), *_students_line(raised, function))
+        error = _error(type(raised).__name__, _text(raised), *_students_line(raised, function))
+        return error, None
 
 
 def _error(kind, message, line=None, source="", cell=""):

@@ -2,7 +2,6 @@
 
 import functools
 import json
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
@@ -14,15 +13,21 @@ from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
 from course_lib.checks.mistake import Mistake, Mistakes
 from course_lib.checks.naming import Naming
-from course_lib.checks.special_cases import Sweep, made_cases
+from course_lib.checks.special_cases import InPlace, Sweep, made_cases
 from course_lib.checks.wire import NotPlain, from_json, write
 
-PUBLIC_SEED = 2024  # of the cases in the notebook; grading uses a secret seed
-MAX_SETS = 50  # of cases that are asked in the notebook
-SECONDS_FOR_SETS = 0.4  # of processor time, after which no further set is asked
+# Of the sets of cases in the notebook, which ask for everything that is hard. Grading asks the same
+# sets, and then the author's cases with other numbers, drawn from a secret seed.
+PUBLIC_SEED = 2024
+PUBLIC_SETS = 3
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
+
+SHARED_RESULT = Mistake(
+    "one array is returned by several calls, and each call writes its result into it",
+    "Whoever keeps two results then has the last one twice. Make the array inside the function.",
+)
 
 FORGOTTEN_RETURN = Mistake(
     "the function returns None: a return is missing, or returns nothing for this input",
@@ -131,6 +136,8 @@ class Exercise:
     tries_arguments : bool
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
+    sets : int
+        Of cases, each of other numbers, that the notebook asks: fewer where an answer takes long.
     mistakes : Mistakes
         In the order in which they are tried; `mistake` fills it.
 
@@ -165,6 +172,7 @@ class Exercise:
     angles: tuple[str, ...] = ()
     small: tuple[str, ...] = ()
     tries_arguments: bool = True
+    sets: int = PUBLIC_SETS
     mistakes: Mistakes = field(default_factory=Mistakes)
 
     @property
@@ -173,12 +181,22 @@ class Exercise:
         Mistakes.add."""
         return self.mistakes.add
 
-    def questions(self, rng):
-        """Return the cases, and a function that answers calls of candidates; here None.
+    @property
+    def public_seeds(self):
+        """The seeds of the sets that the notebook asks, and grading too."""
+        return range(PUBLIC_SEED, PUBLIC_SEED + self.sets)
 
-        The author's cases come first, then those that the engine makes; see special_cases.py.
+    def questions(self, seed):
+        """Return the cases of a seed, and a function that answers calls of candidates; here None.
+
+        The author's cases come first. In the notebook's sets those that the engine makes follow;
+        see special_cases.py. A secret seed decides numbers and never difficulty: whether an answer
+        passes just beside a special value must not depend on it.
         """
+        rng = np.random.default_rng(seed)
         cases = list(self.cases(rng))
+        if seed not in self.public_seeds:
+            return cases, None
         made = made_cases(cases, self.arguments, self.sweeps, self.angles, rng, self.small)
         return cases + made, None
 
@@ -234,6 +252,11 @@ class Exercise:
             failing = wanted.failing(cases, values)
             if failing:
                 return self._wrong(wanted, cases, answers, values, failing)
+        overwritten = [k for k, answer in enumerate(answers) if answer.get("overwritten")]
+        if overwritten:
+            reason = "a result stays as it is when the function is called again."
+            case, value = cases[overwritten[0]], answers[overwritten[0]]["value"]
+            return Verdict(self, WRONG, reason, SHARED_RESULT, case, value)
         warning = next((answer["warning"] for answer in answers if answer["warning"]), "")
         return Verdict(self, RIGHT, note=_in_words(warning))
 
@@ -441,9 +464,10 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     -------
     Verdict
     """
-    cases, consult = exercise.questions(np.random.default_rng(seed))
+    cases, consult = exercise.questions(seed)
     asked = {
         "cases": [list(case) for case in cases],
+        "in_place": [k for k, case in enumerate(cases) if isinstance(case, InPlace)],
         "forbidden": list(exercise.forbidden),
         "seconds": seconds,
     }
@@ -470,16 +494,28 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
         return exercise.verdict(cases, answers)
 
 
-def review(exercise, student):
-    """Return the Verdict on the public cases, and if they are answered rightly, on those of more
-    seeds.
+def review(exercise, student, secret_seeds=()):
+    """Return the Verdict on the notebook's sets of cases, and then on those of secret seeds.
 
-    An answer that is wrong for some seeds is then found wrong in the notebook, not in grading.
+    The first set that is not answered rightly decides. So an answer that the notebook refuses gets
+    the same verdict, with the same credit, in grading, whatever the secret seed is.
+
+    Parameters
+    ----------
+    exercise : Exercise
+    student : object
+        As of `judge`.
+    secret_seeds : iterable of int, optional
+        None in the notebook.
+
+    Returns
+    -------
+    Verdict
     """
-    begin = time.process_time()
-    verdict = judge(exercise, student)
-    for seed in range(PUBLIC_SEED + 1, PUBLIC_SEED + MAX_SETS):
-        if verdict.state != RIGHT or time.process_time() - begin > SECONDS_FOR_SETS:
+    first, *others = *exercise.public_seeds, *secret_seeds
+    verdict = judge(exercise, student, first)
+    for seed in others:
+        if verdict.state != RIGHT:
             break
         verdict = replace(judge(exercise, student, seed), note=verdict.note)
     return verdict
@@ -511,6 +547,7 @@ def _claim(answer, arguments):
         "changed": changed,
         "change": str(answer.get("change", ""))[:300],
         "warning": str(answer.get("warning", ""))[:300],
+        "overwritten": bool(answer.get("overwritten", False)),
     }
 
 

@@ -18,10 +18,17 @@ from course_lib.checks.common_mistakes import (
 )
 from course_lib.checks.comparisons import attempt, difference, largest_gap, predict, same
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import MadeCase
+from course_lib.checks.special_cases import InPlace, MadeCase
 from course_lib.checks.tolerances import EXACT
 
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
+
+
+KEPT_FOR_AN_ARRAY = Mistake(
+    "a result is kept for an array, and found again when other numbers stand in the array",
+    "The same array may hold other numbers at the next call, for example in a loop that fills it. "
+    "Compute the result from the numbers.",
+)
 
 
 class Naming:
@@ -53,6 +60,8 @@ class Naming:
         only; a few True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
+        if wrong and all(isinstance(self.cases[i], InPlace) for i in wrong):
+            return KEPT_FOR_AN_ARRAY
         of_digits = self._shortened(wrong)
         if of_digits is None and self._is_for_whole_numbers_only(wrong):
             cut_off = all(attempt(_is_cut_off, self.values[i], self.right(i)) for i in wrong)

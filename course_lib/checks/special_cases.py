@@ -31,6 +31,7 @@ OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too gene
 # Relative to the reach: two solutions are apart by the root of this, at least by 1e-4 rad.
 JUST_WITHIN = tuple(gap for gap in BESIDE if gap > 5 * EXACT)
 SIZES = (1, 2, 3, 7)
+REVOLUTIONS = (2, 16)  # by which angles are changed: a series of thirty terms ends between these
 # Of the numbers in arguments that may be small. The numbers are between 0.3 and 0.9 of these, so
 # that each threshold below which somebody takes a number for 0 has numbers beneath it that count.
 SMALL_NUMBERS = tuple(float(f"1e-{k}") for k in range(2, 9))
@@ -73,6 +74,12 @@ class MadeCase(tuple):
     __slots__ = ()
 
 
+class InPlace(MadeCase):
+    """A case whose numbers are put into the arrays with which the case before it was asked."""
+
+    __slots__ = ()
+
+
 def made_cases(cases, names, sweeps, angles, rng, small=()):
     """Return what the engine adds to the cases of an exercise.
 
@@ -93,16 +100,40 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
     -------
     list of tuple
         The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author;
-        -0.0 in place of 0.0; angles of more than one revolution; and small numbers.
+        -0.0 in place of 0.0; angles of more than one revolution; small numbers; and the same arrays
+        with other numbers in them.
     """
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
-    whole = _different([_with_whole_numbers(case) for case in cases])
+    whole = _different([_with_whole_numbers(case) for case in cases])[:_MAX_WHOLE]
+    whole += _different([_with_one_whole_argument(case) for case in cases])[:_MAX_WHOLE]
     negative_zeros = [_with_negative_zeros(case) for case in cases]
-    several = [beyond_a_revolution(max(cases, key=_variety), names, angles)] if angles else []
+    several = []
+    if angles:
+        most_different = max(cases, key=_variety)
+        several = [beyond_a_revolution(most_different, names, angles, n) for n in REVOLUTIONS]
     with_zeros = [case for case in negative_zeros if case is not None]
-    made = [*swept, *whole[:_MAX_WHOLE], *with_zeros[:_MAX_ZEROS], *several]
+    made = [*swept, *whole, *with_zeros[:_MAX_ZEROS], *several]
     made += small_numbers(cases, names, small, rng)
-    return [MadeCase(case) for case in made]
+    return [*map(MadeCase, made), *in_the_same_arrays(cases)]
+
+
+def in_the_same_arrays(cases):
+    """Return two cases of one form, the second of which is asked with the arrays of the first; or
+    none.
+
+    A function that keeps a result for an array, and not for the numbers in it, answers the second
+    as the first.
+    """
+    by_form = {}
+    for case in sorted(cases, key=_variety, reverse=True):
+        arrays = [argument for argument in case if isinstance(argument, np.ndarray)]
+        form = tuple((array.shape, array.dtype.str) for array in arrays)
+        if not any(array.size for array in arrays):
+            continue
+        before = by_form.setdefault(form, case)
+        if any(not np.array_equal(a, b) for a, b in zip(before, case, strict=True)):
+            return [MadeCase(before), InPlace(case)]
+    return []
 
 
 def _is_floats(argument):
@@ -121,6 +152,16 @@ def _with_whole_numbers(case):
     if not any(map(_is_whole, case)):
         return None
     return tuple(np.rint(arg).astype(int) if _is_whole(arg) else arg for arg in case)
+
+
+def _with_one_whole_argument(case):
+    """Return the case with one array of integers beside others of floats; None if it has none."""
+    arrays = [k for k, argument in enumerate(case) if _is_floats(argument)]
+    whole = [k for k in arrays if _is_whole(case[k])]
+    if len(arrays) < 2 or not whole:
+        return None
+    k = max(whole, key=lambda k: _variety((case[k],)))
+    return (*case[:k], np.rint(case[k]).astype(int), *case[k + 1 :])
 
 
 def _different(cases):
@@ -153,13 +194,15 @@ def _with_negative_zeros(case):
     return tuple(changed) if has_zeros else None
 
 
-def beyond_a_revolution(case, names, angles):
-    """Return the case with its angles changed by two revolutions, of alternating signs."""
+def beyond_a_revolution(case, names, angles, revolutions):
+    """Return the case with its angles changed by some revolutions, of alternating signs."""
     changed = []
     for name, argument in zip(names, case, strict=True):
         if name in angles:
             signs = np.where(np.arange(np.size(argument)) % 2, -1, 1).reshape(np.shape(argument))
-            argument = _in_the_form_of(argument, np.asarray(argument) + 4 * np.pi * signs)
+            argument = _in_the_form_of(
+                argument, np.asarray(argument) + 2 * np.pi * revolutions * signs
+            )
         changed.append(argument)
     return tuple(changed)
 

@@ -99,16 +99,17 @@ class WriteTest(Exercise):
     returns: None = None
     properties: tuple = ()
     hints: tuple[str, ...] = ()
+    sets: int = 1
     versions: tuple[Version, ...] = ()
     shapes: tuple[tuple[int, ...], ...] = ()
     refuses: Mistake = ALWAYS_FALSE
     given: Callable | None = None
     _kept: dict[bytes, str] = field(default_factory=dict, init=False, repr=False)
 
-    def questions(self, rng):
+    def questions(self, seed):
         """Return a case for each version, in random order, and the function that answers calls of
         candidates."""
-        order = [int(index) for index in rng.permutation(len(self.versions))]
+        order = np.random.default_rng(seed).permutation(len(self.versions)).tolist()
         cases = [(_Case(number, self.versions[index]),) for number, index in enumerate(order)]
         return cases, self._consultant(order)
 

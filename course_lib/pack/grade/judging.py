@@ -1,7 +1,8 @@
 """Put the questions of an exercise to a student's function, and judge the answers within bounds.
 
-A right answer is right for several sets of cases. An answer that is wrong for one set in ten would
-else earn its points nine times in ten, though the notebook, which asks many sets, has refused it.
+A right answer is right for the sets of cases that the notebook asks, which hold everything that is
+hard, and for cases with other numbers. So what the notebook refuses is refused here, and an answer
+that is looked up in a table fails.
 """
 
 from dataclasses import replace
@@ -26,9 +27,6 @@ JUDGING_SECONDS = 60
 # Of that time for a test that a student writes. The grader also computes what twenty versions
 # answer to 5,000 calls each, which takes 15 to 70 seconds for the exercises of the course.
 JUDGING_SECONDS_OF_TEST = 120
-# Of cases, for all of which an answer must be right. Each costs a tenth of a second for a right
-# answer on average, and a second for the slowest.
-SETS = 3
 
 
 def ask(
@@ -42,7 +40,7 @@ def ask(
     exercise = student.exercise
     if run.over():
         return run.not_graded(exercise)
-    first, *others = [seed] if seed is not None else _seeds(run)
+    first, *others = [seed] if seed is not None else _seeds(run, exercise)
     asked, verdict = first, judge_within_bounds(run, student, first)
     for other in others:
         if verdict.state != RIGHT or student.ended or student.candidates or run.over():
@@ -70,9 +68,14 @@ def ask(
     )
 
 
-def _seeds(run: Run) -> list[Seed]:
-    """Return the seeds of the sets of cases that are asked of each function."""
-    return [run.seed, *((run.seed, number) for number in range(1, SETS))]
+def _seeds(run: Run, exercise: Exercise) -> list[Seed]:
+    """Return the seeds of the sets of cases: those of the notebook, and a secret one.
+
+    The numbers of the candidates of a test depend on the seed, so these are secret.
+    """
+    if isinstance(exercise, WriteTest):
+        return [run.seed]
+    return [*exercise.public_seeds, run.seed]
 
 
 def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:

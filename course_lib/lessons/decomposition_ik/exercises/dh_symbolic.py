@@ -80,6 +80,7 @@ def _column(T, *case):
 EXERCISE = Exercise(
     name="dh_symbolic",
     points=1,
+    sets=1,
     arguments=("a", "alpha", "d", "theta"),
     cases=_cases,
     through="symbols",

@@ -168,6 +168,7 @@ def _off(answer, table, q, poses):
 EXERCISE = Exercise(
     name="find_signs",
     points=2,
+    sets=1,
     arguments=("table", "q", "poses"),
     cases=_cases,
     returns=numbers(lambda table, q, poses: (len(table),)),

@@ -149,6 +149,7 @@ def _is_clear(src, dst, tol):
 EXERCISE = Exercise(
     name="good_matches",
     points=2,
+    sets=1,
     arguments=("src", "dst", "tol"),
     cases=_cases,
     returns=numbers(

@@ -215,6 +215,7 @@ _LAST = Mistake(
 EXERCISE = Exercise(
     name="panda_ik",
     points=4,
+    sets=2,
     arguments=("T_target", "q0"),
     cases=_cases,
     returns=numbers(

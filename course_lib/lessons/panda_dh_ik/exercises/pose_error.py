@@ -134,6 +134,7 @@ def _alike_up_to_two_pi(*case):
 EXERCISE = Exercise(
     name="pose_error",
     points=2,
+    sets=2,
     arguments=("T", "T_target"),
     tolerance=EXACT,
     cases=_cases,

@@ -117,6 +117,7 @@ _ONE_MATRIX = Mistake(
 EXERCISE = Exercise(
     name="reached_targets",
     points=3,
+    sets=1,
     arguments=("targets", "q0", "eps", "steps"),
     cases=_cases,
     returns=numbers(

@@ -108,6 +108,7 @@ _INVERTED = Mistake(
 EXERCISE = Exercise(
     name="newton_ik",
     points=4,
+    sets=2,
     arguments=("screws", "M", "T_target", "q0"),
     cases=_cases,
     returns=numbers(

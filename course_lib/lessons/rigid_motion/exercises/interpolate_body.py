@@ -72,6 +72,7 @@ SWEEPS = _rotating_by(0.0), _rotating_by(np.pi), _rotating_by(-2 * np.pi)
 EXERCISE = Exercise(
     name="interpolate_body",
     points=2,
+    sets=2,
     arguments=("start", "goal", "n"),
     tolerance=EXACT,
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),

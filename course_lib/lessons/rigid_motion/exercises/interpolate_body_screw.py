@@ -86,6 +86,7 @@ def _by_matrices(start, goal, n, product, s):
 EXERCISE = Exercise(
     name="interpolate_body_screw",
     points=2,
+    sets=1,
     arguments=("start", "goal", "n"),
     tolerance=EXACT,
     cases=_cases,

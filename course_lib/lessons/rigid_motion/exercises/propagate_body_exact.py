@@ -62,6 +62,7 @@ def exact(pose, velocity, h):
 EXERCISE = Exercise(
     name="propagate_body_exact",
     points=2,
+    sets=2,
     arguments=("start", "plan", "dt"),
     tolerance=EXACT,
     cases=_cases,

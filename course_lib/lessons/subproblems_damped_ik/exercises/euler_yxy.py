@@ -114,6 +114,7 @@ def _both(R):
 EXERCISE = Exercise(
     name="euler_yxy",
     points=3,
+    sets=1,
     arguments=("R",),
     tolerance=EXACT,
     cases=_cases,

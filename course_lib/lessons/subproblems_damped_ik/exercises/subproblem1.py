@@ -114,6 +114,7 @@ def _same(theta, predicted, k, p, g):
 EXERCISE = Exercise(
     name="subproblem1",
     points=2,
+    sets=2,
     arguments=("k", "p", "g"),
     tolerance=HALF_THE_DIGITS,  # an arccos with a sign has no more, near 0 and pi
     cases=_cases,
