@@ -1,0 +1,125 @@
+"""An exercise whose right answer is the library's: it says what its arguments are, what should hold
+in words, and which mistakes there are.
+
+The cases follow from the kinds of the arguments, and one property follows: the answer is the
+library's, within the tolerance of the task. Most exercises are of this form. One that has several
+right answers is an `Exercise` with properties of its own.
+"""
+
+import numpy as np
+
+from course_lib.checks.answer_types import numbers
+from course_lib.checks.comparisons import difference
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.kinds import OWN_CASES, cases_of, sweeps_of
+from course_lib.checks.mistake import Mistakes
+from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import compared, first_off
+
+# Below this an error of a thousandth comes near the rounding of numbers near 1.
+_SMALLEST = 0.99e-12
+
+
+def declared(
+    name,
+    points,
+    arguments,
+    library,
+    says,
+    hints,
+    mistakes,
+    *,
+    cases=(),
+    tolerance=None,
+    distance=difference,
+    scale=None,
+    otherwise=None,
+    found=None,
+    properties=(),
+    reads=None,
+    sweeps=(),
+    **more,
+):
+    """Return an Exercise.
+
+    Parameters
+    ----------
+    name : str
+    points : int
+    arguments : dict
+        {name: Kind}.
+    library : callable
+        A right answer.
+    says : str
+        What should hold, as a sentence that can follow "What should hold:".
+    hints : tuple of str
+    mistakes : tuple of Mistake
+        In the order in which they are tried.
+    cases : tuple of tuple, or callable
+        Cases beside those of the kinds, asked first; or cases(rng).
+    tolerance : float, optional
+        The error that a right answer may have, as the task states it; else EXACT. It is relative to
+        the largest entry of the answer where that is above 1.
+    distance : callable
+        distance(value, right, *arguments): how far an answer is from the right one.
+    scale : callable, optional
+        scale(*arguments): how large the effect of the arguments is. Where it is small the error may
+        be a thousandth of it at most, so that small numbers count.
+    otherwise : Mistake or callable, optional
+        What is said of answers that no mistake explains; as `mistake` of a Property.
+    found : callable, optional
+        found(value, *arguments): what was found instead, in words; usually both answers.
+    properties : tuple of Property
+        What is examined before; seldom needed.
+    reads : callable, optional
+        As `returns` of an Exercise; usually it reads the shape of the library's answer.
+    sweeps : tuple of Sweep
+        Beside those of the kinds.
+    **more
+        As of an Exercise.
+
+    Returns
+    -------
+    Exercise
+    """
+    kinds = tuple(arguments.values())
+    allowed = EXACT if tolerance is None else tolerance
+
+    def all_cases(rng):
+        own = cases(rng) if callable(cases) else list(cases)
+        return own if OWN_CASES in kinds else [*own, *cases_of(kinds, rng)]
+
+    def right_answer(*case):
+        return np.asarray(library(*case), float)
+
+    def is_right(value, *case):
+        right = right_answer(*case)
+        error = allowed * max(1, np.nan_to_num(np.abs(right), posinf=0).max(initial=0))
+        size = np.inf if scale is None else scale(*case)
+        if size > _SMALLEST:
+            error = min(error, 1e-3 * size)
+        return distance(value, right, *case) <= error
+
+    def in_words(value, *case):
+        right = right_answer(*case)
+        if right.ndim == 2:
+            return first_off(value, right)
+        return f"The right answer is {compared(right, value)}."
+
+    return Exercise(
+        name=name,
+        points=points,
+        arguments=tuple(arguments),
+        cases=all_cases,
+        returns=reads or numbers(lambda *case: np.shape(library(*case))),
+        properties=(*properties, Property(says, is_right, found or in_words, mistake=otherwise)),
+        hints=hints,
+        library=library,
+        tolerance=tolerance,
+        distance=distance,
+        sweeps=(*sweeps, *sweeps_of(kinds)),
+        angles=tuple(name for name, kind in arguments.items() if kind.angle),
+        small=tuple(name for name, kind in arguments.items() if kind.small),
+        mistakes=Mistakes(mistakes),
+        **more,
+    )

@@ -1,0 +1,271 @@
+"""Kinds of arguments. Each knows its ordinary values, its special ones, and what lies beside these.
+
+An exercise says of which kind each argument is, and its cases follow; see declared.py. An answer
+that is wrong only in a corner of a kind, such as beyond ten radians, is then refused in every
+exercise that has an argument of this kind.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from course_lib.checks.special_cases import BESIDE, ON_BOTH_SIDES, SMALL, Sweep
+from course_lib.checks.vocabulary import any_pose, any_rotation, away_from_zero, pose, unit
+from course_lib.checks.wire import Seed
+from course_lib.rigid import transform
+from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
+
+QUARTER = np.pi / 2
+# Of rotation vectors, from the lengths that somebody takes for 0 to several revolutions. The series
+# of the exponential with thirty terms is wrong from ten radians on.
+_TINY = (3.1e-4, 9e-5, 1e-5, 1e-9, 1e-12)
+_ORDINARY = (0.5, 2.0, np.pi, 5.0)
+_FAR = (12.0, 41.7, 200.0)
+_SECRET_DRAWS = 4  # ordinary cases, all of whose numbers depend on the seed
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What an argument is.
+
+    Attributes
+    ----------
+    drawn : callable
+        drawn(rng): an ordinary value, far from all that is special.
+    named : callable
+        named(rng): a list of values, the simplest first, then the special ones.
+    beside : tuple of (str, callable, tuple of float)
+        What is special, value(rng, gap) beside it, and the gaps.
+    angle : bool
+        Whether it may exceed one revolution.
+    small : bool
+        Whether it may hold small numbers, which somebody may take for 0.
+    """
+
+    drawn: Callable
+    named: Callable = lambda rng: []
+    beside: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
+    angle: bool = False
+    small: bool = False
+
+    @property
+    def ordinary(self):
+        """The same without its special values: for a product, in which none of them is special."""
+        return replace(self, named=lambda rng: [], beside=())
+
+    def but(self, **changed):
+        """Return the same with some attributes changed."""
+        return replace(self, **changed)
+
+
+def cases_of(kinds, rng):
+    """Return cases: each named value of each argument among ordinary others, and ordinary ones."""
+    named = [kind.named(rng) for kind in kinds]
+    simplest = []
+    for kind, values in zip(kinds, named, strict=True):
+        simplest.append(values[0] if values else kind.drawn(rng))
+    cases = [tuple(simplest)]
+    for k, values in enumerate(named):
+        for value in values[1:]:
+            cases.append(_among_ordinary(kinds, rng, k, value))
+    return cases + [tuple(kind.drawn(rng) for kind in kinds) for _ in range(_SECRET_DRAWS)]
+
+
+def sweeps_of(kinds):
+    """Return the sweeps: beside each special value of each argument, among ordinary others."""
+    return tuple(
+        _sweep(kinds, k, *beside) for k, kind in enumerate(kinds) for beside in kind.beside
+    )
+
+
+def _sweep(kinds, k, what, value, gaps):
+    return Sweep(what, lambda rng, gap: _among_ordinary(kinds, rng, k, value(rng, gap)), gaps)
+
+
+def _among_ordinary(kinds, rng, k, value):
+    """Return a case whose argument k is this value."""
+    others = [kind.drawn(rng) for kind in kinds]
+    return (*others[:k], value, *others[k + 1 :])
+
+
+# ---- rotations ----
+
+
+def leaning_axis(rng):
+    """Return a unit vector (3,) far from the coordinate planes, with any signs."""
+    sizes = rng.uniform(0.45, 0.69, 3)
+    return sizes / np.linalg.norm(sizes) * rng.choice([-1, 1], 3)
+
+
+def _rotation_vectors(rng):
+    quarters = QUARTER * np.eye(3)[::-1]
+    whole = np.array([1.0, -2.0, 2.0])  # whose unit vector is not whole
+    lengths = (*_ORDINARY, *_TINY, *_FAR)
+    drawn = [length * unit(rng) for length in lengths]
+    return [*quarters, *-np.eye(3), whole, *drawn, np.zeros(3)]
+
+
+ROTATION_VECTOR = Kind(
+    drawn=lambda rng: rng.uniform(0.5, 2.5) * unit(rng),
+    named=_rotation_vectors,
+    beside=(
+        ("a tiny angle", lambda rng, gap: gap * unit(rng), BESIDE),
+        ("an angle near pi", lambda rng, gap: (np.pi - gap) * unit(rng), ON_BOTH_SIDES),
+    ),
+)
+
+
+def half_turn(axis):
+    """Return the rotation by pi about a unit vector, exactly symmetric."""
+    return 2 * np.outer(axis, axis) - np.eye(3)
+
+
+def _half_turns(rng):
+    """Return rotations by pi: about the axes, in the coordinate planes, about any axis; as exact as
+    they can be, and as they come from a sine of pi, which is 1.2e-16."""
+    slope = rng.uniform(0.5, 0.7)
+    in_a_plane = np.array([0, np.sin(slope), -np.cos(slope)])
+    axes = [*np.eye(3), *(np.roll(in_a_plane, k) for k in range(3)), leaning_axis(rng)]
+    opposite = [-axis for axis in axes]
+    no_sum = np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])  # each column of R + I adds up to 0
+    return [
+        *map(half_turn, axes),
+        no_sum,
+        *(exp_so3(np.pi * axis) for axis in (*axes, *opposite)),
+        rot_x(np.pi),
+        rot_y(np.pi),
+        rot_z(np.pi),
+    ]
+
+
+def _rounded_rotations():
+    """Return rotations as products come out: a trace beyond its bounds, a half turn that is not
+    quite symmetric."""
+    up, short, down = 1 + 2.0**-50, 1 - 2.0**-53, -1 - 2.0**-52
+    return [
+        up * np.eye(3),
+        short * np.eye(3),
+        np.diag([1.0, down, down]) + 2.0**-52 * hat([1.0, 0, 0]),
+        *(_rounded_near_pi(axis) for axis in np.array([[6.0, 6, 7], [-6, 7, 6], [2, 3, -6]])),
+    ]
+
+
+def _rounded_near_pi(axis):
+    """Return a rotation by pi - 1.05e-12 about an axis (3,), whose skew part has lost digits: its
+    direction is off by 3e-4, and its entries by 3e-16."""
+    n = axis / np.linalg.norm(axis)
+    across = np.cross(n, [1.0, 0, 0])
+    return half_turn(n) + 1.05e-12 * hat(n + 3e-4 * across / np.linalg.norm(across))
+
+
+def _rotations(rng):
+    quarters = [rot_x(QUARTER), rot_y(QUARTER), rot_z(QUARTER)]
+    drawn = [exp_so3(angle * unit(rng)) for angle in (QUARTER, 0.5, 2.0, *_TINY)]
+    axis = leaning_axis(rng)  # whichever column of R + I is taken
+    nearly_half = [np.pi - gap for gap in (0.14, 3.1e-4, 1e-5, 1e-9)]
+    near = [exp_so3(sign * angle * axis) for angle in nearly_half for sign in (1, -1)]
+    return [*quarters, *drawn, *near, *_half_turns(rng), np.eye(3), *_rounded_rotations()]
+
+
+def _just_below_pi(rng, gap):
+    return exp_so3((np.pi - abs(gap)) * np.sign(gap) * leaning_axis(rng))
+
+
+ROTATION = Kind(
+    drawn=any_rotation,
+    named=_rotations,
+    beside=(
+        ("a tiny angle", lambda rng, gap: exp_so3(gap * unit(rng)), BESIDE),
+        ("an angle just below pi", _just_below_pi, ON_BOTH_SIDES),
+    ),
+    small=True,
+)
+
+
+# ---- poses ----
+
+
+def _poses(rng):
+    far = np.array([1.0, 2, 3])
+    turned = [pose(rot(QUARTER), far) for rot in (rot_z, rot_x, rot_y)]
+    distant = any_pose(rng)
+    distant[:3, 3] *= 100
+    return [*turned, distant, pose(np.eye(3), far), pose(rot_z(QUARTER), 0 * far), np.eye(4)]
+
+
+def _near_identity(rng, size):
+    return transform(exp_so3(size * unit(rng)), size * away_from_zero(rng, 3))
+
+
+POSE = Kind(
+    drawn=any_pose,
+    named=_poses,
+    beside=(("nearly the identity", _near_identity, SMALL),),
+    small=True,
+)
+
+
+# ---- numbers, vectors, words ----
+
+
+def vector(n=3, **more):
+    """Return the Kind of vectors (n,) whose entries are not small.
+
+    One named value holds whole numbers, one holds a whole number beside others, and one is 0.
+    """
+    whole = np.arange(1.0, n + 1)
+    partly_whole = np.where(np.arange(n) == 0, 2.0, whole / 4)
+    return Kind(
+        drawn=lambda rng: away_from_zero(rng, n),
+        named=lambda rng: [whole, partly_whole, np.zeros(n)],
+        **more,
+    )
+
+
+def joint_angles(n, **more):
+    """Return the Kind of the angles (n,) of an arm's joints: of either sign, also several
+    revolutions."""
+    return Kind(
+        drawn=lambda rng: away_from_zero(rng, n),
+        named=lambda rng: [away_from_zero(rng, n), np.arange(1.0, n + 1), np.zeros(n)],
+        angle=True,
+        **more,
+    )
+
+
+def number(low, high, *named, **more):
+    """Return the Kind of numbers between two bounds; `named` are asked, too, the simplest first."""
+    return Kind(
+        drawn=lambda rng: float(np.round(rng.uniform(low, high), 2)),
+        named=lambda rng: list(named),
+        **more,
+    )
+
+
+def one_of(*words):
+    """Return the Kind of arguments that are one of a few words."""
+    return Kind(drawn=lambda rng: words[rng.integers(len(words))], named=lambda rng: list(words))
+
+
+def table(rows, columns, **more):
+    """Return the Kind of tables (rows, columns) of numbers that are not small.
+
+    One named value holds whole numbers; in one the first row does, and no other.
+    """
+    whole = np.arange(1.0, rows * columns + 1).reshape(rows, columns)
+    partly_whole = np.where(np.arange(rows)[:, None] == 0, whole, whole / 8)
+    return Kind(
+        drawn=lambda rng: away_from_zero(rng, (rows, columns)),
+        named=lambda rng: [whole, partly_whole],
+        **more,
+    )
+
+
+GENERATOR = Kind(
+    drawn=lambda rng: Seed(int(rng.integers(2**31))), named=lambda rng: [Seed(0), Seed(1)]
+)
+
+
+# Of an argument whose cases the exercise makes itself, because it depends on the other arguments.
+OWN_CASES = Kind(drawn=lambda rng: None)
