@@ -12,7 +12,15 @@ from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, reflections_stay, right
 from course_lib import rotations
 from course_lib.arms import panda
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import NOT_ATTEMPTED, WRONG, Exercise, Property, Verdict
+from course_lib.checks.exercise import (
+    NOT_ATTEMPTED,
+    WRONG,
+    Exercise,
+    LocalFunction,
+    Property,
+    Verdict,
+    judge,
+)
 from course_lib.checks.messages import describe
 from course_lib.checks.notebook import _HAND_IN, Check, Predict, Progress
 from course_lib.checks.prediction import Prediction
@@ -391,3 +399,43 @@ def test_progress_counts_the_predictions_of_the_core(shown):
 def test_a_prediction_has_two_to_four_choices_with_the_right_one_among_them(right, choices):
     with pytest.raises(ValueError, match="order: two to four choices"):
         Prediction("order", right, dict.fromkeys(choices, ""))
+
+
+# ---- a printed case fails again when it is pasted back ----
+
+
+def printed_numbers(text):
+    """Return the numbers of the argument x in a message."""
+    return np.array(re.search(r"For x = \[(.*?)\]", text)[1].split(), float)
+
+
+@pytest.mark.parametrize("size", [2.0, 1 / 3, np.pi, 1e3])
+@pytest.mark.parametrize("gap", [1e-3, 1e-8, 1e-11, 4.5e-16])
+def test_a_case_pasted_from_the_message_fails_again(size, gap):
+    special = np.array([size * (1 + gap), 1 / 7])
+
+    def wrong_above(x):
+        return 2 * x + (size < x[0] <= size * (1 + 2 * gap))
+
+    exercise = replace(DOUBLED, cases=lambda rng: [(special,)])
+    verdict = judge(exercise, LocalFunction(wrong_above))
+    pasted = printed_numbers(describe(verdict))
+    assert not np.allclose(wrong_above(pasted), 2 * pasted)
+
+
+def test_six_digits_are_shown_where_they_make_the_case_fail():
+    exercise = replace(DOUBLED, cases=lambda rng: [(np.array([1 / 3, 2.0]),)])
+    text = describe(judge(exercise, LocalFunction(lambda x: 3 * x)))
+    assert "For x = [0.333333        2]" in text
+
+
+DOUBLED = Exercise(
+    "doubled",
+    1,
+    ("x",),
+    lambda rng: [(np.array([1.5, 2.5]),)],
+    numbers(np.shape),
+    (Property("y is 2 x", lambda y, x: np.allclose(y, 2 * x)),),
+    (),
+    library=lambda x: 2 * x,
+)

@@ -11,6 +11,7 @@ from course_lib.checks import call_student
 from course_lib.checks.call_student import CPU_SECONDS
 from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
+from course_lib.checks.format_numbers import ALL_DIGITS, SHOWN_DIGITS, as_shown
 from course_lib.checks.mistake import Mistake, Mistakes
 from course_lib.checks.naming import Naming
 from course_lib.checks.special_cases import InPlace, Sweep, made_cases
@@ -239,9 +240,9 @@ class Exercise:
             if answer["changed"]:
                 return _changed(self, answer["changed"][0], answer.get("change", ""), case, value)
             if value is None:
-                return Verdict(
-                    self, WRONG, "your function returns its result.", FORGOTTEN_RETURN, case, None
-                )
+                credit = self._credit(cases, answers)
+                reason = "your function returns its result."
+                return Verdict(self, WRONG, reason, FORGOTTEN_RETURN, case, None, credit=credit)
         for position, case in enumerate(cases):
             try:
                 values[position] = self.returns(values[position], *case)
@@ -379,6 +380,8 @@ class Verdict:
     mistake : Mistake, optional
     case, answer : optional
         The simplest failing case and the answer given in it.
+    digits : int
+        With which the numbers of the case must be shown for it to fail when it is pasted.
     note : str
         A remark on a right answer.
     credit : int
@@ -396,6 +399,7 @@ class Verdict:
     mistake: Mistake | None = None
     case: tuple | None = None
     answer: object = None
+    digits: int = SHOWN_DIGITS[0]
     note: str = ""
     credit: int = 0
     blames: str = ""
@@ -477,21 +481,75 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
         "exercise": exercise.name,
     }
     try:
-        claims = json.loads(student.reply(write(asked), consult))
-        answers = [_claim(answer, exercise.arguments) for answer in claims["answers"]]
-        if len(answers) != len(cases):
-            raise NotPlain("not one answer for each case")
-    except (
-        ValueError,
-        LookupError,
-        TypeError,
-        AttributeError,
-        RecursionError,
-        OverflowError,
-    ) as problem:
+        answers = _answers(student, asked, consult, exercise.arguments)
+        with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
+            verdict = exercise.verdict(cases, answers)
+            if verdict.state != WRONG or verdict.case is None:
+                return verdict
+            return replace(verdict, digits=_digits_that_replay(verdict, student, asked))
+    except _CANNOT_BE_READ as problem:
         return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
-    with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
-        return exercise.verdict(cases, answers)
+
+
+_CANNOT_BE_READ = (
+    ValueError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    RecursionError,
+    OverflowError,
+)
+
+
+def _answers(student, asked, consult, arguments):
+    """Return the student's answers to some questions; raises if what came back cannot be read."""
+    claims = json.loads(student.reply(write(asked), consult))
+    answers = [_claim(answer, arguments) for answer in claims["answers"]]
+    if len(answers) != len(asked["cases"]):
+        raise NotPlain("not one answer for each case")
+    return answers
+
+
+def _digits_that_replay(verdict, student, asked):
+    """Return with how many digits the numbers of the failing case must be shown for it to fail.
+
+    A number just above 2 looks like 2 in six digits, and the answer for 2 may be right. So the
+    student's function is asked again with the numbers that would be shown.
+    """
+    exercise, case = verdict.exercise, verdict.case
+    forms = {digits: as_shown(case, digits) for digits in SHOWN_DIGITS}
+    if write(list(forms[SHOWN_DIGITS[0]])) == write(list(case)):
+        return SHOWN_DIGITS[0]
+    again = asked | {"cases": [list(form) for form in forms.values()], "in_place": []}
+    answers = _answers(student, again, None, exercise.arguments)
+    for (digits, form), answer in zip(forms.items(), answers, strict=True):
+        if "error" in answer or _passes(exercise, form, answer):
+            continue
+        if _is_far_off(verdict, answer["value"]) or _has_a_right_answer(exercise, form):
+            return digits
+    return ALL_DIGITS
+
+
+def _is_far_off(verdict, value):
+    """Return whether this answer is the verdict's, and so wrong that the digits of the case do not
+    matter."""
+    library = verdict.exercise.library
+    right = predict(library, verdict.case) if library else None
+    is_the_same = same(value, verdict.answer, tolerance=1e-3)
+    return is_the_same and right is not None and not same(verdict.answer, right, tolerance=1e-2)
+
+
+def _has_a_right_answer(exercise, case):
+    """Return whether the library's answer is right: for a rotation with few digits it may not
+    be."""
+    right = predict(exercise.library, case) if exercise.library else None
+    answer = {"value": right, "changed": [], "warning": ""}
+    return right is not None and _passes(exercise, case, answer)
+
+
+def _passes(exercise, case, answer):
+    """Return whether nothing is wrong with an answer to one case, as far as it shows."""
+    return exercise.verdict([case], [answer]).state in (RIGHT, UNCHANGED)
 
 
 def review(exercise, student, secret_seeds=()):

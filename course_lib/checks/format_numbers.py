@@ -2,6 +2,8 @@
 
 import numpy as np
 
+SHOWN_DIGITS = (6, 9, 12)  # of the numbers of a case: the fewest with which it still fails
+ALL_DIGITS = 17
 ORDINALS = "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"
 
 
@@ -53,3 +55,37 @@ def format_array(numbers, digits=4):
         return f"{round(number, digits) + 0.0:.6g}"  # + 0.0: no -0
 
     return np.array2string(array, formatter={"float_kind": entry}).replace("\n", "")
+
+
+def digits_of(array, digits):
+    """Return the function that writes an entry of an array of floats with so many digits.
+
+    With the fewest digits, rounding errors beside larger entries are written as 0.
+    """
+    if digits >= ALL_DIGITS:
+        return lambda x: repr(float(x)).removesuffix(".0")
+    largest = np.abs(array[np.isfinite(array)]).max(initial=0)
+    noise = 1e-13 * largest if digits == SHOWN_DIGITS[0] else 0
+
+    def written(x):
+        return "0" if abs(x) <= noise else f"{x:.{digits}g}"
+
+    return written
+
+
+def as_shown(case, digits):
+    """Return the arguments of a case with the numbers in arrays as they are written.
+
+    Examples
+    --------
+    >>> as_shown((np.array([2.0000000000000004, 1 / 3]), "world"), 6)
+    (array([2.      , 0.333333]), 'world')
+    """
+
+    def shown(argument):
+        if not isinstance(argument, np.ndarray) or argument.dtype.kind != "f":
+            return argument
+        written = digits_of(argument, digits)
+        return np.array([float(written(x)) for x in argument.flat]).reshape(argument.shape)
+
+    return tuple(map(shown, case))

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.comparisons import attempt, predict, same
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
+from course_lib.checks.format_numbers import SHOWN_DIGITS, digits_of
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit
 # light and dark themes.
@@ -123,7 +124,7 @@ def _failing_case(verdict):
         return ""
     named = zip(verdict.exercise.arguments, verdict.case, strict=True)
     blocks = [
-        _labelled("and " if i else "For ", f"{name} = ", value)
+        _labelled("and " if i else "For ", f"{name} = ", value, digits=verdict.digits)
         for i, (name, value) in enumerate(named)
     ]
     if verdict.state == WRONG:
@@ -175,7 +176,7 @@ def _first_wrong(verdict):
     return next((k for k, item in enumerate(right) if not same(answer[k], item)), 0)
 
 
-def _labelled(before, label, value, item=0):
+def _labelled(before, label, value, item=0, digits=SHOWN_DIGITS[0]):
     """Write a value beside its label, its further lines indented below the first; of a long array
     one item."""
     if hasattr(value, "number"):
@@ -183,10 +184,10 @@ def _labelled(before, label, value, item=0):
     elif isinstance(value, np.ndarray) and value.size > _LONG:
         which = f"whose item [{item}] is" if item else "that begins with"
         return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
-            "    ", "", value[item]
+            "    ", "", value[item], digits=digits
         )
     elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
-        text = _six_digits(value)
+        text = _in_columns(value, digits)
     elif isinstance(value, np.ndarray):
         text = np.array2string(value)
     else:
@@ -197,15 +198,13 @@ def _labelled(before, label, value, item=0):
     return label + text.replace("\n", "\n" + " " * len(label))
 
 
-def _six_digits(array):
-    """Write an array with six digits an entry, and rounding errors beside larger entries as 0."""
-    noise = 1e-13 * np.abs(array[np.isfinite(array)]).max(initial=0)
-
-    def digits(x):
-        return "0" if abs(x) <= noise else f"{x:.6g}"
-
-    width = max(map(len, map(digits, array.flat)), default=0)
-    return np.array2string(array, formatter={"float_kind": lambda x: digits(x).rjust(width)})
+def _in_columns(array, digits):
+    """Write an array with so many digits an entry, right-aligned."""
+    written = digits_of(array, digits)
+    width = max(map(len, map(written, array.flat)), default=0)
+    return np.array2string(
+        array, formatter={"float_kind": lambda x: written(x).rjust(width)}, max_line_width=_WIDTH
+    )
 
 
 def _side_by_side(blocks):

@@ -44,7 +44,7 @@ class Naming:
 
     def __init__(self, exercise, cases, values):
         self.exercise, self.cases, self.values = exercise, cases, values
-        self._rights = {}
+        self._rights, self._predictions = {}, {}
 
     def mistake(self, failing, wrong):
         """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`,
@@ -268,13 +268,20 @@ class Naming:
         return gap is not None and bool(gap <= 1e-12 * max(1, self._size(position)))
 
     def _predicted(self, answer, position):
-        """Return what a variant of a mistake answers to a case, or None."""
-        case = self.cases[position]
-        return (
-            attempt(answer, self.right(position), *case)
-            if isinstance(answer, ChangedAnswer)
-            else predict(answer, case)
-        )
+        """Return what a variant of a mistake answers to a case, or None.
+
+        It is computed once, because a mistake is looked for in several ways and an iteration takes
+        long.
+        """
+        key = id(answer), position
+        if key not in self._predictions:
+            case = self.cases[position]
+            if isinstance(answer, ChangedAnswer):
+                predicted = attempt(answer, self.right(position), *case)
+            else:
+                predicted = predict(answer, case)
+            self._predictions[key] = answer, predicted  # the answer is kept, and so its id
+        return self._predictions[key][1]
 
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply

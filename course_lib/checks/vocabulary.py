@@ -9,6 +9,7 @@ from course_lib.checks.comparisons import difference, same
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
 from course_lib.checks.tolerances import EXACT, PREDICTED
+from course_lib.checks.wire import write
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
@@ -314,9 +315,8 @@ def compared(expected, answer, verb="is"):
 def _first_otherwise(values, cases):
     """The position of the first case that was asked before and answered otherwise."""
     for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
-        if all(np.array_equal(a, b) for a, b in zip(earlier, later, strict=True)) and not near(
-            values[j], values[i]
-        ):
+        # The same to the type: an answer that is wrong for whole numbers only keeps nothing.
+        if write(list(earlier)) == write(list(later)) and not near(values[j], values[i]):
             return j
     return None
 

@@ -136,8 +136,9 @@ EXERCISE = Exercise(
         ),
         Property(
             "at the angles returned the end-effector is within 1e-6 rad and 1e-6 m of T_target",
-            lambda q, *case: _out_of_reach(*case) or _gaps(q, *case).max() <= _REACHED,
+            lambda q, *case: _gaps(q, *case).max() <= _REACHED,
             _off,
+            where=lambda *case: not _out_of_reach(*case),
             mistake=Mistake(
                 "the steps end before the target is reached",
                 "Where in your loop is `short` asked, and about which error?",

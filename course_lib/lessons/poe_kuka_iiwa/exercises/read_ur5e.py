@@ -31,8 +31,30 @@ def _read(value):
     return _read_screws(value[0]), _read_pose(value[1])
 
 
-def _direction_off(read):
+def _first_direction_off(read):
+    """Return the first joint whose omega is wrong, and whether it is wrong in its length only."""
     i = int(np.argmax(np.abs(read[0][:, :3] - _OMEGA).max(1) > SIX_DIGITS))
+    length = read[0][i, :3] @ _OMEGA[i]
+    is_parallel = length > SIX_DIGITS and np.allclose(read[0][i, :3], length * _OMEGA[i])
+    return i, is_parallel
+
+
+def _direction_mistake(read):
+    if _first_direction_off(read)[1]:
+        return Mistake(
+            "the omega of an axis does not have length one",
+            "How long is the omega of a screw axis whose joint rotates at 1 rad/s?",
+        )
+    return Mistake(
+        "an axis does not have the direction of its arrow",
+        "Compare the row of the joint named below with its arrow in both views.",
+    )
+
+
+def _direction_off(read):
+    i, is_parallel = _first_direction_off(read)
+    if is_parallel:
+        return f"The omega of joint {i + 1} has length {np.linalg.norm(read[0][i, :3]):.4g}."
     opposite = " It is the opposite one." if np.allclose(read[0][:, :3][i], -_OMEGA[i]) else ""
     yours = format_tuple(read[0][i, :3])
     return f"The direction of joint {i + 1} in your answer is {yours}.{opposite}"
@@ -75,10 +97,7 @@ EXERCISE = Exercise(
             "the axes have the directions of the arrows in the drawing, of length one",
             lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=SIX_DIGITS),
             says=_direction_off,
-            mistake=Mistake(
-                "an axis does not have the direction of its arrow",
-                "Compare the row of the joint named below with its arrow in both views.",
-            ),
+            mistake=_direction_mistake,
             points=1,
         ),
         Property(

@@ -38,13 +38,26 @@ def _misses(q, center):
     return np.linalg.norm(center_of(q) - center)
 
 
-_WRONG = Mistake(
+_ELBOW = Mistake(
+    "q3 is wrong",
+    "At which q3 is the wrist center as far from the shoulder as `center` is? Which subproblem "
+    "asks for that, and between which two points?",
+)
+_SHOULDER = Mistake(
     "q1 or q2 is wrong",
     "In R(z, q1) R(y, q2) p = center - SHOULDER, which rotation has to stand on the other side for "
     "subproblem 2, and "
     "what becomes of its angle? Which point does each axis rotate, and are both measured from the "
     "shoulder?",
 )
+
+
+def _wrong(q, center):
+    """Return the Mistake of a list of triples: q3 decides how far the wrist is from the
+    shoulder."""
+    distance = np.linalg.norm(center - SHOULDER)
+    reached = [np.linalg.norm(center_of(triple) - SHOULDER) for triple in np.reshape(q, (-1, 3))]
+    return _SHOULDER if np.allclose(reached, distance, atol=1e-6) else _ELBOW
 
 
 def _tell(q, center):
@@ -66,7 +79,7 @@ EXERCISE = Exercise(
     alike=same_list,
     distance=distance_of_lists,
     properties=every_solution(
-        "each triple brings the wrist center to `center`", _misses, _tell, arm_solutions, _WRONG
+        "each triple brings the wrist center to `center`", _misses, _tell, arm_solutions, _wrong
     ),
     hints=(
         "Each given q3 makes the distance right, and joints 1 and 2 do not change it. For each, "

@@ -77,7 +77,8 @@ EXERCISE = WriteTest(
     refuses=Mistake(
         ALWAYS_FALSE.name,
         "A right version must pass. Right versions differ in the order of the pairs, by multiples "
-        "of 2 pi, and in their last digits. Which of these does your test take for a fault?",
+        "of 2 pi, and in their last digits; the list is empty where there is no pair. Print what "
+        "your test compares, for one right version.",
     ),
     versions=(
         Version("that is as in the text", lambda *case: pairs_by_the_text(*case), right=True),
