@@ -14,7 +14,7 @@ from course_lib.checks.special_cases import BESIDE, ON_BOTH_SIDES, SMALL, Sweep
 from course_lib.checks.vocabulary import any_pose, any_rotation, away_from_zero, pose, unit
 from course_lib.checks.wire import Seed
 from course_lib.rigid import transform
-from course_lib.rotations import exp_so3, hat, rot_x, rot_y, rot_z
+from course_lib.rotations import exp_so3, hat, random_quaternions, rot_x, rot_y, rot_z
 
 QUARTER = np.pi / 2
 # Of rotation vectors, from the lengths that somebody takes for 0 to several revolutions. The series
@@ -183,6 +183,39 @@ ROTATION = Kind(
 )
 
 
+_SIGNS = np.array(np.meshgrid(*[[0.5, -0.5]] * 4)).reshape(4, -1).T  # unit quaternions
+
+
+def _quaternions(rng):
+    axes = np.eye(4)
+    turned = [np.array([0.8, 0.6, 0, 0]), np.array([0.6, 0, -0.8, 0]), np.array([-0.8, 0, 0, 0.6])]
+    of_length_one = [np.array([-0.5, 0.1, 0.7, -0.5]), np.array([0.5, -0.1, -0.5, -0.7])]
+    drawn = [v / np.linalg.norm(v) for v in rng.normal(size=(3, 4))]
+    return [*turned, *of_length_one, *axes, *-axes, *_SIGNS[::5], *drawn]
+
+
+def _small_quaternion(rng, gap):
+    """Return the quaternion of a rotation by a tiny angle, or, with a negative gap, its
+    negative."""
+    half = abs(gap) / 2
+    return np.sign(gap) * np.append(np.cos(half), np.sin(half) * unit(rng))
+
+
+def _half_turn_quaternion(rng, gap):
+    """Return the quaternion of a rotation by nearly pi: w is nearly 0."""
+    return np.append(np.sin(gap / 2), np.cos(gap / 2) * unit(rng))
+
+
+QUATERNION = Kind(
+    drawn=lambda rng: random_quaternions(1, rng)[0],
+    named=_quaternions,
+    beside=(
+        ("a tiny rotation", _small_quaternion, ON_BOTH_SIDES),
+        ("a rotation by nearly pi", _half_turn_quaternion, ON_BOTH_SIDES),
+    ),
+)
+
+
 # ---- poses ----
 
 
@@ -221,6 +254,15 @@ def vector(n=3, **more):
         named=lambda rng: [whole, partly_whole, np.zeros(n)],
         **more,
     )
+
+
+ANGLE = Kind(
+    drawn=lambda rng: float(np.round(rng.choice([-1, 1]) * rng.uniform(0.6, 2.5), 2)),
+    named=lambda rng: [QUARTER, -QUARTER, np.pi, 0.0, 0.3, -2.7, 6.9, -12.0, 41.7, -200.0],
+    beside=(("a tiny angle", lambda rng, gap: gap, ON_BOTH_SIDES),),
+    angle=True,
+    small=True,
+)
 
 
 def joint_angles(n, **more):

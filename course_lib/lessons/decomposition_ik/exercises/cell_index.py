@@ -73,6 +73,8 @@ def _cases(rng):
             *box,
             4,
         ),  # outside, without any tolerance
+        # On an edge in one coordinate, and outside in the other.
+        ([[1.0, 1.3], [1.2, 1.0], [1.0, -0.1], [-0.1, 1.0], [0.0, 1.1], [1.1, 0.0]], *box, 4),
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
         # Corners in whole numbers, as in the task's example, and then positions in them, too.
         ([[0.55, 0.55], [1.0, 2.0], [0.95, 1.9], [-0.3, 1.0], [0.4, 2.6]], [0, 0], [1, 2], 10),

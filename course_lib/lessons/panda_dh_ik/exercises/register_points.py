@@ -70,6 +70,8 @@ def _cases(rng):
     weightless = [*_without_weight(rng, 4, 0), *_without_weight(rng, 5, 0.3)]
     noise = [noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
     src, dst, _ = noise[2]
+    # Weights that are small beside the others, and still count.
+    noise += [noisy(rng, np.array([1.0, 2, 0.009, 3, 1])), noisy(rng, np.array([4.0, 0.03, 3, 2]))]
     scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250)]
     centred = moved(about_x @ any_pose(rng), src)
     centred = centred - four @ centred / four.sum()

@@ -25,6 +25,11 @@ def _cases(rng):
         (np.array([1.0, 2.0, 0.5]), [(propagate_body.ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25)
     ]
     round_about = [(origin, [((0.5, 0.0, 2 * np.pi), 1.0)], 0.25)]
+    # Steps of more than half a revolution, and of several.
+    wide = [
+        (np.array([0.0, 0.0, 0.5]), [((1.0, 0.3, omega), 2.0)], 1.0)
+        for omega in (4.0, -4.0, 2 * np.pi, 41.0)
+    ]
     start, plan, dt = propagate_body.drawn_case(rng)
     any_dt = [(start, plan, step) for step in (dt, 0.6 * dt, 10.0)]
     return [
@@ -34,6 +39,7 @@ def _cases(rng):
         *slow,
         *still,
         *round_about,
+        *wide,
         *any_dt,
     ]
 

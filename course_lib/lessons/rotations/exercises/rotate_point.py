@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.naming import difference
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property
+from course_lib.checks.kinds import ANGLE, vector
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import away_from_zero, compared
+from course_lib.checks.vocabulary import compared
 
 
 def _matrix(a):
@@ -18,31 +18,33 @@ def _right(p, a):
     return _matrix(a) @ p
 
 
-def _cases(rng):
-    named = [
-        ([1.0, 0.0], np.pi / 2),
-        ([0.0, 1.0], np.pi / 2),
-        ([2.0, 1.0], np.pi),
-        (-away_from_zero(rng, 2), 0.5),
-    ]
-    angles = np.round(rng.uniform([0.6, -1.3, 2.3, 6.8], [0.9, -1.1, 2.7, 7.2]), 2)
-    drawn = [(away_from_zero(rng, 2), float(a)) for a in angles]
-    drawn += [(np.array([3.0, -2.0]), 0.0), (np.zeros(2), float(angles[0]))]
-    named += [([3, -2], 0.5), ([2, 1], 0.5)]  # whole numbers
-    return [(np.array(p), a) for p, a in named] + drawn
+def _new_x_used(p, a):
+    x = np.cos(a) * p[0] - np.sin(a) * p[1]
+    return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])
 
 
-EXERCISE = Exercise(
-    name="rotate_point",
+def _direction_by_arctan(p, a):
+    return np.sign(p[0] or 1) * _right(p, a)
+
+
+def _direction_by_arccos(p, a):
+    return np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
+
+
+EXERCISE = declared(
+    "rotate_point",
     points=1,
-    arguments=("p", "a"),
+    arguments={"p": vector(2, small=True), "a": ANGLE},
+    cases=(
+        (np.array([1.0, 0.0]), np.pi / 2),
+        (np.array([0.0, 1.0]), np.pi / 2),
+        (np.array([2.0, 1.0]), np.pi),
+        (np.array([3, -2]), 0.5),
+        (np.array([2, 1]), 0.5),
+    ),
     tolerance=EXACT,
-    cases=_cases,
-    small=("p", "a"),
-    angles=("a",),
-    sweeps=(Sweep("a tiny angle", lambda rng, gap: (away_from_zero(rng, 2), gap), ON_BOTH_SIDES),),
-    returns=numbers(lambda p, a: (2,)),
     library=_right,
+    says="the point moves counter-clockwise by the angle a",
     properties=(
         Property(
             "the distance from the origin does not change",
@@ -55,37 +57,23 @@ EXERCISE = Exercise(
                 "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go?",
             ),
         ),
-        Property(
-            "the point moves counter-clockwise by the angle a",
-            lambda image, p, a: difference(image, _right(p, a)) <= EXACT,
-            says=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
-        ),
     ),
     hints=(
         "Where do (1, 0) and (0, 1) go? Draw them, rotated by a.",
         "Their images are the columns of the rotation matrix: (cos a, sin a) and (-sin a, cos a).",
         "x' = x cos a - y sin a, y' = x sin a + y cos a.",
     ),
+    mistakes=(
+        Mistake(
+            "the new x is used to compute the new y",
+            "Both new coordinates come from the old ones.",
+            _new_x_used,
+        ),
+        Mistake(
+            "the direction of p comes from arctan or arccos, which know half of the circle only",
+            "Which function of x and y tells p from -p?",
+            _direction_by_arccos,
+            _direction_by_arctan,
+        ),
+    ),
 )
-
-
-@EXERCISE.mistake(
-    "the new x is used to compute the new y",
-    "Both new coordinates come from the old ones.",
-)
-def new_x_used(p, a):
-    x = np.cos(a) * p[0] - np.sin(a) * p[1]
-    return np.array([x, np.sin(a) * x + np.cos(a) * p[1]])
-
-
-@EXERCISE.mistake(
-    "the direction of p comes from arctan or arccos, which know half of the circle only",
-    "Which function of x and y tells p from -p?",
-    of_x=(True, False),
-)
-def half_of_the_circle(p, a, of_x):
-    return (
-        np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
-        if of_x
-        else np.sign(p[0] or 1) * _right(p, a)
-    )

@@ -72,6 +72,13 @@ def _nearly_vertical(rng, size):
     return k, p, rotated(k, some_angle(rng, 1), p)
 
 
+def _near_the_origin(rng, size):
+    """A point that is near the axis, but not when compared with its distance from the origin."""
+    k = unit(rng)
+    p = size * off_axis(k, rng)
+    return k, p, rotated(k, some_angle(rng, 1), p)
+
+
 def _free(k, p, g):
     return not across(k, p).any() or not across(k, g).any()
 
@@ -126,6 +133,7 @@ EXERCISE = Exercise(
         _rotating_by(0.0),
         _rotating_by(np.pi),
         Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
+        Sweep("a point near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
     ),
     properties=(
         Property(

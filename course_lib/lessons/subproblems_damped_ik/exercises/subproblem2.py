@@ -136,6 +136,11 @@ EXERCISE = Exercise(
             OUT_OF_REACH,
         ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
+        Sweep(
+            "points near the origin",
+            lambda rng, size: _meeting(rng, 0.5, (0.7, -0.9), size),
+            SMALL_NUMBERS[:5],
+        ),
     ),
     properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",

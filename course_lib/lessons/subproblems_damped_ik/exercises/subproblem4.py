@@ -54,6 +54,12 @@ def _whole_points(rng):
     return [(k, h, p, float(h @ rotated(k, rng.uniform(0.5, 2.5), p)))]
 
 
+def _near_the_origin(rng, size):
+    """Vectors h and p of this length, with two solutions far apart."""
+    k, h, p, d = _reachable(rng, 0.8, 1.1, 1)
+    return k, size * h, size * p, size**2 * d
+
+
 def _small(rng, size):
     """An axis with small entries, and two solutions one of which is small."""
     return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
@@ -117,6 +123,7 @@ EXERCISE = Exercise(
         _within(1),
         _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+        Sweep("points near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
