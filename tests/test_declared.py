@@ -1,0 +1,80 @@
+"""Exercises that say of which kind their arguments are."""
+
+import numpy as np
+import pytest
+
+from course_lib.checks import kinds
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, review
+from course_lib.checks.kinds import Kind, cases_of, sweeps_of
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.wire import write
+from course_lib.rigid import is_se
+from course_lib.rotations import is_so
+
+KINDS = {name: kind for name, kind in vars(kinds).items() if isinstance(kind, Kind)}
+KINDS |= {"vector": kinds.vector(), "joints": kinds.joint_angles(4), "table": kinds.table(3, 4)}
+KINDS |= {"number": kinds.number(1, 2, 1.0), "word": kinds.one_of("world", "body")}
+
+
+def values(kind):
+    """Return values of a kind: an ordinary one, the named ones, and those beside these."""
+    rng = np.random.default_rng(0)
+    beside = [value(rng, gap) for _, value, gaps in kind.beside for gap in gaps[::7]]
+    return [kind.drawn(rng), *kind.named(rng), *beside]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_every_value_of_a_kind_can_be_sent_to_a_student_s_function(name):
+    assert all(write(value) for value in values(KINDS[name]))
+
+
+@pytest.mark.parametrize(("kind", "is_of_it"), [(kinds.ROTATION, is_so), (kinds.POSE, is_se)])
+def test_rotations_and_poses_are_such(kind, is_of_it):
+    assert all(is_of_it(value) for value in values(kind))
+
+
+def test_quaternions_have_length_one():
+    lengths = [np.linalg.norm(q) for q in values(kinds.QUATERNION)]
+    assert np.allclose(lengths, 1, rtol=0, atol=1e-15)
+
+
+def test_each_named_value_is_asked_among_ordinary_others():
+    first = Kind(drawn=lambda rng: 0, named=lambda rng: [1, 2])
+    second = Kind(drawn=lambda rng: 10, named=lambda rng: [11, 12])
+    cases = cases_of((first, second), np.random.default_rng(0))
+    assert cases[:3] == [(1, 11), (2, 10), (0, 12)]
+    assert set(cases[3:]) == {(0, 10)}
+
+
+def test_what_lies_beside_is_asked_among_ordinary_others():
+    first = Kind(drawn=lambda rng: 0, beside=(("1", lambda rng, gap: 1 + gap, (0.5, 0.25)),))
+    (sweep,) = sweeps_of((first, Kind(drawn=lambda rng: 10)))
+    assert sweep.cases(np.random.default_rng(0)) == [(1.5, 10), (1.25, 10)]
+
+
+TWICE = declared(
+    "twice",
+    points=1,
+    arguments={"w": kinds.ROTATION_VECTOR},
+    library=lambda w: 2 * w,
+    scale=lambda w: np.linalg.norm(w),
+    says="the answer is 2 w",
+    hints=("Double it.",),
+    mistakes=(Mistake("w is halved", "Which is larger?", lambda w: w / 2),),
+)
+
+
+def test_the_library_s_answer_is_right_and_a_mistake_is_named():
+    assert review(TWICE, LocalFunction(lambda w: w + w)).state == RIGHT
+    assert review(TWICE, LocalFunction(lambda w: 0.5 * w)).mistake.name == "w is halved"
+
+
+def test_a_small_argument_counts_where_its_scale_is_given():
+    lost = LocalFunction(lambda w: 2 * w if np.linalg.norm(w) > 1e-10 else 0 * w)
+    assert review(TWICE, lost).state == WRONG
+
+
+def test_a_rotation_of_many_revolutions_is_asked():
+    wrong_far_out = LocalFunction(lambda w: 2 * w if np.linalg.norm(w) < 40 else w)
+    assert review(TWICE, wrong_far_out).state == WRONG
