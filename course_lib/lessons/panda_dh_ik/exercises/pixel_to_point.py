@@ -39,7 +39,7 @@ def _cases(rng):
     cases = [(*case, np.array(simple), T) for T in (np.eye(4), hangs) for case in cases]
     pixels, _, K, T_wc = _drawn(rng, 3)
     distant = pixels, np.round(rng.uniform(20, 90, 3), 1), K, T_wc
-    return [*cases, _drawn(rng, 4), distant]
+    return [*cases, _drawn(rng, 4), distant, _drawn(rng, 5)]
 
 
 def _drawn(rng, n):

@@ -23,7 +23,7 @@ def _drawn(rng, n):
 
 def _cases(rng):
     two = np.array([[0, 0, 0.3], [0.5, np.pi / 2, 0.1]])
-    drawn = [_drawn(rng, n) for n in (3, 4)]
+    drawn = [_drawn(rng, n) for n in (2, 3, 4, 5)]
     partly_whole = np.array([[0, 0, 1], [2, 1, 3], [0.5, -0.7, 0.25]])  # its first rows are whole
     return [
         (table,)

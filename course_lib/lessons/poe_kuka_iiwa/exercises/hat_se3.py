@@ -16,7 +16,7 @@ def _cases(rng):
     twists = [
         np.array([1.0, 2, 3, 4, 5, 6]),
         *np.eye(6),
-        *(size * rng.normal(size=6) for size in (1, 1e3)),
+        *(size * rng.normal(size=6) for size in (1, 1, 1e3)),
     ]
     return [
         (twist,)
