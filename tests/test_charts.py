@@ -66,6 +66,14 @@ def test_lines_shows_all_values_at_one_x():
     assert fig.data[0].line.dash != fig.data[1].line.dash
 
 
+def test_the_pointer_does_not_say_a_name_twice():
+    fig = charts.panels(["speed", "mug"], xlabel="t (s)", ylabel="y (m)", columns=1, share="x")
+    charts.add_line(fig, T, T, "speed")
+    charts.add_line(fig, T, T, "error", panel=1)
+    hovers = [curve.hovertemplate for curve in fig.data]
+    assert hovers == ["%{y:.4~g} m", "%{y:.4~g} m, mug"]
+
+
 def test_a_name_has_one_colour_and_one_entry_in_the_legend_of_all_panels():
     fig = charts.panels(["left", "right"], **METRES)
     for panel in (0, 1):

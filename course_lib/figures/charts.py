@@ -512,7 +512,8 @@ def _add_series(fig, x, y, name, panel, details, place, style) -> None:
     if unified:  # x stands above the values of all series, and each has its name before it
         value = f"%{{y:.4~g}}{_name_and_unit(fig, y_name)[1]}"
         title = _title_at(fig, y_name)
-        texts = [f"{value}, {title}" if title else value, *hover]
+        says_more = title and title != name
+        texts = [f"{value}, {title}" if says_more else value, *hover]
     add = fig.add_scattergl if len(x) >= MANY_POINTS else fig.add_scatter
     add(
         x=x,
