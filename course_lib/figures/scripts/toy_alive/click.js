@@ -216,7 +216,7 @@
       const rootMeanSquare = M.norm(millimetres) / Math.sqrt(millimetres.length);
       const miss = M.norm(M.subtract(M.positionOf(pose), M.positionOf(mugs[1])));
       numbers(
-        ["T_wm =", P.matrix(pose)],
+        ["<span>T<sub>wm</sub> =</span>", P.matrix(pose)],
         `residuals: ${P.list(millimetres, 1)} mm\n` + `grasp at ${P.list(M.positionOf(grip), 3)} m`,
       );
       const comment =
