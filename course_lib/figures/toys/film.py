@@ -304,7 +304,7 @@ def still(parts, alt, caption="", *, at=None, proportion=0.75, **look):
     return picture
 
 
-def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0, proportion=0.5):
+def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0, proportion=0.5, near=None):
     """Return a picture of things beside each other.
 
     Parameters
@@ -322,6 +322,8 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0, proportion=0.
         Metres above the origin at which the titles stand.
     proportion : float, optional
         Height over width.
+    near : array_like, shape (n, 3), optional
+        What the picture shows of each thing, in metres, as seen from its origin; all if None.
 
     Returns
     -------
@@ -339,6 +341,8 @@ def beside(groups, apart, alt, caption="", *, view=VIEW, high=0.0, proportion=0.
         words.append((title, place + np.array([0, 0, high]), INK))
     at = rigid.transform(np.broadcast_to(np.eye(3), (len(places), 3, 3)), places)
     look = {"proportion": proportion, "view": view}
+    if near is not None:
+        look["near"] = np.concatenate([place + np.asarray(near) for place in places])
     return still(parts, alt, caption, at=at, pale=pale, paths=paths, words=words, **look)
 
 
