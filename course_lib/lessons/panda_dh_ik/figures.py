@@ -24,7 +24,16 @@ from course_lib.figures.solids import (
 )
 from course_lib.figures.solids.model import BLACK, MUG_RED, STEEL, X_RED, Y_GREEN, Z_BLUE
 from course_lib.figures.style import BLACK as INK
-from course_lib.figures.style import BLUE, COLOURS, CRIMSON, GREEN, GREY, ORANGE, plane_figure
+from course_lib.figures.style import (
+    BLUE,
+    COLOURS,
+    CRIMSON,
+    GREEN,
+    GREY,
+    GRID_GREY,
+    ORANGE,
+    plane_figure,
+)
 from course_lib.figures.toys.film import beside, film, still
 from course_lib.figures.toys.toy import Toy
 from course_lib.lessons.panda_dh_ik.pick import IN_FLANGE
@@ -36,6 +45,9 @@ SMALLEST_ERROR = 1e-8
 # Decimals of centimetres, shares of a bound and rad/s in charts. The last digits of joint angles
 # differ between machines, and the numbers of a chart must not.
 DECIMALS = 3
+# The wrong matches of the notebook are shifted across this direction, so that their dashes are seen
+# in full length and parallel.
+_VIEW_OF_MATCHES = (0.47, 0.88, 0.45)
 MAX_DRAWN_LAG = 6  # cm: a little more than v / K in the runs of the notebook
 
 
@@ -188,15 +200,20 @@ def conventions(modified, standard, base):
         shared = [number.replace(", ", " and ") for number in numbers if ", " in number]
         origins = [f"{number} share an origin" for number in shared] or ["all origins differ"]
         in_words.append(f"{title}, {'; '.join(origins)}")
+    # All arrows, the base and the titles: they fill the picture, so that a phone shows them large.
+    origins = (from_base @ np.concatenate([modified, standard]))[:, :3, 3]
+    tips = (origins[:, None] + 0.13 * np.concatenate([np.eye(3), -np.eye(3)])).reshape(-1, 3)
     return beside(
         groups,
-        1.0,
+        0.9,
         f"The same arm is drawn in the same configuration twice, with the frames 1 to "
         f"{len(modified)}: {'; '.join(in_words)}.",
         "In the modified convention the origin of frame $i$ lies on the axis of joint $i$. In the "
         "standard convention it lies on the axis of joint $i + 1$.",
-        view=(1.3, -1.5, 0.7),
+        view=(0.5, -1.5, 0.5),
         high=-0.12,
+        proportion=0.55,
+        near=np.concatenate([tips, [[-0.15, 0, 0], [0.1, 0, -0.15]]]),
     )
 
 
@@ -333,7 +350,7 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     fig = charts.panels(
         ["clearance", "speed", "acceleration"],
         xlabel="time (s)",
-        ylabel=["clearance (cm)", "share of the bound", "share of the bound"],
+        ylabel=["clearance (cm)", "speed (of its bound)", "acceleration (of its bound)"],
         columns=1,
         share="x",
         height=640,
@@ -359,10 +376,36 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
         f"Three panels over time. The first shows the clearance, with its least values: "
         f"{least_in_words}. The others show the largest share of a joint's bound, at most: "
         f"speed {shares['speed'].max():.3g}, acceleration {shares['acceleration'].max():.3g}.",
-        "In the red band the arm touches something. The two lower panels show the speed and the "
-        "acceleration of the joint that is nearest to its bound at that time. No share may be "
-        "above 1. Point at a curve to see the values at that time.",
+        f"{_least_clearance_in_words(least)} {_bounds_in_words(shares)} The two lower panels show "
+        "the joint that is nearest to its bound at that time. Point at a curve to see the values "
+        "at that time.",
     )
+
+
+def _least_clearance_in_words(least):
+    """Return a sentence on the least clearances, obstacle to centimetres, of a motion."""
+    nearest = min(least, key=least.get)
+    if least[nearest] < 0:
+        return (
+            f"The arm reaches {-least[nearest]:.1f} cm into the {nearest}: there the curve is in "
+            "the red band, which begins at a clearance of 0."
+        )
+    name = "itself" if nearest == "itself" else f"the {nearest}"
+    return (
+        f"The arm touches nothing, because no curve reaches the red band; it is nearest to {name}, "
+        f"at {least[nearest]:.1f} cm."
+    )
+
+
+def _bounds_in_words(shares):
+    """Return a sentence on which bounds a motion exceeds, and by which factor."""
+    largest = {name: share.max() for name, share in shares.items()}
+    above = [
+        f"the {name} by a factor of {most:.3g}" for name, most in largest.items() if most > 1.001
+    ]
+    if above:
+        return f"The motion exceeds the bound on {' and that on '.join(above)}."
+    return "Speed and acceleration stay within their bounds, which are at 1."
 
 
 def _add_contact(fig, low):
@@ -503,13 +546,13 @@ def matches(template, scene_points, T, wrong):
     gaps = " and ".join(f"point {k} by {1000 * distances[k]:.0f} mm" for k in wrong)
     return beside(
         groups,
-        0.13,
+        0.17,
         f"On the left is the template, a mug with {len(template)} numbered key points on it. On "
         f"the right is the scene, with the same mug placed by the good matches. "
         f"{int((distances < 0.005).sum())} points of the scene are within 5 mm of where they "
         f"should be. Dashed lines show how far the wrong matches are off: {gaps}.",
         "Both wrong matches are shifted by the same vector, so they agree with each other.",
-        view=(1.2, -1.3, 0.8),
+        view=_VIEW_OF_MATCHES,
         high=-0.03,
     )
 
@@ -547,7 +590,7 @@ def descents(errors):
     drawn = {name: np.maximum(lengths, SMALLEST_ERROR) for name, lengths in errors.items()}
     steps = np.arange(len(next(iter(errors.values()))))
     fig = charts.lines(
-        steps, drawn, xlabel="iteration", ylabel="length of the error", log="y", markers=True
+        steps, drawn, xlabel="step", ylabel="length of the error (m, rad)", log="y", markers=True
     )
     ends = [_end_of_descent(name, lengths) for name, lengths in drawn.items()]
     return Picture(
@@ -586,17 +629,14 @@ def share_reached(x, shares, xlabel, caption):
     Picture
     """
     x, percent = np.asarray(x, float), np.round(100 * np.asarray(shares))
-    log = "x" if x.max() > 10 * x.min() and x.min() < 1 else ""
-    fig = charts.lines(
-        x,
-        {"targets reached": percent},
-        xlabel=xlabel,
-        ylabel="targets reached (%)",
-        log=log,
-        markers=True,
-        height=320,
-    )
-    fig.layout.yaxis.range = [-3, 103]
+    fig, (ax,) = plane_figure(4.6, 2.6)
+    ax.plot(x, percent, "o-", color=BLUE, linewidth=2, markersize=6)
+    if x.max() > 10 * x.min() and x.min() < 1:
+        ax.set_xscale("log")
+        ax.set_xticks(x, [f"{value:g}" for value in x])
+        ax.minorticks_off()
+    ax.set(xlabel=xlabel, ylabel="targets reached (%)", ylim=(-3, 103))
+    ax.grid(color=GRID_GREY)
     alt = (
         f"The share of targets that is reached, over the {xlabel}: {percent[0]:.0f} % at {x[0]:g}, "
         f"{percent[-1]:.0f} % at {x[-1]:g}, and the most, {percent.max():.0f} %, at "
@@ -713,6 +753,8 @@ def iterations(counts, most):
             -1
         ].hovertemplate = f"{name}<br>%{{customdata[0]}} iterations: %{{y}} targets<extra></extra>"
     fig.layout.showlegend = False  # the panels have titles
+    # Under the pointer a bar names all its iterations; one x for all panels would be its middle.
+    fig.layout.hovermode = "closest"
     in_words = [
         f"{name} {len(taken)} targets, median {np.median(taken):.0f}"
         for name, taken in counts.items()
