@@ -148,9 +148,9 @@ ANSWERS = {
         {"JOINTS = None": f"JOINTS = {JOINT_NAMES}"},
     ),
     "columns": (
-        a_few_rows("t," + ",".join([f"actual_q_{i}" for i in range(7)] + [f"target_q_{i}" for i in range(7)]), 14),
-        'columns={"q": "actual_q_*"}',
-        {"COLUMNS = None": 'COLUMNS = {"q": "actual_q_*"}'},
+        a_few_rows("t," + ",".join([f"left_{i}" for i in range(7)] + [f"right_{i}" for i in range(7)]), 14),
+        'columns={"q": "left_*"}',
+        {"COLUMNS = None": 'COLUMNS = {"q": "left_*"}'},
     ),
     "units": (
         a_few_rows("t," + ",".join(f"q{i + 1}" for i in range(7)), 7).replace("0.1,", "100,").replace("0.2,", "200,")

@@ -1,122 +1,62 @@
-"""What the title of a column says: a quantity, a joint and a unit.
+"""Which columns of a table are times, joint angles and velocities: as their titles or the user say.
 
-A title is split into words, at punctuation, between letters and digits, and where a capital begins
-a word. A small grammar reads them:
-
-- a unit stands in brackets, or is the last word if it is one of the quantity: the s of `time_s` is
-  seconds, and the s of `joint_s` is not;
-- a word for what is no joint angle (torque, temperature, tcp ...) decides over all others;
-- then a word for a velocity decides, then one for an angle;
-- the number after such a word is the joint's; without a number, the other words are its name.
-
-Whatever the grammar does not know it calls "unknown": nothing is guessed here.
+A title is known if all its words are: those in this module for a time, an angle or a velocity, and
+a joint's number or name. One word that is not among them, such as the torque of `joint_1_torque` or
+the d of `q_d`, and the column is not used. What no title says, the user is asked for.
 """
 
+import json
 import re
 import unicodedata
-from dataclasses import dataclass
-from itertools import pairwise
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-
-def _words(text):
-    return set(text.split())
-
-
-# Each unit: the quantity that it measures, its name, and its size in seconds, radians or radians
-# per second.
+UNITS = {
+    "t": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9},
+    "q": {"rad": 1.0, "mrad": 1e-3, "deg": np.pi / 180},
+    "qd": {"rad/s": 1.0, "deg/s": np.pi / 180, "rpm": np.pi / 30},
+}
+# Velocities without a unit have that of the angles, per second.
+UNITS["qd"] |= UNITS["q"]
 _SPELLINGS = {
-    ("time", "s", 1.0): "s|sec|secs|second|seconds|sekunde|sekunden",
-    ("time", "ms", 1e-3): "ms|msec|msecs|millis|millisecond|milliseconds|milli sec",
-    ("time", "us", 1e-6): "us|usec|usecs|micros|microsec|microsecond|microseconds|micro sec",
-    ("time", "ns", 1e-9): "ns|nsec|nsecs|nanos|nanosec|nanosecs|nanosecond|nanoseconds|nano sec",
-    ("angle", "rad", 1.0): "rad|rads|radian|radians",
-    ("angle", "mrad", 1e-3): "mrad",
-    ("angle", "deg", np.pi / 180): "deg|degs|degree|degrees",
-    ("rate", "rad/s", 1.0): "rad s|rad sec|rad per s|rad per sec|rad s 1|radians per second",
-    (
-        "rate",
-        "deg/s",
-        np.pi / 180,
-    ): "deg s|deg sec|deg per s|deg per sec|deg s 1|degrees per second",
-    ("rate", "rpm", np.pi / 30): "rpm",
-    ("length", "m", None): "m|meter|meters|metre|metres",
-    ("length", "mm", None): "mm|millimeter|millimeters",
-    ("length", "cm", None): "cm",
-    ("torque", "Nm", None): "nm|n m",
-    ("force", "N", None): "n|newton",
-    ("current", "A", None): "a|ampere|ma",
-    ("voltage", "V", None): "v|volt|volts",
-    ("temperature", "C", None): "c|k|celsius",
-    ("acceleration", "rad/s^2", None): "rad s 2|deg s 2|rad s s|m s 2",
+    "s": "sec secs second seconds sekunde sekunden",
+    "ms": "msec msecs millisec milliseconds",
+    "us": "µs usec usecs microsec microseconds",
+    "ns": "nsec nsecs nanosec nanosecs nanoseconds",
+    "rad": "radian radians",
+    "deg": "° degree degrees grad",
+    "rad/s": "rad_s rad/sec rad*s^-1",
+    "deg/s": "°/s deg_s deg/sec degrees/s",
 }
-UNITS = {name: (kind, size) for kind, name, size in _SPELLINGS if kind in ("time", "angle", "rate")}
-_UNIT_OF_WORDS = {
-    tuple(spelling.split()): (kind, name)
-    for (kind, name, _), spellings in _SPELLINGS.items()
-    for spelling in spellings.split("|")
+_UNIT_OF = {unit: unit for units in UNITS.values() for unit in units} | {
+    spelling: unit for unit, spellings in _SPELLINGS.items() for spelling in spellings.split()
 }
-_UNITS_OF = {"time": ("time",), "position": ("angle",), "velocity": ("rate", "angle")}
+_WORDS = {
+    "t": "t time zeit timestamp timestamps stamp duration",
+    "q": "q position positions pos angle angles winkel theta",
+    "qd": "qd dq qdot velocity velocities vel speed geschw geschwindigkeit",
+    "joint": "joint joints j axis achse axispos",
+    "name": "name names",
+    # Words that change nothing: of ROS' messages, of what was measured, of arms, and the letter of
+    # KUKA's joints, a1 to a7.
+    "": (
+        "field header msg data state states actual measured act msr panda fr3 fer lbr iiwa a from "
+        "start"
+    ),
+}
+_KIND_OF = {word: kind for kind, words in _WORDS.items() for word in words.split()}
+# Names of joints from the base to the end-effector, as these arms' makers give them: Universal
+# Robots' ROS description and teach pendant, Rethink's Sawyer and Baxter.
+_NAMED_ARMS = (
+    ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"),
+    ("base", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"),
+    ("s0", "s1", "e0", "e1", "w0", "w1", "w2"),
+)
 
-# Words for what is no joint angle. The first of these that a title holds is its quantity.
-_NO_ANGLES = {
-    "sine or cosine": "sin cos",
-    "gripper": "gripper finger fingers jaw grip",
-    "acceleration": (
-        "acc accel accels acceleration accelerations qdd ddq qddot ddot jerk beschl "
-        "beschleunigung imu"
-    ),
-    "torque": "eff effort efforts torque torques tau dtau trq moment moments drehmoment load mt",
-    "force": "force forces wrench ft fx fy fz mx my mz kraft",
-    "temperature": "temp temperature temperatures temperatur",
-    "voltage or power": "voltage volt power energy pwm",
-    "setting": (
-        "stiffness damping friction gain gains kp kd ki limit limits min max std var lower upper"
-    ),
-    "error": "error errors err fehler deviation residual",
-    "count": "count counts pulse pulses tick ticks raw encoder encoders pressure",
-    "pose": (
-        "x y z w rx ry rz tcp eef ee eff pose poses cartesian quat quaternion orientation qx qy qz"
-        " qw tx ty tz vx vy vz wx wy wz flange xyz rpy twist linear angular effector kartesisch"
-    ),
-    "status": (
-        "mode status flag flags valid success done reward safety collision contact brake "
-        "running enabled rate"
-    ),
-    "row number": "index idx seq sequence frame row sample episode iteration counter id",
-}
-_NO_ANGLE_OF = {word: kind for kind, words in _NO_ANGLES.items() for word in words.split()}
-_CURRENT = {"current", "currents", "amps", "strom"}
-_ROTATIONS = {"roll", "pitch", "yaw"}  # of a pose, but also in the names of joints
-_TIME = _words("time times zeit stamp timestamp timestamps stamps temps tiempo tempo elapsed")
-_BESIDE_TIME = _words(
-    "from start since boot begin header ros rosbag bag field in unix epoch log record recorded "
-    "system sim simulation sensor msg message robot controller states joint state zeit duration "
-    "data rel relative abs absolute"
-)
-_DATES = {"datetime", "date", "datum", "uhrzeit"}
-_VELOCITY = _words(
-    "qd dq qdot vel vels velocity velocities speed speeds dot geschw geschwindigkeit "
-    "geschwindigkeiten dtheta thetadot omega gelenkgeschwindigkeit vitesse velocidad velocita"
-)
-_ANGLE = _words(
-    "q pos position positions angle angles winkel gelenkwinkel achswinkel angulo angolo posicion "
-    "posizione theta θ φ phi"
-)
-_JOINT = _words(
-    "joint joints jnt jt axis axes axe achse achsen ax rax gelenk gelenke giunto articulacion"
-)
-_BEFORE_A_NUMBER = {"a": "joint", "j": "joint", "th": "angle", "v": "velocity"}
-_MEASURED = _words("meas measured msr actual act ist real fb feedback observation obs observed")
-_COMMANDED = _words(
-    "target targets desired des cmd cmds command commands commanded ref reference setpoint"
-    " setpoints goal soll action actions ipo planned"
-)
-_PLAIN = _MEASURED | _words("current state states field data msg value values list in of the")
-_MOTOMAN = set("slurbte")  # letters of Yaskawa Motoman's axes, which stand behind a joint's number
-_LABEL = {"joint", "axis", "motor", "name", "names", "achse", "joints"}
-_LABEL_COMPANIONS = _LABEL | {"id", "no", "nr", "number", "index", "field"}
+
+class UnclearFileError(ValueError):
+    """A file can be understood in more than one way, or in none: its message says what to write."""
 
 
 @dataclass(frozen=True)
@@ -128,47 +68,41 @@ class Column:
     place : int
         Which column it is, from 0.
     title : str
-        As in the header, or the column's number, from 1.
-    quantity : str
-        "time", "position" or "velocity" of a joint, "label" (which joint a row is of), one of the
-        kinds in this module that are no joint angle, "unclear", or "unknown".
-    number : int or None
-        The joint's number, as it stands in the title.
+        As messages show it.
     words : tuple of str
         The words of the title without its unit.
+    kind : str
+        "t", "q" or "qd"; "name" if it holds names of joints; "" if not known.
+    pattern : tuple of str
+        The words, with * for the joint's number: those of one set share it.
+    number : int or None
+        The joint's number.
     unit : str or None
-        A name in UNITS; "?" with what stands in its place, if that is no unit of the quantity.
-    commanded : bool
-        Whether the title says that these are targets.
-    stem : tuple of str
-        The words without the number: columns of one set share it.
+        A unit of its kind; "?" and what stands in its place, if it is none.
     """
 
     place: int
     title: str
-    quantity: str
-    number: int | None = None
     words: tuple = ()
+    kind: str = ""
+    pattern: tuple = ()
+    number: int | None = None
     unit: str | None = None
-    commanded: bool = False
-    stem: tuple = ()
 
 
-def words_of(title):
-    """Return the words of a title, in lower case.
+@dataclass(frozen=True)
+class FoundColumns:
+    """The columns of a trajectory: one of times, or those of seconds and of nanoseconds, and one of
+    each joint's angles and velocities, from the base.
 
-    Examples
-    --------
-    >>> words_of("axisQMsr_LBR_iiwa_7[0]")
-    ['axis', 'q', 'msr', 'lbr', 'iiwa', '7', '0']
+    remark: what else is to be said, for example that there is no header. unused: other columns.
     """
-    text = unicodedata.normalize("NFKD", title)
-    text = re.sub("([qθφ])\u0307", r"\1dot", text)  # a dot above the letter
-    text = re.sub("([qθφ])\u0308", r"\1ddot", text)
-    text = "".join(letter for letter in text if not unicodedata.combining(letter))
-    text = text.replace("°", " deg ").replace("μ", "u")
-    parts = re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_]+", text)
-    return [part.lower() for part in parts]
+
+    t: tuple
+    q: tuple
+    qd: tuple
+    remark: str = ""
+    unused: tuple = ()
 
 
 def understand(place, title):
@@ -177,179 +111,571 @@ def understand(place, title):
     Examples
     --------
     >>> column = understand(0, "panda_joint3_vel [deg/s]")
-    >>> column.quantity, column.number, column.unit
-    ('velocity', 3, 'deg/s')
-    >>> understand(0, "tau_J_1").quantity
-    'torque'
+    >>> column.kind, column.number, column.unit
+    ('qd', 3, 'deg/s')
+    >>> understand(0, "tau_J_1").kind
+    ''
     """
-    bare, bracket = _without_bracket(title)
-    words = words_of(bare)
-    quantity, number, commanded, stem = _read_words(words)
-    unit = None
-    if bracket is not None:
-        kind, unit = _UNIT_OF_WORDS.get(tuple(words_of(bracket)), ("", f"?{bracket}"))
-        quantity, unit = _with_unit(quantity, kind, unit, words)
+    title = title.strip()
+    bracket = re.fullmatch(
+        r"(.*\S)[\s_]*[\[(<]\s*([^\[\]()<>]*[^\[\]()<>\d\s][^\[\]()<>]*)[\])>]", title
+    )
+    if bracket:
+        spelled = bracket[2].strip().lower().replace("μ", "µ")
+        column = _of_words(place, title, _words_of(bracket[1]))
+        unit = _UNIT_OF.get(spelled, f"?{bracket[2].strip()}")
+        if column.kind == "q" and unit in UNITS["qd"] and unit not in UNITS["q"]:
+            # joint_1 [deg/s]: the unit decides where no word says that it is an angle
+            decided = not any(_KIND_OF.get(word) == "q" for word in column.words)
+            column = replace(column, kind="qd") if decided else column
+        known = unit in UNITS.get(column.kind, (unit,))
+        return replace(column, unit=unit if known or unit[0] == "?" else f"?{unit}")
+    column = _of_words(place, title, _words_of(title))
+    if column.kind:
+        return column
+    # A unit behind the title, such as time_ms; the s of joint_s is none.
+    before, _, last = re.sub(r"[\s.]", "_", title.lower()).rpartition("_")
+    for stem, spelled in (
+        (before, last),
+        (before.rpartition("_")[0], "_".join(title.lower().split("_")[-2:])),
+    ):
+        unit = _UNIT_OF.get(spelled)
+        shorter = _of_words(place, title, _words_of(stem))
+        if unit in UNITS["t"] and not shorter.words and len(spelled) > 1:
+            shorter = replace(shorter, kind="t")  # sec, nanosec
+        if unit is not None and unit in UNITS.get(shorter.kind, ()):
+            return replace(shorter, unit=unit)
+    return column
+
+
+def _words_of(title):
+    """Return the words of a title, in lower case: at punctuation, digits, and where a capital
+    begins a word."""
+    text = unicodedata.normalize("NFKD", title)
+    text = re.sub("q\u0307", "qd", text)  # a dot above the letter
+    parts = re.findall(r"fr3|[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_]+", text)
+    return tuple(part.lower() for part in parts)
+
+
+def _of_words(place, title, words):
+    """Return the Column of these words: its kind is known if all its words are."""
+    digits = [i for i, word in enumerate(words) if word.isdigit()]
+    number, pattern = None, words
+    if digits:
+        number = int(words[digits[-1]])
+        pattern = (*words[: digits[-1]], "*", *words[digits[-1] + 1 :])
+    return Column(place, title, words, _kind_of(pattern), pattern, number)
+
+
+def _kind_of(pattern, has_name=False):
+    """Return the kind of a title by its words; has_name: whether * is for the name of a joint."""
+    kinds = {_KIND_OF.get(word) for word in pattern if word != "*"}
+    if None in kinds:
+        return ""
+    if "name" in kinds:
+        return "name"
+    if "t" in kinds:
+        return "t" if kinds <= {"t", ""} and "*" not in pattern else ""
+    if "*" not in pattern or "t" in kinds:
+        return ""
+    if "qd" in kinds:
+        return "qd"
+    # A position without a joint may be one in space; q and theta are angles, and `positions` is
+    # what ROS calls those of all joints.
+    alone = kinds <= {"q", ""} and set(pattern) & {"pos", "position"}
+    if has_name or "joint" in kinds or ("q" in kinds and not alone):
+        return "q"
+    return ""
+
+
+# Which columns are used
+# -------------------------------------------------------------------------------------------------
+
+
+def find_columns(table, joint_count, has_step, joints=None, chosen=None, velocities_alone=False):
+    """Return the FoundColumns of a table, or ask.
+
+    joint_count: the number of joints, or None. has_step: whether the user gave the time step.
+    joints, chosen: the arguments `joints` and `columns` of load. velocities_alone: whether the file
+    is the one of the velocities, which then are what is called q here.
+    """
+    titles, remark = table.header, ""
+    if not titles and (titles := _titles_of_ros2(table)):
+        remark = ", no header"
+    columns = [understand(i, title) for i, title in enumerate(titles)]
+    columns = _named_by_rows(table, columns)
+    if not columns:
+        columns = [Column(i, str(i + 1)) for i in range(table.width)]
+    places = _chosen_places(table, chosen or {})
+    t, q, qd = ([columns[place] for place in places[kind]] for kind in ("t", "q", "qd"))
+    if not titles and not q:
+        t, q, qd = _without_header(table, columns, joint_count, has_step)
+        remark = ", no header"
+    if not t and not has_step:
+        t = _times(table, columns)
+    if not q:
+        q, qd = _joints(table, columns, joints, velocities_alone)
+    used = {column.place for column in (*t, *q, *qd)}
+    unused = [c for c in columns if c.place not in used and table.holds_numbers(c.place)]
+    return FoundColumns(tuple(t), tuple(q), tuple(qd), remark, tuple(unused))
+
+
+def _times(table, columns):
+    """Return the column of times, or those of seconds and nanoseconds."""
+    clocks = [column for column in columns if column.kind == "t"]
+    # A stamp that nobody set stays 0, and the program's own clock comes before those of messages.
+    clocks = [clock for clock in clocks if len(set(table.cells(clock.place))) > 1] or clocks[:1]
+    plain = [clock for clock in clocks if len(clock.words) == 1 and clock.words[0] in ("t", "time")]
+    clocks = plain if len(plain) == 1 else clocks
+    parts = {column.unit: column for column in columns if column.kind == "t"}
+    if set(parts) >= {"s", "ns"} and parts["s"].words == parts["ns"].words and not plain:
+        return [parts["s"], parts["ns"]]
+    if len(clocks) == 1:
+        return clocks
+    if clocks:
+        names = [_quoted(clock.title) for clock in clocks]
+        raise unclear(
+            table,
+            columns,
+            f"{len(clocks)} columns hold times: {', '.join(names)}.",
+            f'Write which one, for example columns={{"t": {names[0]}}}.',
+        )
+    others = [column.place for column in columns if not column.kind]
+    one_does = ""
+    if others:
+        one_does = f'If one does, write columns={{"t": {_example(table, others[0])}}}. '
+    raise unclear(
+        table,
+        columns,
+        "column t is missing: no title says that a column holds times.",
+        f"{one_does}If samples are evenly spaced, write the time between two of them in seconds, "
+        "step=0.01.",
+    )
+
+
+def _joints(table, columns, joints, velocities_alone):
+    """Return the columns of the angles and of the velocities, from the base."""
+    if joints is None:
+        sets = _numbered_sets(table, columns)
+        for names in _NAMED_ARMS:
+            named = _named_sets(columns, names)
+            if "q" in named and "q" not in sets:
+                sets = named
     else:
-        for size in (4, 3, 2, 1):
-            if len(words) < size:
-                continue
-            kind, suffix = _UNIT_OF_WORDS.get(tuple(words[-size:]), ("", None))
-            rest = words[:-size]
-            if suffix is None:
-                continue
-            if rest:
-                read = _read_words(rest)
-            else:  # the unit alone, such as "sec"; a letter alone says nothing
-                read = (
-                    kind if len(suffix) > 1 or len(words[0]) > 1 else "unknown",
-                    None,
-                    False,
-                    (),
-                )
-            if kind in _UNITS_OF.get(read[0], ()):
-                quantity, number, commanded, stem = read
-                words, unit = rest, suffix
-                break
-            if kind in ("angle", "rate") and read[0] in ("unknown", "pose"):
-                quantity, number, commanded, stem = read
-                words, unit = rest, suffix  # the user, or an arm's known names, may say what it is
-                break
-            if kind == "rate" and read[0] == "position" and not _ANGLE & set(rest):
-                quantity, (_, number, commanded, stem) = "velocity", read
-                words, unit = rest, suffix
-                break
-    return Column(place, title, quantity, number, tuple(words), unit, commanded, stem)
+        sets = _named_sets(columns, joints)
+        missing = [name for name in joints if not _columns_of_name(columns, name)]
+        if missing:
+            raise unclear(
+                table,
+                columns,
+                f"joints names {missing[0]!r}, and no column has this name.",
+                "Write the names as they stand in the file, from the base to the end-effector.",
+            )
+    angles, velocities = sets.get("q", []), sets.get("qd", [])
+    if velocities_alone and velocities and not angles:
+        angles, velocities = velocities, []
+    if len(angles) == 1:
+        if _are_quaternions(table, angles[0]):
+            raise unclear(
+                table,
+                columns,
+                f"{_pattern_of(angles[0])} are four columns whose squares add up to 1 in each row, "
+                "as those of a quaternion do.",
+                f'If they are joint angles, write columns={{"q": {_pattern_of(angles[0])}}}.',
+            )
+        return angles[0], _belonging(table, columns, angles[0], velocities)
+    if angles:
+        raise unclear(
+            table,
+            columns,
+            f"{len(angles)} sets of columns may hold the joint angles: "
+            f"{', '.join(_pattern_of(found) for found in angles)}.",
+            f'Write the right one, for example columns={{"q": {_pattern_of(angles[0])}}}; * is for '
+            "the numbers.",
+        )
+    raise _no_joints(table, columns)
 
 
-def only_quantity(column):
-    """Return whether a title names nothing: all its words say what is measured, such as
-    "position"."""
-    return set(column.words) <= _ANGLE | _VELOCITY | _JOINT | _PLAIN | _COMMANDED
+def _are_quaternions(table, columns):
+    """Return whether these columns are four, and the sum of their squares is 1 in each row."""
+    if len(columns) != 4:
+        return False
+    values = [table.numbers(column.place, f"column {column.title}") for column in columns]
+    return bool((np.abs(np.linalg.norm(values, axis=0) - 1) < 1e-3).all())
 
 
-def quantity_beside(words):
-    """Return the quantity and whether it is commanded that the words beside a joint's name say.
-
-    No word says position: the title is then the name of the joint alone.
-    """
-    quantity, _, commanded, _ = _read_words([*words, "q"])
-    return quantity, commanded
-
-
-def _without_bracket(title):
-    """Return a title without the unit in brackets at its end, and the unit, or None."""
-    parted = re.fullmatch(r"\s*(.*?)[\s_]*[\[(<{]([^\[\](){}<>]*)[\])>}]\s*", title)
-    if parted and parted[1] and not re.fullmatch(r"\s*\d*\s*", parted[2]):
-        return parted[1], parted[2].strip()
-    return title, None
-
-
-def _with_unit(quantity, kind, unit, words):
-    """Return the quantity and its unit in brackets; the unit decides where the words leave it
-    open."""
-    if kind in _UNITS_OF.get(quantity, ()):
-        return quantity, unit
-    if kind == "rate" and quantity == "position" and not _ANGLE & set(words):
-        return "velocity", unit
-    if quantity in ("time", "position", "velocity"):
-        return quantity, unit if unit.startswith("?") else f"?{unit}"
-    if quantity == "unknown" and kind in ("torque", "force", "current", "voltage", "temperature"):
-        return kind, None
-    return quantity, unit if kind in ("time", "angle", "rate") else None
+def _numbered_sets(table, columns):
+    """Return {kind: sets}: columns whose titles differ by their numbers alone, in their order."""
+    of_pattern = {}
+    for column in columns:
+        if column.kind in ("q", "qd") and column.number is not None:
+            of_pattern.setdefault((column.kind, column.pattern), []).append(column)
+    sets = {}
+    for (kind, _), found in of_pattern.items():
+        found.sort(key=lambda column: column.number)
+        sets.setdefault(kind, []).append(found)
+    alone = {kind: found[0] for kind, found in sets.items() if len(found) == 1}
+    for kind, found in alone.items():
+        others = [column for other in alone.values() for column in other]
+        _refuse_gaps(table, columns, kind, found, others)
+    return sets
 
 
-def _read_words(words):
-    """Return quantity, number, commanded and stem of the words of a title without its unit."""
-    present = set(words)
-    commanded = bool(_COMMANDED & present)
-    if not words:
-        return "unknown", None, False, ()
-    if words == ["t"] or _is_time(words):
-        return "time", None, False, tuple(words)
-    if present & _LABEL and present <= _LABEL_COMPANIONS:
-        return "label", None, False, tuple(words)
-    if "name" in present or "names" in present:
-        return "name", _last_number(words), False, _without_number(words, len(words) - 1)
-    spoken = [word for word in words if word in _NO_ANGLE_OF]
-    if spoken:
-        return _NO_ANGLE_OF[spoken[0]], None, commanded, tuple(words)
-    if present & _CURRENT and not present & _ANGLE:  # "current position" is the one measured now
-        return "current", None, commanded, tuple(words)
-    if present & _ROTATIONS and not present & _JOINT:
-        return "pose", None, commanded, tuple(words)
-    quantity, strong = _quantity(words, present)
-    if quantity == "velocity" and "d" in present:  # dq_d, the desired velocity
-        commanded = True
-    if quantity == "unknown":
-        return quantity, None, commanded, tuple(words)
-    at = _number_at(words, strong)
-    if at is None:
-        return quantity, None, commanded, tuple(words)
-    if at < 0 or not _fits_behind_number(words[at + 1 :]):
-        return "unknown", None, commanded, tuple(words)
-    return quantity, int(words[at]), commanded, _without_number(words, at)
-
-
-def _is_time(words):
-    present = {word for word in words if not word.isdigit()}
-    named = present & (_TIME | _DATES) or present == {"duration"}
-    ticking = {tuple(words[-size:]) for size in (1, 2)} & set(_UNIT_OF_WORDS)
-    seconds = any(_UNIT_OF_WORDS[unit][0] == "time" for unit in ticking)
-    units = {word for unit in ticking for word in unit} if seconds else set()
-    return bool(named) and present <= _TIME | _DATES | _BESIDE_TIME | units | {"t", "duration"}
-
-
-def _quantity(words, present):
-    """Return position, velocity, unclear or unknown, and whether a word says so rather than "joint"
-    alone."""
-    before_number = {
-        _BEFORE_A_NUMBER[word]
-        for word, after in pairwise(words)
-        if word in _BEFORE_A_NUMBER and after.isdigit()
-    }
-    velocity = present & _VELOCITY or "velocity" in before_number
-    angle = present & _ANGLE or "angle" in before_number
-    if velocity:
-        return "velocity", True
-    if "d" in present and angle:
-        return "unclear", True  # q_d is the desired angle or the derivative
-    if angle:
-        return "position", True
-    if present & _JOINT or "joint" in before_number:
-        return "position", False
-    return "unknown", False
-
-
-def _number_at(words, strong):
-    """Return where the joint's number stands, None if there is none, -1 if there are several."""
-    speaking = _ANGLE | _VELOCITY | _JOINT | set(_BEFORE_A_NUMBER) | {"d"}
-    after = []
-    for i in range(1, len(words)):
-        if not words[i].isdigit():
+def _refuse_gaps(table, columns, kind, found, others):
+    """Refuse the first joint that has no column, or two; others: all columns of the joints."""
+    numbers = [column.number for column in found]
+    every = [column.number for column in others]
+    start = 0 if 0 in every else 1
+    for number in range(start, max(every) + 1):
+        if numbers.count(number) == 1:
             continue
-        before = words[:i]
-        while before and before[-1] in _PLAIN | _COMMANDED:
-            before = before[:-1]
-        if before and before[-1] in speaking:
-            after.append(i)
-    if len(after) > 1:
-        return -1
-    if after:
-        # [0] behind a joint's number, or joint_2 behind q_0: which of the two is the joint's?
-        return -1 if words[-1].isdigit() and after[0] != len(words) - 1 else after[0]
-    if strong and words[-1].isdigit():
-        return len(words) - 1
-    return None
+        twice = [str(c.place + 1) for c in found if c.number == number]
+        joint = f"column {kind}{number + 1 - start}"
+        problem = f"{joint} is missing."
+        if twice:
+            problem = f"{joint} occurs twice: columns {' and '.join(twice)} have this title."
+        # A column without a title may be the one that is missing; of two, the first is shown.
+        first, last = (choose(column.place for column in found) for choose in (min, max))
+        untitled = [c.place for c in columns if not c.title and first < c.place < last]
+        shown = {column.number: column.place for column in reversed(found)}.values()
+        line = ", ".join(_example(table, place) for place in sorted([*untitled, *shown]))
+        raise unclear(
+            table,
+            columns,
+            problem,
+            "Write all joints from the base, each by title or by number from 1, for example "
+            f'columns={{"{kind}": [{line}]}}.',
+        )
 
 
-def _fits_behind_number(words):
-    known = _PLAIN | _COMMANDED | _ANGLE | _VELOCITY | _JOINT | _MOTOMAN | {"d"}
-    return set(words) <= known
+def _named_sets(columns, names):
+    """Return {kind: sets} of columns whose titles differ by these names alone."""
+    of_pattern = {}
+    for i, name in enumerate(names):
+        longer = [other for other in names if len(other) > len(name) and name in other]
+        for column, pattern in _columns_of_name(columns, name):
+            if any(column is c for other in longer for c, _ in _columns_of_name(columns, other)):
+                continue
+            kind = _kind_of(pattern, has_name=True)
+            kind = "qd" if kind and column.unit in ("rad/s", "deg/s", "rpm") else kind
+            of_pattern.setdefault((kind, pattern), {}).setdefault(i, []).append(column)
+    sets = {}
+    for (kind, _), found in of_pattern.items():
+        if kind and len(found) == len(names) and all(len(same) == 1 for same in found.values()):
+            sets.setdefault(kind, []).append([found[i][0] for i in range(len(names))])
+    return sets
 
 
-def _last_number(words):
-    return int(words[-1]) if words[-1].isdigit() else None
+def _columns_of_name(columns, name):
+    """Return the columns with the words of a joint's name, and their words with * for the name."""
+    wanted = _words_of(name)
+    if wanted[-1:] == ("joint",):
+        wanted = wanted[:-1]
+    found = []
+    for column in columns:
+        words, size = column.words, len(wanted)
+        for at in range(len(words) - size + 1):
+            if words[at : at + size] == wanted:
+                found.append((column, (*words[:at], "*", *words[at + size :])))
+                break
+    return found
 
 
-def _without_number(words, at):
-    return (*words[:at], *words[at + 1 :])
+def _belonging(table, columns, angles, sets):
+    """Return the velocities of these joints: the one set, or the one with the same other words."""
+
+    def other_words(column):
+        return [word for word in column.pattern if _KIND_OF.get(word) in ("", "joint")]
+
+    if len(sets) > 1:
+        sets = [found for found in sets if other_words(found[0]) == other_words(angles[0])]
+    if not sets:
+        return []
+    if len(sets) == 1 and len(sets[0]) == len(angles):
+        return sets[0]
+    raise unclear(
+        table,
+        columns,
+        "it is not clear which columns are the velocities of these joints.",
+        f'Write them, for example columns={{"q": {_pattern_of(angles)}, '
+        f'"qd": {_pattern_of(sets[0])}}}.',
+    )
+
+
+def _named_by_rows(table, columns):
+    """Return the columns, with the names of joints that stand beside the numbers of a message."""
+    names = {}
+    for column in columns:
+        if column.kind != "name" or column.number is None:
+            continue
+        cells = table.cells(column.place)
+        if len(set(cells)) > 1:
+            row = next(i for i, cell in enumerate(cells) if cell != cells[0])
+            raise unclear(
+                table,
+                columns,
+                f"the joints change their places: {column.title} is {cells[0]!r} in row 1 and "
+                f"{cells[row]!r} in row {row + 1}.",
+                "Write the file with one order of the joints.",
+            )
+        names[column.number] = cells[0]
+    named = []
+    for column in columns:
+        values = {word for word in column.pattern if _KIND_OF.get(word) in ("q", "qd")}
+        if column.kind == "name" or not values or not names.get(column.number):
+            named.append(column)
+            continue
+        name = names[column.number]
+        beside = [word for word in column.pattern if word != "*"]
+        words = (*beside, *_words_of(name))
+        named.append(_of_words(column.place, f"{column.title} ({name})", words))
+    return named
+
+
+def _titles_of_ros2(table):
+    """Return titles for what `ros2 topic echo --csv` writes of sensor_msgs/JointState, or ().
+
+    There is no header, and the fields stand in the message's order: sec, nanosec, frame_id, names,
+    positions, and, where they are filled, velocities and efforts.
+    """
+    row = table.rows[0]
+    joint_count = 0
+    for place in range(3, table.width):
+        if table.holds_numbers(place) or not row[place]:
+            break
+        joint_count += 1
+    rest = table.width - 3 - joint_count
+    begins = (
+        table.width > 3 and row[0].isdigit() and row[1].isdigit() and not table.holds_numbers(2)
+    )
+    if not begins or not joint_count or rest not in (joint_count, 3 * joint_count):
+        return ()
+    kinds = ("name", "position", "velocity", "effort")[: 1 + rest // joint_count]
+    return (
+        "sec",
+        "nanosec",
+        "frame_id",
+        *(f"{kind}_{i}" for kind in kinds for i in range(joint_count)),
+    )
+
+
+def _without_header(table, columns, joint_count, has_step):
+    """Return the columns of a table without header: t, q1 ... qk and perhaps qd1 ... qdk.
+
+    With a time step there are no times, and the file holds positions alone.
+    """
+    if has_step and joint_count in (None, table.width):
+        return [], columns, []
+    k = joint_count
+    problem = (
+        "it must begin with a header, or hold t, q1 ..., qd1 ... of as many joints as limits has: "
+        f"column t is missing, or others; its shape is ({len(table.rows)}, {table.width})."
+    )
+    if table.width in (7, 8) and _are_quaternions(table, columns[-4:]):
+        problem = "it looks like poses, because its last four columns are unit quaternions."
+    elif k is not None and table.width in (1 + k, 1 + 2 * k) and not has_step:
+        return columns[:1], columns[1 : k + 1], columns[k + 1 :]
+    raise unclear(
+        table,
+        [],
+        problem,
+        'Write the columns by their numbers, from 1: columns={"t": 1, "q1": 2, "q2": 3, ...}. For '
+        "positions alone, give the time step, and the file of the velocities if any: step=0.01, "
+        'velocities="a second file".',
+    )
+
+
+# Columns that the user chose
+# -------------------------------------------------------------------------------------------------
+
+
+def _chosen_places(table, chosen):
+    """Return {"t": places, "q": places, "qd": places} of the argument `columns`."""
+    numbered = {"t": {}, "q": {}, "qd": {}}
+    for key, value in chosen.items():
+        parted = re.fullmatch(r"(t|qd?)([1-9]\d*)?", key) if isinstance(key, str) else None
+        if not parted or (parted[1] == "t" and parted[2]):
+            raise ValueError(
+                f'columns must have keys such as "t", "q1" and "qd1"; one is {key!r:.40}'
+            )
+        places = _places(table, key, value)
+        kind, number = parted[1], parted[2]
+        if kind == "t" and len(places) > 2:
+            raise ValueError('columns["t"] must be one column, or those of seconds and nanoseconds')
+        if number and len(places) != 1:
+            raise ValueError(f"columns[{_quoted(key)}] must be one column; it is {value!r:.60}")
+        first = int(number or 1)
+        numbered[kind] |= {first + i: place for i, place in enumerate(places)}
+    count = max([*numbered["q"], *numbered["qd"]], default=0)
+    for kind in ("q", "qd"):
+        missing = [i for i in range(1, count + 1) if i not in numbered[kind]]
+        if missing and (numbered[kind] or kind == "q"):
+            raise ValueError(
+                f"columns must name {kind}1 to {kind}{count}; {kind}{missing[0]} is missing"
+            )
+    return {kind: [found[i] for i in sorted(found)] for kind, found in numbered.items()}
+
+
+def _places(table, key, value):
+    """Return the places of one entry of `columns`: of titles, of numbers, or of a pattern."""
+    values = list(value) if isinstance(value, list | tuple) else [value]
+    is_pattern = len(values) == 1 and isinstance(values[0], str) and "*" in values[0]
+    if is_pattern and values[0] not in table.header:
+        return _matching(table, key, values[0])
+    return [_place(table, key, value) for value in values]
+
+
+def _place(table, key, value):
+    where = f"columns[{_quoted(key)}]"
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        if not 1 <= value <= table.width:
+            raise ValueError(
+                f"{where} is {value}: columns count from 1, and {table.name} has {table.width}"
+            )
+        return int(value) - 1
+    if not isinstance(value, str):
+        raise ValueError(f"{where} must be a title or a number from 1; it is {value!r:.60}")
+    # The mark of a comment before the first title is not part of it.
+    places = [i for i, title in enumerate(table.header) if title == value.lstrip("#% ")]
+    if len(places) > 1:
+        numbers = " or ".join(str(place + 1) for place in places)
+        raise ValueError(
+            f"{table.name}: {where} is {value!r}, a title that occurs {len(places)} times: write"
+            f" the column's number, {numbers}"
+        )
+    if not places:
+        raise unclear(
+            table,
+            [understand(i, title) for i, title in enumerate(table.header)],
+            f"{where} is {value!r}, and no column has this title.",
+            "Write a title as it stands in the header, or the number of a column, from 1.",
+        )
+    return places[0]
+
+
+def _matching(table, key, pattern):
+    """Return the places of the titles that a pattern such as "actual_q_*" matches, by number."""
+    before, _, after = pattern.partition("*")
+    form = re.compile(rf"{re.escape(before)}(\d+){re.escape(after)}")
+    found = []
+    for place, title in enumerate(table.header):
+        if match := form.fullmatch(title):
+            found.append((int(match[1]), place))
+    found.sort()
+    numbers = [number for number, _ in found]
+    first = min(numbers, default=2)
+    matched = ", ".join(table.header[place] for _, place in found) or "none"
+    if first > 1 or numbers != list(range(first, first + len(numbers))):
+        raise ValueError(
+            f"columns[{_quoted(key)}] is {pattern!r}: it must match titles with all numbers from 0"
+            f" or 1 on, each once; it matches {matched}"
+        )
+    return [place for _, place in found]
+
+
+# Questions
+# -------------------------------------------------------------------------------------------------
+
+
+def unclear(table, columns, problem, advice):
+    """Return an UnclearFileError: the problem, the header, what was understood, what to write."""
+    lines = [f"{table.name}: {problem}"]
+    if table.header:
+        header = ",".join(table.header)
+        lines.append(f"  header: {_shortened(header, 300)}")
+    if columns:
+        lines.append(f"  understood: {_shortened(_understood(table, columns), 700)}")
+    lines.append(f"  {advice}")
+    return UnclearFileError("\n".join(lines))
+
+
+def _understood(table, columns):
+    """Return what was understood of each column; neighbours of one set are named together."""
+    words = {"t": "time", "q": "joint angle", "qd": "joint velocity", "name": "names of joints"}
+    groups = []
+    for column in columns:
+        meaning = words.get(column.kind)
+        if meaning is None:
+            meaning = "not known" if table.holds_numbers(column.place) else "text"
+        if column.unit:
+            meaning += f" in {column.unit.removeprefix('?')}"
+        if groups and groups[-1][0] == meaning:
+            groups[-1][1].append(column)
+        else:
+            groups.append((meaning, [column]))
+    parts = []
+    for meaning, group in groups:
+        names = [column.title or f"(no title, column {column.place + 1})" for column in group]
+        several = f"{names[0]} to {names[-1]} ({len(names)} columns)"
+        parts.append(f"{names[0] if len(names) == 1 else several}: {meaning}")
+    return "; ".join(parts)
+
+
+def _no_joints(table, columns):
+    """Return the question which columns are the joints, with the line for those of the file."""
+    unknown = [c for c in columns if c.kind in ("", "q", "qd") and table.holds_numbers(c.place)]
+    problem = "column q1 is missing: no title says that a column holds the angle of a joint."
+    labels = [c for c in columns if c.words and set(c.words) <= {"joint", "name", "joints"}]
+    if labels and not table.holds_numbers(labels[0].place):
+        return unclear(
+            table,
+            columns,
+            f"it has a row for each joint, named by {labels[0].title!r}, and must have a row for"
+            " each time, with a column for each joint.",
+            f"Write it anew, for example with pandas: table.pivot(index=..., columns="
+            f"{_quoted(labels[0].title)}, values=...).",
+        )
+    of_pattern = {}
+    for column in unknown:
+        if column.number is not None:
+            of_pattern.setdefault(column.pattern, []).append(column)
+    families = [_pattern_of(found) for found in of_pattern.values() if len(found) > 1]
+    if families:
+        return unclear(
+            table,
+            columns,
+            f"{problem} Numbered columns: {', '.join(families)}.",
+            "If some are joint angles, write them, for example "
+            f'columns={{"q": {families[0]}}}; * is for the numbers.',
+        )
+    titled = [re.sub(r".*\((.*)\)", r"\1", column.title) for column in unknown if column.title]
+    if titled:
+        return unclear(
+            table,
+            columns,
+            problem,
+            "If these are the joints, write them from the base to the end-effector: "
+            f"joints={_quoted(titled)}.",
+        )
+    return unclear(
+        table,
+        columns,
+        problem,
+        'If some do, write their numbers, in the order of the joints: columns={"q": [2, 3, ...]}.',
+    )
+
+
+def _pattern_of(found):
+    """Return the titles of a set as one pattern, such as "actual_q_*", or as a list."""
+    patterns = set()
+    for column in found:
+        before, mark, after = column.title.rpartition(str(column.number))
+        patterns.add(f"{before}*{after}" if mark else column.title)
+    return _quoted(patterns.pop() if len(patterns) == 1 else [column.title for column in found])
+
+
+def _example(table, place):
+    """Return a column as the user may write it: its title, or its number if it has none."""
+    titles = table.header
+    unique = titles and titles[place] and titles.count(titles[place]) == 1
+    return _quoted(titles[place]) if unique else str(place + 1)
+
+
+def _quoted(value):
+    """Return a value as it is written in Python, with double quotes."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _shortened(text, size):
+    """Return a text of at most `size` characters, from which the middle is left out."""
+    return text if len(text) <= size else f"{text[: size - 40]} ... {text[-35:]}"

@@ -1,17 +1,14 @@
-"""Read joint trajectories from the files of other programs."""
+"""Read joint trajectories from the files of other programs, or ask what is not clear."""
 
 import re
 from dataclasses import replace
-from datetime import datetime
-from decimal import Decimal, InvalidOperation
+from decimal import Decimal
 
 import numpy as np
 
 from course_lib.arguments import file_path, positive, real_array
-from course_lib.trajectory.column_names import UNITS
+from course_lib.trajectory.column_names import UNITS, UnclearFileError, find_columns, unclear
 from course_lib.trajectory.motion import Trajectory
-from course_lib.trajectory.planning import plan_of
-from course_lib.trajectory.refusals import JointCountError, UnclearFileError, unclear
 from course_lib.trajectory.text_table import read_table
 
 _SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".npy")
@@ -21,8 +18,22 @@ _SLOW = 1.0  # seconds between samples, from which times without a unit are aske
 # Seconds since 1970 in the years 2000 to 2100: a time in no unit that, in one of these units, falls
 # there, is in that unit. ROS counts nanoseconds since 1970, others micro- or milliseconds.
 _SINCE_1970 = (9.4e8, 4.2e9)
-_UNITS_IN_WORDS = {"t": "times", "q": "angles", "qd": "angular velocities"}
-_FILE_UNITS = {"t": ("time",), "q": ("angle",), "qd": ("rate", "angle")}
+_QUANTITIES = {"t": "times", "q": "angles", "qd": "angular velocities"}
+
+
+class JointCountError(ValueError):
+    """A file has another number of joints than the arm.
+
+    Attributes
+    ----------
+    found, expected : int
+        The number of joints in the file, and that of the limits.
+    """
+
+    def __init__(self, name, found, expected):
+        joints = f"{found} joint{'s' if found > 1 else ''}"
+        super().__init__(f"{name}: this file has {joints}, and limits are given for {expected}")
+        self.found, self.expected = found, expected
 
 
 def load(path, limits=None, velocities=None, step=None, units=None, joints=None, columns=None):
@@ -30,8 +41,8 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     velocities.
 
     A column is used if its title says what it is: time, or the angle or velocity of a numbered
-    joint, such as `t`, `q1`, `joint_2_pos [deg]`. Joints with names are put in order by these names
-    where the names are those of a known arm, such as `shoulder_pan_joint`. In all other cases the
+    joint, such as `t`, `q1`, `joint_2 [deg]`, `actual_q_0`, `state.q[0]`, `panda_joint1`. The
+    joints of Universal Robots, Sawyer and Baxter are known by their names. In all other cases the
     error shows the header, says what was understood of each column, and names the argument to
     write.
 
@@ -66,7 +77,8 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     -------
     Trajectory
         Its `understood` says which column each joint came from, its unit and its range in degrees.
-        Velocities that are not in the file are differences of the samples.
+        Velocities that are not in the file, or are NaN throughout, are differences of the samples.
+        A joint that was logged within one turn, and so jumps by 2 pi, is unwrapped.
 
     Raises
     ------
@@ -105,50 +117,51 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
         limits = real_array(limits, "limits", ("n", 2), batched=False, infinite=True)
     if step is not None:
         step = float(positive(step, "step", batched=False))
-    count = None if limits is None else len(limits)
-    has_step, chosen = step is not None, columns is not None
-    table = read_table(path).with_samples_as_rows(count if has_step else None)
-    table, plan = plan_of(table, count, has_step, joints, columns)
-    q_columns = _with_units(table, plan, plan.q, "q", units, chosen)
+    count, has_step, chosen = (
+        None if limits is None else len(limits),
+        step is not None,
+        columns is not None,
+    )
+    table = read_table(path)
+    if has_step and count is not None:
+        table = table.with_samples_as_rows(count)
+    found = find_columns(table, count, has_step, joints, columns)
+    q_columns = _with_units(table, found.q, "q", units, chosen)
     if count is not None and len(q_columns) != count:
         raise JointCountError(table.name, len(q_columns), count)
     q = _values(table, q_columns, "q")
-    qd_table, qd_columns = table, _with_units(table, plan, plan.qd, "qd", units, chosen)
-    if velocities is not None:
-        qd_table = read_table(_table_file(velocities, "velocities")).with_samples_as_rows(count)
-        qd_table, qd_plan = plan_of(qd_table, count, has_step, joints, None, True)
-        qd_columns = _with_units(qd_table, qd_plan, qd_plan.q, "qd", units)
-    qd = _values(qd_table, qd_columns, "qd") if qd_columns else None
-    if qd is not None and qd.shape != q.shape:
-        raise ValueError(
-            f"positions and velocities must have one shape; they are {q.shape} in {table.name} and "
-            f"{qd.shape} in {qd_table.name}, a row for each sample"
-        )
     if has_step:
         t = elapsed = step * np.arange(len(q))
-        time_said = f"steps of {step:g} s"
+        time_line, time_said = [], f"steps of {step:g} s"
     else:
-        t, elapsed, unit = _times(table, plan.time, units.get("t"), chosen, q, qd)
-        time_said = f"t in {unit}"
+        t, elapsed, unit = _times(table, found.t, units.get("t"), chosen)
+        time_line, time_said = [f"t: {_came_from(found.t)}"], f"t in {unit}"
     _ask_for_degrees(table, q_columns, q)
     q = q * _sizes(q_columns)
+    if velocities is None:
+        qd_columns = _with_units(table, found.qd, "qd", units, chosen)
+        qd = _velocities(table, qd_columns, q, q_columns)
+    else:
+        other = read_table(_table_file(velocities, "velocities")).with_samples_as_rows(
+            len(q_columns)
+        )
+        found_there = find_columns(other, count, True, joints, None, velocities_alone=True)
+        qd_columns = _with_units(other, found_there.q, "qd", units, False)
+        qd = _velocities(other, qd_columns, q, q_columns)
+    q, remarks = _unwrapped(table, q_columns, q, qd, elapsed, limits)
     if limits is not None:
         _refuse_outside(table, q_columns, q, limits)
-    given = qd is not None
-    if given:
-        if all(column.unit is None for column in qd_columns):  # that of the angles, per second
-            pairs = zip(qd_columns, q_columns, strict=True)
-            qd_columns = [replace(column, unit=angle.unit) for column, angle in pairs]
-        qd = qd * _sizes(qd_columns)
-    elif len(q) > 1:
-        qd = np.gradient(q, elapsed, axis=0)
-    else:
-        qd = np.zeros_like(q)
-    summary = _summary(table, plan, time_said, q_columns, len(q), given)
-    lines = [] if has_step else [f"t: {_came_from(plan.time)}"]
-    lines += _joint_lines(q_columns, qd_columns, q)
-    if plan.unused:
-        lines.append(f"not used: {_titles(plan.unused)}")
+    lines = [*time_line, *_joint_lines(q_columns, qd_columns, q)]
+    qd, missing = _with_differences(q, qd, elapsed)
+    given = len(missing) < len(q_columns)
+    if qd_columns and missing:
+        names = ", ".join(qd_columns[i].title for i in missing)
+        lines.append(f"left out, because they are NaN throughout: {names}")
+    lines += remarks
+    if found.unused:
+        lines.append(f"not used: {_titles(found.unused)}")
+    remark = (", decimal comma" if table.decimal_comma else "") + found.remark
+    summary = _summary(len(q), time_said, q_columns, len(q_columns) - len(missing)) + remark
     return Trajectory(t, q, qd, "\n  ".join([summary, *lines]), given)
 
 
@@ -179,8 +192,7 @@ def _checked_units(units):
         parted = re.fullmatch(r"(t|qd?)(\d*)", key) if isinstance(key, str) else None
         if not parted:
             raise ValueError(f"{expected}: its keys are t, q, qd, q1, qd1 ...; one is {key!r:.40}")
-        kinds = _FILE_UNITS[parted[1]]
-        known = [name for name, (kind, _) in UNITS.items() if kind in kinds]
+        known = UNITS[parted[1]]
         if not isinstance(unit, str) or unit not in known:
             raise ValueError(
                 f"{expected}: of {key} it may be {', '.join(known)}; it is {unit!r:.40}"
@@ -196,103 +208,227 @@ def _checked_joints(joints):
             f'joints must be a list of names, such as ["joint_a1"]; it is {joints!r:.60}'
         )
     for joint in joints:
-        if not isinstance(joint, str) or not joint.strip():
+        if not isinstance(joint, str) or not re.search(r"\w", joint):
             raise ValueError(f"joints must be names; one is {joint!r:.40}")
     if len(set(joints)) < len(joints):
         raise ValueError(f"joints must be different names; they are {joints!r:.200}")
     return list(joints)
 
 
-# Columns of angles and velocities
+# Units
 # -------------------------------------------------------------------------------------------------
 
 
-def _with_units(table, plan, columns, kind, units, chosen=False):
-    """Return the columns of angles, "q", or velocities, "qd", with the units that the user or the
-    header says."""
-    numbered = []
-    for i, column in enumerate(columns, 1):
-        key = f"{kind}{i}" if f"{kind}{i}" in units else kind
-        numbered.append(_with_unit(table, column, key, units.get(key), chosen))
-    _refuse_wrong_units(table, numbered, kind)
-    known = {column.unit for column in numbered}
-    if None in known and len(known) > 1:
-        number = next(i for i, column in enumerate(numbered, 1) if column.unit is None)
-        raise unclear(
-            table,
-            f"some columns have a unit, and {columns[number - 1].title!r} has none.",
-            [*plan.time, *columns],
-            f'Write its unit, for example units={{"{kind}{number}": "rad"}}.',
-        )
-    return numbered
-
-
-def _with_unit(table, column, key, unit, chosen):
-    """Return a column with the unit that the user says, if any; refuse one that its title denies.
+def _with_units(table, columns, kind, units, chosen):
+    """Return the columns of one kind with the units that the user or the header says.
 
     chosen: whether the user chose the columns, and so knows what their titles say.
     """
-    if unit is None:
-        return column
-    known = UNITS.get(column.unit)
-    if known is not None and known[1] != UNITS[unit][1] and not chosen:
+    united = []
+    for number, column in enumerate(columns, 1):
+        key = f"{kind}{number}" if f"{kind}{number}" in units else kind
+        united.append(_with_unit(table, column, kind, key, units.get(key), chosen))
+    without = [i for i, column in enumerate(united, 1) if column.unit is None]
+    if without and len(without) < len(united):
         raise unclear(
             table,
-            f"units says that {key} is in {unit}, and {column.title!r} says {column.unit}.",
+            columns,
+            f"some columns have a unit, and {united[without[0] - 1].title!r} has none.",
+            "Write its unit, for example "
+            f'units={{"{kind}{without[0]}": "{next(iter(UNITS[kind]))}"}}.',
+        )
+    return united
+
+
+def _with_unit(table, column, kind, key, unit, chosen):
+    """Return a column with the unit that the user says, else that of its title, if it is known."""
+    in_title = column.unit if column.unit in UNITS[kind] else None
+    known = ", ".join(UNITS[kind])
+    if column.unit and in_title is None and unit is None:
+        raise unclear(
+            table,
             [column],
+            f"{column.title!r} has the unit {column.unit.removeprefix('?')}. The units of "
+            f"{_QUANTITIES[kind]} that are known here are {known}.",
+            "If it is in one of these nevertheless, write it, for example "
+            f'units={{"{key}": "{known.split(",")[0]}"}}.',
+        )
+    if unit is not None and in_title not in (None, unit) and not chosen:
+        raise unclear(
+            table,
+            [column],
+            f"units says that {key} is in {unit}, and {column.title!r} says {in_title}.",
             f'Leave it out of units, or, if the title is wrong, add columns={{"{key}": ...}}.',
         )
-    return replace(column, unit=unit)
+    return replace(column, unit=unit or in_title)
 
 
-def _refuse_wrong_units(table, columns, kind):
-    """Refuse columns whose unit in the header is not one of their quantity."""
-    what, kinds = _UNITS_IN_WORDS[kind], _FILE_UNITS[kind]
-    known = ", ".join(name for name, (unit_kind, _) in UNITS.items() if unit_kind in kinds)
-    for number, column in enumerate(columns, 1):
-        if column.unit and column.unit.startswith("?"):
-            key = kind if kind == "t" else f"{kind}{number}"
-            raise unclear(
-                table,
-                f"{column.title!r} has the unit {column.unit[1:]}. The units of {what} that are "
-                f"known here are {known}.",
-                columns,
-                f"If it is in one of these nevertheless, write it, for example "
-                f'units={{"{key}": "{known.split(",")[0]}"}}.',
-            )
+def _sizes(columns):
+    return np.array([(UNITS["q"] | UNITS["qd"])[column.unit or "rad"] for column in columns])
+
+
+def _ask_for_degrees(table, columns, q):
+    reach = np.abs(q).max()
+    if reach > _MAX_RADIANS and all(column.unit is None for column in columns):
+        raise UnclearFileError(
+            f"{table.name}: angles reach {reach:.4g}, and the header has no unit. Are they degrees?"
+            ' Then add units={"q": "deg"}; if they are radians, units={"q": "rad"}'
+        )
+
+
+# Times
+# -------------------------------------------------------------------------------------------------
+
+
+def _times(table, columns, unit, chosen):
+    """Return times (n,) in seconds, the same less the first, exact to the last digit, and their
+    unit."""
+    label = _label("t", columns[0])
+    if len(columns) == 1:
+        columns = _with_units(table, columns, "t", {} if unit is None else {"t": unit}, chosen)
+    for column in columns:
+        values = table.numbers(column.place, label)[:, None]
+        bad = ~(np.abs(values) <= _MAX_VALUE)
+        _refuse(table, [column], [label], bad, "is not a finite number")
+    # Decimals, because a float holds nanoseconds since 1970 to 256 of them.
+    ticks = [Decimal(cell) for cell in table.cells(columns[0].place)]
+    if len(columns) == 2:
+        parts = [Decimal(cell) for cell in table.cells(columns[1].place)]
+        ticks = [whole + Decimal("1e-9") * part for whole, part in zip(ticks, parts, strict=True)]
+        unit = "s"
+    else:
+        unit = columns[0].unit or _unit_of_times(table, columns[0], ticks)
+    size = Decimal(repr(UNITS["t"][unit]))
+    elapsed = np.array([float((tick - ticks[0]) * size) for tick in ticks])
+    t = np.array([float(tick * size) for tick in ticks])
+    back = np.append(False, np.diff(elapsed) <= 0)
+    if back.any():
+        row = int(np.argmax(back))
+        since_start = abs(t[0]) >= 1e6  # such as seconds since 1970
+        now, before = (elapsed if since_start else t)[[row, row - 1]]
+        since = f" (since {t[0]:.0f} s)" if since_start else ""
+        raise ValueError(
+            f"{table.name}: row {row + 1}, {label} is {now:g} s, after {before:g}"
+            f" s{since}: time must increase"
+        )
+    return t, elapsed, unit
+
+
+def _unit_of_times(table, column, ticks):
+    """Return the unit of times without one: what is certain from the numbers; else ask."""
+    if "success_rate" in table.header:  # the log of libfranka, which counts milliseconds
+        return "ms"
+    for unit in ("ns", "us", "ms", "s"):
+        if _SINCE_1970[0] < float(ticks[0]) * UNITS["t"][unit] < _SINCE_1970[1]:
+            return unit
+    step = float(np.median(np.diff([float(tick) for tick in ticks]))) if len(ticks) > 1 else 0.0
+    if step < _SLOW:
+        return "s"
+    rates = ", ".join(f"{1 / (step * size):.4g} in {unit}" for unit, size in UNITS["t"].items())
+    raise UnclearFileError(
+        f"{table.name}: times, {column.title!r}, are {step:.4g} apart, and the header has no unit. "
+        "Are they milliseconds? Or micro- or nanoseconds? Samples per second would be: "
+        f'{rates}. Add the right one, units={{"t": "s"}}, {{"t": "ms"}}, {{"t": "us"}} or '
+        '{"t": "ns"}'
+    )
+
+
+# Angles and velocities
+# -------------------------------------------------------------------------------------------------
 
 
 def _values(table, columns, kind):
     """Return the columns as an array (n, k), as they stand in the file; refuse what is not
     finite."""
     labels = [_label(f"{kind}{i}", column) for i, column in enumerate(columns, 1)]
-    values = [
-        table.values(column.place, label) for column, label in zip(columns, labels, strict=True)
-    ]
-    array = np.column_stack(values)
-    _refuse(table, columns, labels, ~(np.abs(array) <= _MAX_VALUE), "is not a finite number")
+    pairs = zip(columns, labels, strict=True)
+    array = np.column_stack([table.numbers(column.place, label) for column, label in pairs])
+    bad = ~(np.abs(array) <= _MAX_VALUE)
+    if kind == "qd":
+        bad &= ~np.isnan(array).all(0)
+    _refuse(table, columns, labels, bad, "is not a finite number")
     return array
 
 
-def _label(name, column):
-    """Return what a message calls a column: its name here, and its title if that is another one."""
-    if column.title.isdigit():  # there is no header
-        return f"column {column.title}"
-    return f"column {name}" if name == column.title else f"column {name} ({column.title!r})"
+def _velocities(table, columns, q, q_columns):
+    """Return the velocities in radians per second, or None; NaN where a column is NaN throughout.
+
+    Drivers of robots that do not measure velocities fill the columns with NaN, or leave them empty.
+    """
+    if not columns:
+        return None
+    filled = [column for column in columns if any(table.cells(column.place))]
+    if not filled:
+        return np.full(q.shape, np.nan)
+    qd = _values(table, columns, "qd")
+    if qd.shape != q.shape:
+        raise ValueError(
+            f"positions and velocities must have one shape; positions are {q.shape}, and "
+            f"velocities in {table.name} are {qd.shape}, a row for each sample"
+        )
+    if all(column.unit is None for column in columns):  # that of the angles, per second
+        pairs = zip(columns, q_columns, strict=True)
+        columns = [replace(column, unit=angle.unit) for column, angle in pairs]
+    return qd * _sizes(columns)
 
 
-def _sizes(columns):
-    return np.array([UNITS[column.unit or "rad"][1] for column in columns])
+def _with_differences(q, qd, elapsed):
+    """Return velocities, which are differences of the samples where none are given, and the joints
+    for which they are."""
+    missing = np.ones(q.shape[1], bool) if qd is None else np.isnan(qd).all(0)
+    velocities = np.zeros_like(q) if qd is None else qd.copy()
+    if missing.any() and len(q) > 1:
+        velocities[:, missing] = np.gradient(q[:, missing], elapsed, axis=0)
+    return velocities, np.flatnonzero(missing).tolist()
 
 
-def _refuse(table, columns, labels, bad, reason, *arrays):
-    """Raise ValueError for the first True in bad (n, k), with the entries of arrays in its
-    reason."""
-    if bad.any():
-        row, column = np.argwhere(bad)[0]
-        where = table.where(row, columns[column].place, labels[column])
-        reason = reason.format(*(array[row, column] for array in arrays))
-        raise ValueError(f"{table.name}: {where} {reason}")
+def _unwrapped(table, columns, q, qd, elapsed, limits):
+    """Return the angles, continued over jumps of a joint that was logged within one turn, and what
+    is to be said of it.
+
+    A step of more than half a turn is such a jump if the shorter way round fits the velocities in
+    the file, or, without any, the joint's other steps. Where the limits forbid the shorter way, the
+    joint stays as it is in the file. Where neither is certain, the user is asked.
+    """
+    q, remarks = q.copy(), []
+    for i, column in enumerate(columns):
+        steps = np.diff(q[:, i])
+        jumps = np.abs(steps) > np.pi
+        if not jumps.any():
+            continue
+        rows = [int(row) + 1 for row in np.flatnonzero(jumps)]
+        where = f"after row{'s' * (len(rows) > 1)} {', '.join(map(str, rows[:5]))}"
+        where += ", ..." if len(rows) > 5 else ""
+        continued = np.unwrap(q[:, i])
+        low, high = (-np.inf, np.inf) if limits is None else limits[i]
+        endless = limits is not None and not np.isfinite([low, high]).any()
+        largest = np.abs(steps[jumps]).max()
+        if ((continued < low) | (continued > high)).any():
+            remarks.append(f"q{i + 1} jumps by up to {largest:.2f} rad {where}, as in the file")
+            continue
+        if not endless and not _goes_the_short_way(steps, jumps, qd, i, elapsed):
+            raise unclear(
+                table,
+                columns,
+                f"{_label(f'q{i + 1}', column)} jumps by up to {largest:.2f} rad {where}. Was it "
+                "logged within one turn, or did the joint go that far?",
+                "Write limits, a row for each joint: [-np.inf, np.inf] for one that turns without "
+                "end and was logged within one turn, else its lowest and highest angle.",
+            )
+        q[:, i] = continued
+        remarks.append(f"q{i + 1} is logged within one turn, and unwrapped {where}")
+    return q, remarks
+
+
+def _goes_the_short_way(steps, jumps, qd, joint, elapsed):
+    """Return whether all jumps of a joint are those of an angle logged within one turn."""
+    short = np.abs(steps - 2 * np.pi * np.sign(steps))[jumps]
+    if qd is not None and not np.isnan(qd[:, joint]).any():
+        expected = (np.diff(elapsed) * (qd[1:, joint] + qd[:-1, joint]) / 2)[jumps]
+        far, near = steps[jumps], steps[jumps] - 2 * np.pi * np.sign(steps[jumps])
+        return bool((np.abs(near - expected) < np.abs(far - expected)).all())
+    others = np.abs(steps[~jumps])
+    return bool(len(others) and short.max() <= 2 * others.max() + 0.01)
 
 
 def _refuse_outside(table, columns, q, limits):
@@ -307,140 +443,34 @@ def _refuse_outside(table, columns, q, limits):
     _refuse(table, columns, labels, outside, reason, q, low, high)
 
 
-# Units that nobody said
-# -------------------------------------------------------------------------------------------------
-
-
-def _ask_for_degrees(table, columns, q):
-    reach = np.abs(q).max()
-    if reach > _MAX_RADIANS and all(column.unit is None for column in columns):
-        raise UnclearFileError(
-            f"{table.name}: angles reach {reach:.4g}, and the header has no unit. Are they degrees?"
-            ' Then add units={"q": "deg"}; if they are radians, units={"q": "rad"}'
-        )
-
-
-def _times(table, columns, unit, chosen, q, qd):
-    """Return times (n,) in seconds, the same less the first, exact to the last digit, and their
-    unit."""
-    if len(columns) == 1:
-        columns = [_with_unit(table, columns[0], "t", unit, chosen)]
-    _refuse_wrong_units(table, columns, "t")
-    ticks, unit = _ticks(table, columns)
-    unit = unit or _unit_of_times(table, columns[0], ticks, q, qd)
-    size = Decimal(repr(UNITS[unit][1]))
-    start = ticks[0] * size
-    elapsed = np.array([float((tick - ticks[0]) * size) for tick in ticks])
-    t = np.array([float(tick * size) for tick in ticks])
-    back = np.append(False, np.diff(elapsed) <= 0)
-    if back.any():
-        row = int(np.argmax(back))
-        offset = 0 if abs(start) < 10**6 else start
-        now, before = (float(ticks[i] * size - offset) for i in (row, row - 1))
-        since = "" if offset == 0 else f" (since {float(offset):.0f} s)"
-        raise ValueError(
-            f"{table.name}: row {row + 1}, {_label('t', columns[0])} is {now:g} s, after {before:g}"
-            f" s{since}: time must increase"
-        )
-    return t, elapsed, unit
-
-
-def _ticks(table, columns):
-    """Return the times as they stand in the file, as decimals without rounding, and their unit, or
-    None."""
-    label = _label("t", columns[0])
-    texts = _clock_readings(table, columns[0].place)
-    if texts is not None:
-        return texts, "s"
-    for column in columns:
-        values = table.values(column.place, _label("t", column))[:, None]
-        bad = ~(np.abs(values) <= _MAX_VALUE)
-        _refuse(table, [column], [label], bad, "is not a finite number")
-    cells = [_decimals(table, column.place) for column in columns]
-    if len(columns) == 1:
-        return cells[0], columns[0].unit
-    nano = Decimal("1e-9")
-    return [whole + nano * part for whole, part in zip(*cells, strict=True)], "s"
-
-
-def _decimals(table, place):
-    cells = table.cells(place)
-    if table.decimal_comma:
-        cells = [cell.replace(",", ".") for cell in cells]
-    return [Decimal(cell) for cell in cells]
-
-
-def _clock_readings(table, place):
-    """Return times that are no plain numbers, in seconds, or None: "0.1 sec", 00:01:02.5, dates of
-    ISO 8601.
-
-    MATLAB writes the first two for a duration.
-    """
-    cells = table.cells(place)
-    try:
-        if all(re.fullmatch(r"[-+.,\de]+ ?s(ec)?", cell) for cell in cells):
-            return [Decimal(cell.rstrip("sec ").replace(",", ".")) for cell in cells]
-        if all(re.fullmatch(r"\d+:\d\d:\d\d([.,]\d+)?", cell) for cell in cells):
-            return [_seconds_of_clock(cell.replace(",", ".")) for cell in cells]
-        if all(re.match(r"\d{4}-\d\d-\d\d[ T]\d", cell) for cell in cells):
-            moments = [datetime.fromisoformat(cell) for cell in cells]
-            return [_seconds_between(moments[0], moment) for moment in moments]
-    except (ValueError, TypeError, InvalidOperation):  # TypeError: only some have a time zone
-        return None
-    return None
-
-
-def _seconds_of_clock(cell):
-    hours, minutes, seconds = cell.split(":")
-    return 3600 * int(hours) + 60 * int(minutes) + Decimal(seconds)
-
-
-def _seconds_between(first, moment):
-    passed = moment - first
-    return Decimal(86400 * passed.days + passed.seconds) + Decimal(passed.microseconds) / 10**6
-
-
-def _unit_of_times(table, column, ticks, q, qd):
-    """Return the unit of times without one: seconds, or what is certain from the numbers; else
-    ask."""
-    first = float(ticks[0])
-    for unit in ("ns", "us", "ms", "s"):
-        if _SINCE_1970[0] < first * UNITS[unit][1] < _SINCE_1970[1]:
-            return unit
-    if len(ticks) < 2:
-        return "s"
-    steps = np.diff([float(tick) for tick in ticks])
-    step = float(np.median(steps))
-    if step < _SLOW:
-        return "s"
-    if qd is not None:
-        # Velocities tell: a motion that fits them in seconds is a slow one.
-        moved = np.abs(np.diff(q, axis=0)).sum()
-        expected = np.abs(steps[:, None] * qd[1:]).sum()
-        if moved >= 0.05 * expected > 0:
-            return "s"
-    rates = ", ".join(f"{1 / (step * UNITS[u][1]):.4g} in {u}" for u in ("s", "ms", "us", "ns"))
-    raise UnclearFileError(
-        f"{table.name}: times, {column.title!r}, are {step:.4g} apart, and the header has no unit. "
-        "Are they milliseconds? Or micro- or nanoseconds? Samples per second would be: "
-        f'{rates}. Add the right one, units={{"t": "s"}}, {{"t": "ms"}}, {{"t": "us"}} or '
-        '{"t": "ns"}'
-    )
+def _refuse(table, columns, labels, bad, reason, *arrays):
+    """Raise ValueError for the first True in bad (n, k), with the entries of arrays in its
+    reason."""
+    if bad.any():
+        row, column = np.argwhere(bad)[0]
+        where = table.where(row, columns[column].place, labels[column])
+        reason = reason.format(*(array[row, column] for array in arrays))
+        raise ValueError(f"{table.name}: {where} {reason}")
 
 
 # What is said of the file
 # -------------------------------------------------------------------------------------------------
 
 
-def _summary(table, plan, time_said, q_columns, rows, given):
+def _label(name, column):
+    """Return what a message calls a column: its name here, and its title if that is another one."""
+    if column.title.isdigit():  # there is no header
+        return f"column {column.title}"
+    return f"column {name}" if name == column.title else f"column {name} ({column.title!r})"
+
+
+def _summary(rows, time_said, q_columns, velocity_count):
     k = len(q_columns)
-    plural = k > 1
     units = " and ".join(sorted({column.unit or "rad" for column in q_columns}))
     velocities = "no velocities (differences of the samples)"
-    if given:
-        velocities = f"{k} velocities" if plural else "1 velocity"
-    angles = f"{k} angle{'s' * plural} in {units}"
-    return f"{rows} rows, {time_said}, {angles}, {velocities}{table.remark}{plan.remark}"
+    if velocity_count:
+        velocities = f"{velocity_count} velocit{'ies' if velocity_count > 1 else 'y'}"
+    return f"{rows} rows, {time_said}, {k} angle{'s' * (k > 1)} in {units}, {velocities}"
 
 
 def _came_from(columns):

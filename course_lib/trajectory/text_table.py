@@ -1,11 +1,10 @@
-"""Tables in text and NPY files: which rows hold numbers, which one is the header, what separates
-columns.
+"""Tables in text and NPY files: what separates columns, which line is the header, which rows hold
+numbers.
 
 The standard library's csv module reads cells and quotes. Its Sniffer is not used: it prefers a
 comma over a semicolon, and so it splits the decimal commas of a German spreadsheet.
 """
 
-import codecs
 import csv
 import re
 from collections import Counter
@@ -14,18 +13,11 @@ from functools import cached_property
 
 import numpy as np
 
-_SEPARATORS = (";", "\t", "|", ",", " ")
-# Lines from which the separator is chosen: half from the beginning, half from the end.
-_SAMPLE = 400
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf|infinity)", re.I)
+_SEPARATORS = (";", "\t", "|", ",", " ")  # of equals the one least likely to be part of a number
+_SAMPLE_LINES = 200  # from which the separator is chosen
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?|[-+]?\.?(nan|inf|infinity)", re.I)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+(e[-+]?\d+)?", re.I)
-_LIST = re.compile(r"\s*[\[(](.*)[\])]\s*", re.S)
-_BYTE_ORDER_MARKS = {
-    codecs.BOM_UTF8: "utf-8-sig",
-    codecs.BOM_UTF32_LE: "utf-32",  # before UTF-16, whose mark is its beginning
-    codecs.BOM_UTF16_LE: "utf-16",
-    codecs.BOM_UTF16_BE: "utf-16",
-}
+_LIST = re.compile(r"[\[(](.*)[\])]", re.S)
 
 
 @dataclass(frozen=True)
@@ -38,18 +30,15 @@ class Table:
         The file's name, for messages.
     header : tuple of str
         The titles of the columns; empty if there is no header.
-    rows : list of list of str, or array (n, m)
-        The cells; an array if the file was NPY.
-    remark : str
-        What is said of the file beside its columns, for example ", decimal comma".
+    rows : list of list of str
+        The cells.
     transposed : bool
         Whether rows and columns are exchanged against those of the file.
     """
 
     name: str
     header: tuple
-    rows: object
-    remark: str = ""
+    rows: list
     transposed: bool = False
 
     @property
@@ -60,84 +49,62 @@ class Table:
     @cached_property
     def decimal_comma(self):
         """Whether a cell, in whatever row, is a number with a decimal comma."""
-        if isinstance(self.rows, np.ndarray):
-            return False
-        return any(
-            "," in cell and _DECIMAL_COMMA.fullmatch(cell) for row in self.rows for cell in row
-        )
+        return any(_DECIMAL_COMMA.fullmatch(cell) for row in self.rows for cell in row)
 
     def title(self, place):
-        """Return the title of a column, or its number, which counts from 1, if there is no
-        header."""
-        return self.header[place] if self.header else str(place + 1)
+        """Return the title of a column; its number, which counts from 1, if it has none."""
+        return (self.header and self.header[place]) or str(place + 1)
 
     def where(self, row, place, label):
-        """Return where a cell stands in the file, for messages; label: what its column is
-        called."""
+        """Return where a cell stands in the file; label: what messages call its column."""
         if self.transposed:
             return f"row {place + 1}, column {row + 1}"
         return f"row {row + 1}, {label}"
 
-    def with_samples_as_rows(self, k):
-        """Return the table of k joints with samples as rows; they may be columns if it has no
-        header.
-
-        With k = None, or if columns fit as well, the table stays.
-        """
-        rows, columns = len(self.rows), self.width
-        if self.header or k is None or rows != k or columns == k:
+    def with_samples_as_rows(self, joint_count):
+        """Return the table with samples as rows, if only its columns fit this number of joints."""
+        fits = self.width == joint_count or len(self.rows) != joint_count
+        if self.header or fits:
             return self
-        values = np.column_stack([self.values(i, f"column {i + 1}") for i in range(columns)])
-        return replace(self, rows=values.T, transposed=True)
+        return replace(
+            self, rows=[list(row) for row in zip(*self.rows, strict=True)], transposed=True
+        )
 
     def cells(self, place):
-        """Return the cells of a column as text."""
-        return [str(row[place]) for row in self.rows]
+        """Return the cells of a column as text, numbers with a decimal point."""
+        cells = [row[place] for row in self.rows]
+        return [cell.replace(",", ".") for cell in cells] if self.decimal_comma else cells
 
-    def numeric(self, place):
-        """Return whether a column holds numbers."""
-        if isinstance(self.rows, np.ndarray):
-            return True
-        return any(is_number(row[place]) for row in self.rows[:_SAMPLE])
+    def holds_numbers(self, place):
+        """Return whether a cell of a column is a number."""
+        return any(_is_number(row[place]) for row in self.rows)
 
-    def values(self, place, label):
+    def numbers(self, place, label):
         """Return a column as floats (n,), or refuse the first cell that is no number.
 
         label: what the message calls the column.
         """
-        if isinstance(self.rows, np.ndarray):
-            return self.rows[:, place].astype(float)
+        rows = self.rows
+        point = next((i for i, row in enumerate(rows) if "." in row[place]), None)
+        if self.decimal_comma and point is not None:
+            raise ValueError(
+                f"{self.name}: {self.where(point, place, label)} is {rows[point][place]!r:.40}, "
+                "with a point, and other numbers have a decimal comma. Write all decimals in one "
+                "way, and no separators of thousands"
+            )
         cells = self.cells(place)
-        if self.decimal_comma:
-            self._refuse_decimal_points(place, label)
-            cells = [cell.replace(",", ".") for cell in cells]
-        try:
-            # float() also reads 1_000, which no program writes for a number.
-            if not any("_" in cell for cell in cells):
-                return np.array(cells, float)
-        except ValueError:
-            pass
-        row = next(i for i, cell in enumerate(cells) if not _NUMBER.fullmatch(cell))
-        cell = str(self.rows[row][place])
-        raise ValueError(
-            f"{self.name}: row {row + 1}, {label} is {cell!r:.40}, which is not a number"
-        )
-
-    def _refuse_decimal_points(self, place, label):
-        point = next((i for i, row in enumerate(self.rows) if "." in row[place]), None)
-        if point is None:
-            return
-        commas = ((i, cell) for i, row in enumerate(self.rows) for cell in row)
-        comma = next((i, cell) for i, cell in commas if _DECIMAL_COMMA.fullmatch(cell))
-        raise ValueError(
-            f"{self.name}: row {point + 1}, {label} is {self.rows[point][place]!r:.40}, with a"
-            f" point, and row {comma[0] + 1} has {comma[1]!r:.40}, with a comma. Write all decimals"
-            " in one way, and no separators of thousands"
-        )
+        for row, cell in enumerate(cells):
+            if not _NUMBER.fullmatch(cell):
+                raise ValueError(
+                    f"{self.name}: {self.where(row, place, label)} is {rows[row][place]!r:.40}, "
+                    "which is not a number"
+                )
+        # YAML, in which ROS prints messages, writes .nan and .inf.
+        return np.array([re.sub(r"\.(?=[ni])", "", cell, flags=re.I) for cell in cells], float)
 
 
 def read_table(path):
-    """Return the Table in a file, with the lists in its cells spread over columns.
+    """Return the Table in a file; a column of lists becomes a column for each of their entries.
 
     Parameters
     ----------
@@ -151,12 +118,7 @@ def read_table(path):
     """
     if path.suffix.lower() == ".npy":
         return _read_npy(path)
-    return _spread_lists(_read_text(path))
-
-
-def is_number(cell):
-    """Return whether a cell is a number, with a decimal point or a decimal comma."""
-    return bool(_NUMBER.fullmatch(cell) or _DECIMAL_COMMA.fullmatch(cell))
+    return _with_entries_of_lists(_read_text(path))
 
 
 def _read_npy(path):
@@ -172,23 +134,49 @@ def _read_npy(path):
         raise ValueError(
             f"{path.name} must hold a table with a row for each sample; its shape is {table.shape}"
         )
-    return Table(path.name, (), table)
+    return Table(path.name, (), [[str(value) for value in row] for row in table.tolist()])
+
+
+def _read_text(path):
+    lines = re.split(r"\r\n|\r|\n", _decoded(path.read_bytes()).replace("\ufeff", ""))
+    lines = [line.strip(" ") for line in lines if line.strip(" ,;\t|")]
+    # Excel reads the line sep=; and hides it.
+    lines = [line for line in lines if not re.fullmatch(r'"?sep=.?"?', line, re.I)]
+    comments = [line.lstrip("#% ") for line in lines if line.startswith(("#", "%"))]
+    body = [line for line in lines if not line.startswith(("#", "%"))]
+    separator = max(_SEPARATORS, key=lambda separator: _share_of_numbers(body, separator))
+    try:
+        rows = _split(body, separator)
+    except csv.Error as unreadable:
+        raise ValueError(f"{path.name} cannot be read as a table: {unreadable}") from unreadable
+    # pandas writes the numbers of columns, 0, 1, 2 ..., where they have no titles.
+    counted = bool(rows) and len(rows[0]) > 3 and _counts_columns(rows[0])
+    first = next((i for i, row in enumerate(rows) if i >= counted and _has_number(row)), None)
+    if first is None:
+        titles = f"; its header is {body[0]:.80}" if body else ""
+        raise ValueError(
+            f"{path.name} cannot be read as a table: it must hold a row of numbers, and holds none"
+            f"{titles}"
+        )
+    data = rows[first:]
+    (usual_width, _), *_ = Counter(map(len, data)).most_common(1)
+    header = _header([*comments, *body[:first]], separator, usual_width)
+    while not any(row[-1] for row in data if row) and all(len(row) == usual_width for row in data):
+        if len(header) == usual_width and header[-1]:
+            break
+        # Each line ends with a separator.
+        usual_width -= 1
+        header, data = header[:usual_width], [row[:-1] for row in data]
+    _refuse_ragged(path.name, header, data, len(header) or len(data[0]))
+    return Table(path.name, tuple(header), data)
 
 
 def _decoded(data):
-    """Return the text of a file: by its byte order mark, else UTF-8, UTF-16 or Windows' Western
-    code page."""
-    for mark, encoding in _BYTE_ORDER_MARKS.items():
-        if data.startswith(mark):
-            return data.decode(encoding, "replace")
-    # UTF-16 without a mark has a null byte in nearly every digit, always on the same side.
-    even, odd = data[:200:2], data[1:200:2]
-    if 2 * odd.count(0) > len(odd) and not even.count(0):
-        return data.decode("utf-16-le", "replace")
-    if 2 * even.count(0) > len(even) and not odd.count(0):
-        return data.decode("utf-16-be", "replace")
+    """Return the text of a file: UTF-16 by its byte order mark, else UTF-8, else Windows' code."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16", "replace")
     try:
-        return data.decode("utf-8")
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         return data.decode("cp1252", "replace")  # as spreadsheets write
 
@@ -196,162 +184,91 @@ def _decoded(data):
 def _split(lines, separator):
     """Return the cells of lines, without the spaces around them."""
     if separator == " ":
-        lines = [" ".join(line.split()) for line in lines]
-    else:
-        lines = [line.strip(" ") + "\n" for line in lines]
-    # A quoted cell may hold a whole message; the standard limit of 131,072 characters is enough.
-    cells = csv.reader(lines, delimiter=separator, skipinitialspace=True)
-    try:
-        return [[cell.strip() for cell in row] for row in cells if row]
-    except csv.Error as unreadable:
-        raise ValueError(f"cannot be read as a table: {unreadable}") from unreadable
+        lines = [re.sub(" +", " ", line) for line in lines]
+    rows = csv.reader(lines, delimiter=separator, skipinitialspace=True)
+    return [[cell.strip() for cell in row] for row in rows if row]
 
 
 def _share_of_numbers(lines, separator):
-    """Return how well a separator fits: the share of cells that are numbers, in rows of the
-    commonest width."""
+    """Return what share of the cells are numbers, in rows of the commonest width, times the share
+    of these rows: it is most for the separator of the file."""
     try:
-        rows = _split(lines, separator)
-    except ValueError:
+        rows = _split(lines[:_SAMPLE_LINES], separator)
+    except csv.Error:
         return 0.0
-    if not rows:
-        return 0.0
-    (width, count), *_ = Counter(map(len, rows)).most_common(1)
-    if width < 2:
-        return 0.0
-    # An empty cell belongs to a table, too: a text that is missing, or a sample.
-    fitting = [cell for row in rows if len(row) == width for cell in row]
-    good = sum(is_number(cell) or not cell or bool(_LIST.fullmatch(cell)) for cell in fitting)
-    return good / len(fitting) * count / len(rows)
+    (width, _), *_ = Counter(map(len, rows)).most_common(1) or [(0, 0)]
+    fitting = [row for row in rows if len(row) == width > 1]
+    count, size = 0, 0
+    for cell in (cell for row in fitting for cell in row):
+        entries = _entries(cell)
+        count += _is_number(cell) if entries is None else len(entries)
+        size += 1 if entries is None else len(entries)
+    return count / max(size, 1) * len(fitting) / max(len(rows), 1)
 
 
-def _separator(lines):
-    """Return the separator of columns that fits best; of equals the one least likely to be part of
-    a number."""
-    sample = lines[: _SAMPLE // 2] + lines[-_SAMPLE // 2 :]
-    return max(_SEPARATORS, key=lambda separator: _share_of_numbers(sample, separator))
+def _is_number(cell):
+    return bool(_NUMBER.fullmatch(cell) or _DECIMAL_COMMA.fullmatch(cell))
 
 
-def _read_text(path):
-    lines = re.split(r"\r\n|\r|\n", _decoded(path.read_bytes()).lstrip("\ufeff"))
-    separator = None
-    if declared := re.fullmatch(r'"?sep=(.)"?', lines[0].strip(" "), re.I):  # as Excel writes
-        separator, lines = declared[1], lines[1:]
-    lines = [line for line in lines if line.strip(" ,;\t|")]
-    comments = [line.lstrip("#% ") for line in lines if line.startswith(("#", "%"))]
-    body = [line for line in lines if not line.startswith(("#", "%"))]
-    separator = separator or _separator(body)
-    try:
-        rows = _split(body, separator)
-    except ValueError as unreadable:
-        raise ValueError(f"{path.name} {unreadable}") from unreadable
-    counted = bool(rows) and _counts_columns(rows[0])
-    first = next((i for i, row in enumerate(rows) if i >= counted and _holds_numbers(row)), None)
-    if first is None:
-        raise ValueError(
-            f"{path.name} cannot be read as a table: it must hold a row of numbers, and holds none"
-        )
-    header, data = _header(rows[:first], rows[first:], body[:first], comments, separator)
-    header, data = _without_empty_last_columns(header, data)
-    table = Table(path.name, tuple(header), data)
-    _refuse_ragged(table)
-    return replace(table, remark=", decimal comma" if table.decimal_comma else "")
-
-
-def _holds_numbers(row):
-    """Return whether a row is one of data: some of its cells are numbers, or lists."""
-    return any(is_number(cell) or _LIST.fullmatch(cell) for cell in row)
+def _has_number(row):
+    return any(_is_number(cell) or _LIST.fullmatch(cell) for cell in row)
 
 
 def _counts_columns(row):
-    """Return whether a row is the header of a table without titles, as pandas writes it: 0, 1, 2, 3
-    ..."""
     counted = [str(i) for i in range(len(row))]
-    return (len(row) > 3 and row == counted) or (len(row) > 1 and row == ["", *counted[:-1]])
+    return row in (counted, ["", *counted[:-1]])
 
 
-def _header(before, data, lines_before, comments, separator):
-    """Return the titles of the columns, [] if there are none, and the rows of data.
+def _header(lines, separator, width):
+    """Return the titles of the last line that has as many as there are columns, or of the last.
 
-    before: the rows before the first row of data; lines_before: their lines; comments: the
-    commented lines of the file.
+    lines: those before the first row, comments first. A header's separator may be another one.
     """
-    width = len(data[0])
-    (common, _), *_ = Counter(map(len, data)).most_common(1)
-    if len(before) > 1 and len(before[-2]) == width and _is_unit_row(before[-1]):
-        *_, titles, units = before
-        pairs = zip(titles, units, strict=False)
-        return [f"{title} [{unit}]" if unit else title for title, unit in pairs], data
-    if before and len(before[-1]) in (width, common):
-        return before[-1], data
-    # Perhaps the header is a comment, or its separator differs from that of the rows.
-    for line in [*lines_before[::-1], *comments[::-1]]:
-        for other in (separator, ",", ";", "\t", " "):
-            titles = _split([line], other)
-            if titles and len(titles[0]) == width and not _holds_numbers(titles[0]):
-                return titles[0], data
-    return (before[-1] if before else []), data
+    before = [line for line in reversed(lines) if line.strip()]
+    for line in before:
+        for other in (separator, *_SEPARATORS):
+            (titles,) = _split([line], other) or [[]]
+            if len(titles) == width and (_counts_columns(titles) or not _has_number(titles)):
+                return titles
+    (titles,) = _split(before[:1], separator) or [[]]
+    return titles if len(titles) > 1 else []
 
 
-def _is_unit_row(row):
-    bare = [cell.strip("[]()").lower() for cell in row if cell]
-    units = {"s", "ms", "us", "µs", "ns", "rad", "deg", "°", "rad/s", "deg/s", "°/s", "-", "nm"}
-    return bool(bare) and set(bare) <= units
+def _refuse_ragged(name, header, rows, width):
+    for number, row in enumerate(rows, 1):
+        if len(row) == width:
+            continue
+        reason = f"; its header is {','.join(header):.80}. Write a title for each column"
+        reason = reason if header else ""
+        if 1 < number == len(rows) and len(row) < width:
+            reason = ": is the file cut off?"
+        raise ValueError(f"{name}: row {number} has {len(row)} columns, not {width}{reason}")
 
 
-def _without_empty_last_columns(header, data):
-    """Leave out columns at the end that only a separator at the end of each line makes."""
-    while len(data[0]) > 1 and all(len(row) == len(data[0]) and not row[-1] for row in data):
-        if len(header) == len(data[0]):
-            if header[-1]:
-                break
-            header = header[:-1]
-        data = [row[:-1] for row in data]
-    if len(header) == len(data[0]) + 1 and not header[-1]:
-        header = header[:-1]
-    return header, data
-
-
-def _refuse_ragged(table):
-    width = len(table.header) or table.width
-    for number, row in enumerate(table.rows):
-        if len(row) != width:
-            cut_off = number and number == len(table.rows) - 1 and len(row) < width
-            reason = ": is the file cut off?" if cut_off else ""
-            if table.header and number == 0:
-                reason = f"; its header is {','.join(table.header):.80}"
-            raise ValueError(
-                f"{table.name}: row {number + 1} has {len(row)} columns, not {width}{reason}"
-            )
-
-
-def _spread_lists(table):
+def _with_entries_of_lists(table):
     """Return a table in which a column of lists, such as "[0.1, 0.2]", is a column for each entry.
 
-    rosbag's tools and pandas write the arrays of a message in this way.
+    Tools that write a message of ROS in a row, and pandas, write arrays in this way.
     """
-    if isinstance(table.rows, np.ndarray) or not table.header:
-        return table
-    places = [i for i in range(table.width) if _LIST.fullmatch(table.rows[0][i])]
-    if not places:
-        return table
-    columns, header = [], []
-    for place, title in enumerate(table.header):
-        cells = table.cells(place)
-        lists = [_list_entries(cell) for cell in cells] if place in places else [None]
-        lengths = {None if entries is None else len(entries) for entries in lists}
-        if len(lengths) != 1 or None in lengths or 0 in lengths:
-            header.append(title)
+    header, columns = [], []
+    for place in range(table.width if table.header else 0):
+        cells = [row[place] for row in table.rows]
+        lists = [_entries(cell) for cell in cells]
+        lengths = {0 if entries is None else len(entries) for entries in lists}
+        if len(lengths) == 1 and 0 not in lengths:
+            header += [f"{table.header[place]}[{i}]" for i in range(lengths.pop())]
+            columns += zip(*lists, strict=True)
+        else:
+            header.append(table.header[place])
             columns.append(cells)
-            continue
-        for i, entries in enumerate(zip(*lists, strict=True)):
-            header.append(f"{title}[{i}]")
-            columns.append(entries)
-    rows = [list(row) for row in zip(*columns, strict=True)]
-    return replace(table, header=tuple(header), rows=rows)
+    if len(header) == len(table.header):
+        return table
+    return replace(
+        table, header=tuple(header), rows=[list(row) for row in zip(*columns, strict=True)]
+    )
 
 
-def _list_entries(cell):
+def _entries(cell):
     """Return the entries of a list in a cell, or None if it is not one."""
     inside = _LIST.fullmatch(cell)
     if not inside or "..." in cell:  # numpy leaves the middle of a long array out
