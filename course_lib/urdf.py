@@ -324,6 +324,13 @@ def _limits(where, limit):
             '<limit lower="-3.1" upper="3.1"/>; a joint without limits has the type continuous'
         )
     low, high = (_numbers(where, limit, "limit", side, None, 1)[0] for side in ("lower", "upper"))
+    if low == high == 0:  # SolidWorks' exporter writes this where nobody entered limits
+        raise ValueError(
+            f"{where}: its lower and upper limits are both 0, as some programs write for a joint "
+            'without limits. If the joint is locked, write type="fixed"; if it turns without end, '
+            'type="continuous"; else write its limits in radians, such as '
+            '<limit lower="-3.1" upper="3.1"/>'
+        )
     if low >= high:
         raise ValueError(
             f"{where}: its lower limit, {low:g}, must be below its upper one, {high:g}"

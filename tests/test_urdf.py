@@ -161,6 +161,19 @@ def test_an_end_without_a_rotating_joint_is_no_second_arm(file):
     assert SerialArm.from_urdf(path).joint_names == ("a",)
 
 
+@pytest.mark.parametrize(("kind", "joints"), [("fixed", 1), ("continuous", 2), ("revolute", 2)])
+def test_limits_of_0_and_0_are_asked_about_with_three_ways_out(file, kind, joints):
+    zero, limits = '<limit lower="0" upper="0"/>', '<limit lower="-3.1" upper="3.1"/>'
+    links, first = link("base", "arm", "hand"), joint("a", "base", "arm", more=zero)
+    second = joint("b", "arm", "hand", more=limits)
+    with pytest.raises(ValueError, match="limits are both 0") as asked:
+        SerialArm.from_urdf(file(robot(links, first, second)))
+    for line in ('type="fixed"', 'type="continuous"', limits):
+        assert line in str(asked.value)
+    answered = first.replace('type="revolute"', f'type="{kind}"').replace(zero, limits)
+    assert SerialArm.from_urdf(file(robot(links, answered, second))).n == joints
+
+
 def test_joints_beside_the_chain_may_slide_repeat_others_or_lack_limits(file):
     beside = [
         joint("slide", "arm", "left", "prismatic"),
@@ -225,7 +238,7 @@ REFUSED = {
     "a joint without parent": (robot(BASE, '<joint name="a" type="fixed"/>'), None, "must have a parent"),
     "no limits": (robot(BASE, joint("a", "base", "arm", more="")), None, "must have limits .* continuous"),
     "limits without order": (
-        robot(BASE, joint("a", "base", "arm", more='<limit lower="0" upper="0"/>')), None, "its lower limit, 0",
+        robot(BASE, joint("a", "base", "arm", more='<limit lower="2" upper="-2"/>')), None, "its lower limit, 2",
     ),
     "limits that are no numbers": (
         robot(BASE, joint("a", "base", "arm", more='<limit lower="low" upper="1"/>')), None,
