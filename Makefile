@@ -113,14 +113,14 @@ grade: environment ## grade what students handed in: make grade SUBMISSIONS=fold
 
 notebooks: environment ## run the notebooks and write their outputs into them; NOTEBOOKS=notebooks/04_poe_kuka_iiwa.ipynb runs one
 	@$(PY) -m course_lib.pack.notebooks $(NOTEBOOKS)
-	@$(PY) -m course_lib.pack.pictures
+	@$(PY) -m course_lib.pack.authors.pictures
 
 animations: environment ## write the moving pictures as GIF (and MP4, with ffmpeg), build/animations/
-	@$(PY) -m course_lib.pack.animations $(NOTEBOOKS)
-	@$(PY) -m course_lib.pack.pictures
+	@$(PY) -m course_lib.pack.authors.animations $(NOTEBOOKS)
+	@$(PY) -m course_lib.pack.authors.pictures
 
 data: environment ## compute a trajectory of the iiwa with exact velocities, build/data/iiwa_trajectory.csv
-	@$(PY) -m course_lib.pack.data
+	@$(PY) -m course_lib.pack.authors.data
 
 lock: ## write environment.txt from pyproject.toml; UPGRADE=numpy takes a newer numpy, UPGRADE=yes takes newer versions of all packages
 	@sh course_lib/pack/environment.sh lock
@@ -129,7 +129,7 @@ lock: ## write environment.txt from pyproject.toml; UPGRADE=numpy takes a newer 
 bench: ## compare the speed of the library with others, in an environment of its own, and write README's table
 	@sh course_lib/pack/environment.sh bench
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 VECLIB_MAXIMUM_THREADS=1 \
-		.venv-bench/bin/python -m course_lib.pack.bench
+		.venv-bench/bin/python -m course_lib.pack.authors.bench
 
 MARKS_STAY = build/grades/questions.csv and seed stay. If you do not need the marks any more, \
 	delete these two files yourself.

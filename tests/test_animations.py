@@ -18,7 +18,7 @@ from course_lib.figures.solids.model import MUG_RED
 from course_lib.figures.stills import TOY
 from course_lib.figures.toys.film import film
 from course_lib.lessons.rigid_motion import figures as rigid_motion
-from course_lib.pack import animations
+from course_lib.pack.authors import animations
 
 TIMES = np.linspace(0, 1, 5)  # four times fewer than pictures
 POSES = np.stack([np.linspace(-6, 6, 5), np.linspace(-5, 2, 5), 0 * TIMES], -1)

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import scipy
 
-from course_lib.pack import bench
-from course_lib.pack.bench import Task, shares
+from course_lib.pack.authors import bench
+from course_lib.pack.authors.bench import Task, shares
 
 
 def task(other, convert=np.asarray):

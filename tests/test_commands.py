@@ -26,7 +26,7 @@ from course_lib.arms import iiwa14
 from course_lib.figures.stills import TOY
 from course_lib.lessons.rigid_motion import figures as rigid_motion
 from course_lib.pack import OF_THE_MACHINE, STOPPED, report
-from course_lib.pack.data import end_effector_velocity
+from course_lib.pack.authors.data import end_effector_velocity
 from course_lib.pack.grade import options
 
 
@@ -141,7 +141,7 @@ def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(cour
 
 
 def test_the_pictures_of_the_readme_are_written_once(course):
-    command = (".venv/bin/python", "-m", "course_lib.pack.pictures")
+    command = (".venv/bin/python", "-m", "course_lib.pack.authors.pictures")
     shutil.rmtree(course / ".github", ignore_errors=True)
     assert ".github/pictures/01_rotations.png written" in run(course, *command).stdout
     assert run(course, *command).stdout == ""
@@ -169,7 +169,7 @@ def test_make_pdf_writes_one_file_of_all_pages_with_contents(course):
 
 
 def test_the_benchmark_compares_what_is_installed(course):
-    done = run(course, ".venv/bin/python", "-m", "course_lib.pack.bench", "10")
+    done = run(course, ".venv/bin/python", "-m", "course_lib.pack.authors.bench", "10")
     assert done.returncode == 0, done.stderr
     assert re.search(r"\| 100 rotations, log \| [\d.]+ µs \| scipy \| [\d.]+ \|", done.stdout)
     assert "README.md stays as it is." in done.stdout

@@ -15,7 +15,7 @@ import pytest
 from PIL import Image, ImageSequence
 
 from course_lib.lessons.rotations import check
-from course_lib.pack import pictures
+from course_lib.pack.authors import pictures
 from course_lib.pack.grade import isolation
 from course_lib.pack.photograph import INSTALL_BROWSER
 from course_lib.pack.site.gather import PAGE, hours_in_words, sittings
@@ -55,7 +55,9 @@ def test_its_film_is_a_film_of_a_notebook_and_small():
     distances = [
         np.abs(frames - still).mean((1, 2, 3)).min() for still in stored_pictures(film.size)
     ]
-    assert min(distances) < 0.01, "run make animations, then python -m course_lib.pack.pictures"
+    assert min(distances) < 0.01, (
+        "run make animations, then python -m course_lib.pack.authors.pictures"
+    )
 
 
 def test_it_links_every_notebook_with_its_cover():
@@ -73,7 +75,7 @@ def test_a_cover_is_that_of_the_notebook_as_it_is_stored(path):
     assert shown.stat().st_size < 20_000
     stored = Image.open(io.BytesIO(pictures.cover(path)))
     difference = np.abs(small(opened(shown)) - small(stored)).mean()
-    assert difference < 0.005, "run python -m course_lib.pack.pictures"
+    assert difference < 0.005, "run python -m course_lib.pack.authors.pictures"
 
 
 def test_the_answer_of_the_check_is_what_the_check_says():

@@ -1,6 +1,6 @@
 """Compare the library with others, and write README.md's table of speed.
 
-`python -m course_lib.pack.bench [NUMBER]` runs it.
+`python -m course_lib.pack.authors.bench [NUMBER]` runs it.
 """
 
 import argparse
@@ -70,7 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     With a number of items it is a trial, which is not written.
     """
     parser = argparse.ArgumentParser(
-        prog="python -m course_lib.pack.bench",
+        prog="python -m course_lib.pack.authors.bench",
         description="Measure the library beside numpy, scipy, pinocchio and the Robotics Toolbox, "
         f"and write the table of speed in {README}.",
         epilog="example: make bench, which measures in an environment of its own",

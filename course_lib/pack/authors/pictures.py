@@ -3,7 +3,7 @@
 A cover is the stored picture that the home page shows of a notebook, as a small file. The film is
 what `make animations` writes, in fewer and smaller pictures. For example:
 
-    python -m course_lib.pack.pictures
+    python -m course_lib.pack.authors.pictures
 
 The same notebooks give the same files, so a second run changes nothing.
 """
@@ -20,7 +20,7 @@ from pathlib import Path
 import nbformat
 from PIL import Image, ImageSequence
 
-from course_lib.pack.animations import FOLDER as FILMS
+from course_lib.pack.authors.animations import FOLDER as FILMS
 from course_lib.pack.cover import cover_of
 from course_lib.pack.files import write_atomically
 
@@ -37,10 +37,10 @@ MAX_FILM_BYTES = 500_000  # what a reader waits for on a slow line is less than 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the pictures of the notebooks in ``notebooks/``; return an exit code."""
     parser = argparse.ArgumentParser(
-        prog="python -m course_lib.pack.pictures",
+        prog="python -m course_lib.pack.authors.pictures",
         description=f"Write the covers of the notebooks and, if {FILMS / FILM} is there, a small "
         f"copy of this film to {FOLDER}/, from where README.md shows them.",
-        epilog="example: python -m course_lib.pack.pictures",
+        epilog="example: python -m course_lib.pack.authors.pictures",
     )
     parser.parse_args(arguments)
     pictures = {f"{path.stem}.png": cover(path) for path in _notebooks()}

@@ -30,7 +30,7 @@ RATE = 20  # pictures a second
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the animations of some notebooks; return an exit code."""
     parser = argparse.ArgumentParser(
-        prog="python -m course_lib.pack.animations",
+        prog="python -m course_lib.pack.authors.animations",
         description="Write the films that notebooks hold as GIF, and as MP4 if ffmpeg is "
         f"installed, to {FOLDER}/. A browser photographs them: Chrome or Chromium.",
         epilog="example: make animations NOTEBOOKS=notebooks/02_rigid_motion.ipynb",

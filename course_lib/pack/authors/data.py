@@ -75,7 +75,7 @@ def _rounded(values: np.ndarray) -> np.ndarray:
 def main(arguments: Sequence[str] | None = None) -> None:
     """Write the trajectory, and say how notebook 4 reads it."""
     argparse.ArgumentParser(
-        prog="python -m course_lib.pack.data",
+        prog="python -m course_lib.pack.authors.data",
         description=f"Compute the iiwa's joint trajectory and write {FILE}. It takes a few "
         "seconds.",
         epilog="example: make data",

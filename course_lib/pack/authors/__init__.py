@@ -1,0 +1,1 @@
+"""What only the authors of the course run: films, pictures of README, data and speeds."""
