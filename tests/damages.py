@@ -286,9 +286,7 @@ READABLE = (
     with_own_cells_between,
     with_answers_that_are_duplicated,
     with_a_copy_as_raw_beside_each_answer,
-    in_format_3,
     with_a_huge_output,
-    with_a_number_of_five_thousand_digits,
     with_half_a_character,
     with_cells_that_are_none,
     with_metadata_of_other_programs,
@@ -310,4 +308,6 @@ UNREADABLE = (
     without_cells,
     a_web_page,
     two_notebooks_in_one,
+    in_format_3,
+    with_a_number_of_five_thousand_digits,
 )

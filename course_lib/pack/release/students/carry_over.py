@@ -7,6 +7,11 @@ named with the reason why it is not. So are your predictions, your own cells, gi
 changed, and your own files beside the notebooks. The older folder is only read, and nothing that
 you have written in the new one is replaced.
 
+One rule decides for each cell. What no release had there is the student's. It goes where the new
+notebook has its place: by the grade_id of its exercise; without one by the cell's id, or by what it
+holds; and without a place below the cell that it stood below. If something of the student's stands
+there already, or if the course wrote another text there, the older cell is named instead.
+
 This file needs Python 3.11 and its standard library alone.
 """
 
@@ -44,10 +49,6 @@ PLURALS = {
 
 _PREDICTION = re.compile(r"^\s*check\.(\w+)\.predict\(", re.MULTILINE)
 _MERGE = re.compile(rb"^(<{7}|={7}|>{7})( |\r?$)", re.MULTILINE)
-# The name of a notebook, with what a download adds: .json by Safari, .txt by Windows.
-_NOTEBOOK = re.compile(
-    r"[^.].*\.ipynb((?: ?\(\d+\))?(\.ipynb|\.json|\.txt))*", re.IGNORECASE | re.DOTALL
-)
 _CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # what nbformat 4.5 allows
 
 
@@ -88,7 +89,7 @@ def _notebooks_folder(folder: Path) -> Path | None:
         names = os.listdir(folder)
     except OSError:  # there is no such folder, or it cannot be read
         return None
-    return folder if any(map(_NOTEBOOK.fullmatch, names)) else None
+    return folder if any(name.endswith(".ipynb") for name in names) else None
 
 
 def _which_folder() -> str:
@@ -240,49 +241,21 @@ def carry_folder(
         update.sentences.append(f"{shown} cannot be read: {error.strerror}.")
         update.failed_files = [name for name in new_names if only is None or name in only]
         return update
-    copies = _copies(older, newer, new_names)
     for name in new_names:
         if only is not None and name not in only:
             continue
-        sources = [name] if os.path.lexists(older / name) else []
-        sources += [copy for copy, original in copies.items() if original == name]
-        if not sources:
-            update.sentences.append(f"{name}: there is none in {shown}, so nothing to carry over.")
-        for source in sources:
-            report = carry_over(older / source, newer / name, f"{shown}/{source}")
-            if source != name and not report.problem:
-                report.remarks.append(f"This is from {source}, which holds the same notebook.")
-            update.reports.append(report)
-    notebooks = {*new_names, *copies}
-    files = [path for path in _own_files(older) if _relative(path, older) not in notebooks]
+        if os.path.lexists(older / name):
+            update.reports.append(carry_over(older / name, newer / name, f"{shown}/{name}"))
+        else:
+            update.sentences.append(
+                f"{name}: there is none in {shown}. If yours has another name there, give it this "
+                "name, and run the same command again."
+            )
+    files = [path for path in _own_files(older) if _relative(path, older) not in new_names]
     if only is not None:
         files = [path for path in files if _relative(path, older) in only]
     _carry_files(files, older, newer, shown, update)
     return update
-
-
-def _copies(older: Path, newer: Path, new_names: Sequence[str]) -> dict[str, str]:
-    """Return {file: notebook} of renamed or copied notebooks of the course in the older folder.
-
-    Most of the cells of such a file belong to that notebook.
-    """
-    copies = {}
-    for path in sorted(older.iterdir()):
-        if path.name in new_names or not _NOTEBOOK.fullmatch(path.name):
-            continue
-        try:
-            book = read_notebook(path)
-        except Unreadable:
-            continue  # it is taken as a file of the student's own
-        for name in new_names:
-            try:
-                matched = len(match(book, read_notebook(newer / name)))
-            except Unreadable:
-                continue
-            if matched > len(book.cells) / 2:
-                copies[path.name] = name
-                break
-    return copies
 
 
 def _carry_files(
@@ -388,12 +361,6 @@ def carry_over(older: Path, path: Path, shown: str = "") -> Report:
         report.problem = (
             f"{path} {error} It is a notebook of the new release: put it there again as it came. "
             f"Your answers are in {report.older}."
-        )
-        return report
-    if new.list is not new.content.get("cells"):
-        report.problem = (
-            f"{path} is in the format that notebooks had before 2014. Copy it from the release"
-            " again."
         )
         return report
     places = match(old, new)
@@ -715,22 +682,19 @@ _IMPORTS = (ast.Import, ast.ImportFrom)
 
 def _is_there(name: str) -> bool:
     """Return whether the package of this release has a module, or a name in a module."""
-    package = _package()
-    if package is None:
-        return True  # nothing is known
-    parts = name.split(".")
-    if _module(package, parts):
-        return True
-    parent = _module(package, parts[:-1])
-    return parent is not None and (parts[-1] == "*" or _mentions(parent, parts[-1]))
-
-
-def _package() -> Path | None:
-    """Return the folder that holds this release's course_lib: beside this file, or a checkout."""
     for folder in (HERE, *HERE.parents):
         if (folder / "course_lib" / "__init__.py").exists():
-            return folder
-    return None
+            break
+    else:
+        return True  # this file stands alone, and nothing is known
+    parts = name.split(".")
+    if _module(folder, parts):
+        return True
+    parent = _module(folder, parts[:-1])
+    if parent is None:
+        return False
+    words = re.findall(r"\w+", parent.read_text(encoding="utf-8"))
+    return parts[-1] == "*" or parts[-1] in words
 
 
 def _module(package: Path, parts: Sequence[str]) -> Path | None:
@@ -739,18 +703,6 @@ def _module(package: Path, parts: Sequence[str]) -> Path | None:
         if file.is_file():
             return file
     return None
-
-
-@functools.cache
-def _mentions(module: Path, name: str) -> bool:
-    """Return whether the code of a module names something: a definition, an import, or a string."""
-    for node in ast.walk(ast.parse(module.read_text(encoding="utf-8"))):
-        named = getattr(node, "name", None) or getattr(node, "id", None)
-        if named == name or getattr(node, "asname", None) == name:
-            return True
-        if isinstance(node, ast.Constant) and node.value == name:
-            return True
-    return False
 
 
 # ---- read and write ----
@@ -888,7 +840,7 @@ def older_cells() -> dict:
 
 
 def read_notebook(path: Path) -> Notebook:
-    """Read a notebook of any of Jupyter's formats since 3; raise Unreadable, which says why not."""
+    """Read a notebook of Jupyter's format 4; raise Unreadable, which says why not."""
     if path.is_dir():
         raise Unreadable("is a folder, not a notebook.")
     try:
@@ -902,7 +854,7 @@ def read_notebook(path: Path) -> Notebook:
     if not content.strip(b"\0 \t\r\n"):
         raise Unreadable("is empty.")
     try:
-        book = json.loads(content, parse_int=_integer)
+        book = json.loads(content)
     except UnicodeDecodeError:
         raise Unreadable("cannot be read: its text is not encoded as UTF-8.") from None
     except json.JSONDecodeError as error:
@@ -910,18 +862,9 @@ def read_notebook(path: Path) -> Notebook:
     except (ValueError, RecursionError, MemoryError):
         raise Unreadable("cannot be read: it holds more than a notebook does.") from None
     cells = _within(book, "cells")
-    sheets = _within(book, "worksheets")
-    if not isinstance(cells, list) and isinstance(sheets, list):  # nbformat 3, of before 2014
-        lists = [_within(sheet, "cells") for sheet in sheets]
-        cells = [cell for listed in lists if isinstance(listed, list) for cell in listed]
     if not isinstance(cells, list):
         raise Unreadable("is not a notebook: it has no list of cells.")
     return Notebook(book, cells)
-
-
-def _integer(digits: str) -> int | str:
-    """Return a number; as text if it is longer than Python converts."""
-    return int(digits) if len(digits) < 4000 else digits
 
 
 def _why_no_json(content: bytes, error: json.JSONDecodeError) -> str:
@@ -966,11 +909,10 @@ def _cell(content: dict, number: int, notebook: Notebook) -> Cell:
     kind = content.get("cell_type")
     about = _within(content, "metadata", "nbgrader")
     name, cell_id = _within(about, "grade_id"), content.get("id")
-    source = content.get("source", content.get("input"))  # the latter in nbformat 3
     return Cell(
         number=number,
         kind=kind if isinstance(kind, str) else "markdown",
-        text=_text(source),
+        text=_text(content.get("source")),
         name=name if isinstance(name, str) else "",
         id=cell_id if isinstance(cell_id, str) else "",
         is_answer=bool(_within(about, "solution")) and isinstance(name, str),
@@ -1000,10 +942,8 @@ def _within(value: object, *keys: str) -> object:
 
 def _write(path: Path, content: dict) -> None:
     """Replace a notebook in one step, so that an interruption leaves the old one or the new one."""
-    try:
-        written = json.dumps(content, indent=1, ensure_ascii=False).encode()
-    except UnicodeEncodeError:  # half of a pair of surrogates, which only an escape can hold
-        written = json.dumps(content, indent=1).encode()
+    # With escapes, because only an escape can hold half of a pair of surrogates.
+    written = json.dumps(content, indent=1).encode()
     part = path.with_name(f".{path.name}.part")
     try:
         part.write_bytes(written + b"\n")
