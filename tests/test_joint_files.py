@@ -624,7 +624,7 @@ BROKEN = {
         "the joints change their places",
     ),
     "more columns than titles": ("t,q1\n0,1,2\n1,1,2\n", "row 1 has 3 columns, not 2; its header is t,q1. Write a title"),
-    "an angle that is none": ("t,q1\n0,.nan\n1,2\n", "row 1, column q1 is not a finite number"),
+    "an angle that is not a number": ("t,q1\n0,.nan\n1,2\n", "row 1, column q1 is not a finite number"),
 }  # fmt: skip
 
 

@@ -78,7 +78,7 @@ class Column:
     number : int or None
         The joint's number.
     unit : str or None
-        A unit of its kind; "?" and what stands in its place, if it is none.
+        A unit of its kind; "?" and what stands in its place, if that is another text.
     """
 
     place: int
@@ -133,7 +133,7 @@ def understand(place, title):
     column = _of_words(place, title, _words_of(title))
     if column.kind:
         return column
-    # A unit behind the title, such as time_ms; the s of joint_s is none.
+    # A unit behind the title, such as time_ms; but the s of joint_s is not one.
     before, _, last = re.sub(r"[\s.]", "_", title.lower()).rpartition("_")
     for stem, spelled in (
         (before, last),

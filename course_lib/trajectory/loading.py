@@ -386,7 +386,7 @@ def _unwrapped(table, columns, q, qd, elapsed, limits):
     """Return the angles, continued over jumps of a joint that was logged within one turn, and what
     is to be said of it.
 
-    A step of more than half a turn is such a jump if the shorter way round fits the velocities in
+    A step of more than pi is such a jump if the shorter way round fits the velocities in
     the file, or, without any, the joint's other steps. Where the limits forbid the shorter way, the
     joint stays as it is in the file. Where neither is certain, the user is asked.
     """
