@@ -97,7 +97,7 @@ def chain(path, tip=None):
     links = _names(path, robot.findall("link"), "link")
     elements = robot.findall("joint")
     joints = [
-        _ends(path, name, element)
+        _with_links(path, name, element)
         for name, element in zip(_names(path, elements, "joint"), elements, strict=True)
     ]
     if not joints:
@@ -118,7 +118,7 @@ def chain(path, tip=None):
     way.reverse()
     _refuse_other_motions(path, way)
     # Faults of joints that are not on the way to the tip matter to nobody.
-    return [_complete(path, joint, elements[joints.index(joint)]) for joint in way]
+    return [_with_geometry(path, joint, elements[joints.index(joint)]) for joint in way]
 
 
 def _refuse_other_motions(path, way):
@@ -280,7 +280,7 @@ def _names(path, elements, kind):
     return names
 
 
-def _ends(path, name, element):
+def _with_links(path, name, element):
     """Return a joint with its type and its links, which the tree needs."""
     where = f"{path.name}: joint {name!r}"
     kind = element.get("type", "").strip()
@@ -298,7 +298,7 @@ def _ends(path, name, element):
     return URDFJoint(name, kind, *links, "" if mimic is None else mimic.get("joint", "?"))
 
 
-def _complete(path, joint, element):
+def _with_geometry(path, joint, element):
     """Return a joint with its origin, axis and limits."""
     where = f"{path.name}: joint {joint.name!r}"
     origin = element.find("origin")
