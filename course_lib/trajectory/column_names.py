@@ -33,7 +33,7 @@ _UNIT_OF = {unit: unit for units in UNITS.values() for unit in units} | {
     spelling: unit for unit, spellings in _SPELLINGS.items() for spelling in spellings.split()
 }
 _WORDS = {
-    "t": "t time zeit timestamp timestamps stamp duration",
+    "t": "t time zeit timestamp timestamps stamp",
     "q": "q position positions pos angle angles winkel theta",
     "qd": "qd dq qdot velocity velocities vel speed geschw geschwindigkeit",
     "joint": "joint joints j axis achse axispos",
@@ -240,6 +240,9 @@ def _times(table, columns):
             f"{len(clocks)} columns hold times: {', '.join(names)}.",
             f'Write which one, for example columns={{"t": {names[0]}}}.',
         )
+    durations = [column for column in columns if column.title == "duration"]
+    if durations and "success_rate" in table.header:  # as libfranka called its times at first
+        return durations
     others = [column.place for column in columns if not column.kind]
     one_does = ""
     if others:

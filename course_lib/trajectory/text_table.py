@@ -222,11 +222,11 @@ def _counts_columns(row):
 def _header(lines, separator, width):
     """Return the titles of the last line that has as many as there are columns, or of the last.
 
-    lines: those before the first row, comments first. A header's separator may be another one.
+    lines: those before the first row, comments first; their separator may be another one.
     """
     before = [line for line in reversed(lines) if line.strip()]
     for line in before:
-        for other in (separator, *_SEPARATORS):
+        for other in _SEPARATORS:
             (titles,) = _split([line], other) or [[]]
             if len(titles) == width and (_counts_columns(titles) or not _has_number(titles)):
                 return titles
