@@ -80,7 +80,7 @@ def test_holds_what_students_need_and_nothing_else(files):
         r"notebooks/\d\d_\w+\.ipynb",
         r"notebooks/(notation|reports|places|changes)\.md",
         r"notebooks/data/(\w+\.(csv|json|urdf)|\w+_LICENSE\.txt)",
-        r"course_lib/(trajectory/)?\w+\.py",
+        r"course_lib/((trajectory|jupyter)/)?\w+\.py",
         r"course_lib/(checks|figures|lessons)/(\w+/){0,2}\w+\.py",
         r"course_lib/figures/scripts/(\w+/)?\w+\.js",
         r"course_lib/jupyter/(labconfig/page|jupyter_server)_config\.json",
