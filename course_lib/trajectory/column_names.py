@@ -26,8 +26,8 @@ _SPELLINGS = {
     "ns": "nsec nsecs nanosec nanosecs nanoseconds",
     "rad": "radian radians",
     "deg": "° degree degrees grad",
-    "rad/s": "rad_s rad/sec rad*s^-1",
-    "deg/s": "°/s deg_s deg/sec degrees/s",
+    "rad/s": "rad/sec rad*s^-1",
+    "deg/s": "°/s deg/sec degrees/s",
 }
 _UNIT_OF = {unit: unit for units in UNITS.values() for unit in units} | {
     spelling: unit for unit, spellings in _SPELLINGS.items() for spelling in spellings.split()
@@ -46,6 +46,10 @@ _WORDS = {
     ),
 }
 _KIND_OF = {word: kind for kind, words in _WORDS.items() for word in words.split()}
+# The number of q[0] is not a unit.
+_UNIT_IN_BRACKETS = re.compile(
+    r"(.*\S)[\s_]*[\[(<]\s*([^\[\]()<>]*[^\[\]()<>\d\s][^\[\]()<>]*)[\])>]"
+)
 # Names of joints from the base to the end-effector, as these arms' makers give them: Universal
 # Robots' ROS description and teach pendant, Rethink's Sawyer and Baxter.
 _NAMED_ARMS = (
@@ -117,35 +121,30 @@ def understand(place, title):
     ''
     """
     title = title.strip()
-    bracket = re.fullmatch(
-        r"(.*\S)[\s_]*[\[(<]\s*([^\[\]()<>]*[^\[\]()<>\d\s][^\[\]()<>]*)[\])>]", title
-    )
-    if bracket:
-        spelled = bracket[2].strip().lower().replace("μ", "µ")
+    if bracket := _UNIT_IN_BRACKETS.fullmatch(title):
         column = _of_words(place, title, _words_of(bracket[1]))
-        unit = _UNIT_OF.get(spelled, f"?{bracket[2].strip()}")
-        if column.kind == "q" and unit in UNITS["qd"] and unit not in UNITS["q"]:
-            # joint_1 [deg/s]: the unit decides where no word says that it is an angle
-            decided = not any(_KIND_OF.get(word) == "q" for word in column.words)
-            column = replace(column, kind="qd") if decided else column
-        known = unit in UNITS.get(column.kind, (unit,))
-        return replace(column, unit=unit if known or unit[0] == "?" else f"?{unit}")
+        return _with_unit_in_brackets(column, bracket[2].strip())
     column = _of_words(place, title, _words_of(title))
-    if column.kind:
-        return column
     # A unit behind the title, such as time_ms; but the s of joint_s is not one.
     before, _, last = re.sub(r"[\s.]", "_", title.lower()).rpartition("_")
-    for stem, spelled in (
-        (before, last),
-        (before.rpartition("_")[0], "_".join(title.lower().split("_")[-2:])),
-    ):
-        unit = _UNIT_OF.get(spelled)
-        shorter = _of_words(place, title, _words_of(stem))
-        if unit in UNITS["t"] and not shorter.words and len(spelled) > 1:
-            shorter = replace(shorter, kind="t")  # sec, nanosec
-        if unit is not None and unit in UNITS.get(shorter.kind, ()):
-            return replace(shorter, unit=unit)
-    return column
+    unit = _UNIT_OF.get(last)
+    if column.kind or unit is None:
+        return column
+    shorter = _of_words(place, title, _words_of(before))
+    if unit in UNITS["t"] and not shorter.words and len(last) > 1:
+        shorter = replace(shorter, kind="t")  # sec, nanosec
+    return replace(shorter, unit=unit) if unit in UNITS.get(shorter.kind, ()) else column
+
+
+def _with_unit_in_brackets(column, text):
+    """Return a column with the unit that its title has in brackets."""
+    unit = _UNIT_OF.get(text.lower().replace("μ", "µ"))
+    is_rate = unit in UNITS["qd"] and unit not in UNITS["q"]
+    says_angle = any(_KIND_OF.get(word) == "q" for word in column.words)
+    if is_rate and column.kind == "q" and not says_angle:
+        column = replace(column, kind="qd")  # joint_1 [deg/s]: the unit decides
+    known = unit is not None and unit in UNITS.get(column.kind, (unit,))
+    return replace(column, unit=unit if known else f"?{text}")
 
 
 def _words_of(title):
