@@ -5,9 +5,8 @@ import numpy as np
 from course_lib.trajectory.motion import checked_trajectory
 
 _STANDS_STILL = 1e-6  # radians: what moves less in all stands still
-# A joint moves if it moves more than its noise: as many standard deviations. Of 10,000 normal
-# samples
-# the largest is about 4 of them away, so that a range is about 8.
+# A joint moves if it moves by more than this many standard deviations of its noise. Of 10,000
+# normal samples the largest is about 4 of them away, so that a range is about 8.
 _NOISE_RANGE = 10
 _TOLERANCE = 0.01  # of the factor between times, for exact data
 # Differences of samples are recognized if they fit this much better than the velocity at the sample

@@ -7,8 +7,10 @@ from decimal import Decimal
 import numpy as np
 
 from course_lib.arguments import file_path, positive, real_array
-from course_lib.trajectory.column_names import UNITS, UnclearFileError, find_columns, unclear
+from course_lib.trajectory.column_names import UNITS
+from course_lib.trajectory.find_columns import find_columns
 from course_lib.trajectory.motion import Trajectory
+from course_lib.trajectory.questions import UnclearFileError, unclear
 from course_lib.trajectory.text_table import read_table
 
 _SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".npy")

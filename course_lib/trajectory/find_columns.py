@@ -1,0 +1,424 @@
+"""Which columns of a table are times, joint angles and velocities: as their titles or the user say,
+or a question."""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from course_lib.trajectory.column_names import (
+    KIND_OF,
+    Column,
+    column_of_words,
+    kind_of,
+    understand,
+    words_of,
+)
+from course_lib.trajectory.questions import example, no_joints, pattern_of, quoted, unclear
+
+# Names of joints from the base to the end-effector, as these arms' makers give them: Universal
+# Robots' ROS description and teach pendant, Rethink's Sawyer and Baxter.
+_NAMED_ARMS = (
+    ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"),
+    ("base", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"),
+    ("s0", "s1", "e0", "e1", "w0", "w1", "w2"),
+)
+
+
+@dataclass(frozen=True)
+class FoundColumns:
+    """The columns of a trajectory: one of times, or those of seconds and of nanoseconds, and one of
+    each joint's angles and velocities, from the base.
+
+    remark: what else is to be said, for example that there is no header. unused: other columns.
+    """
+
+    t: tuple
+    q: tuple
+    qd: tuple
+    remark: str = ""
+    unused: tuple = ()
+
+
+def find_columns(table, joint_count, has_step, joints=None, chosen=None, velocities_alone=False):
+    """Return the FoundColumns of a table, or ask.
+
+    joint_count: the number of joints, or None. has_step: whether the user gave the time step.
+    joints, chosen: the arguments `joints` and `columns` of load. velocities_alone: whether the file
+    is the one of the velocities, which then are what is called q here.
+    """
+    titles, remark = table.header, ""
+    if not titles and (titles := _titles_of_ros2(table)):
+        remark = ", no header"
+    columns = [understand(i, title) for i, title in enumerate(titles)]
+    columns = _named_by_rows(table, columns)
+    if not columns:
+        columns = [Column(i, str(i + 1)) for i in range(table.width)]
+    places = _chosen_places(table, chosen or {})
+    t, q, qd = ([columns[place] for place in places[kind]] for kind in ("t", "q", "qd"))
+    if not titles and not q:
+        t, q, qd = _without_header(table, columns, joint_count, has_step)
+        remark = ", no header"
+    if not t and not has_step:
+        t = _times(table, columns)
+    if not q:
+        q, qd = _joints(table, columns, joints, velocities_alone)
+    used = {column.place for column in (*t, *q, *qd)}
+    unused = [c for c in columns if c.place not in used and table.holds_numbers(c.place)]
+    return FoundColumns(tuple(t), tuple(q), tuple(qd), remark, tuple(unused))
+
+
+def _times(table, columns):
+    """Return the column of times, or those of seconds and nanoseconds."""
+    clocks = [column for column in columns if column.kind == "t"]
+    # A stamp that nobody set stays 0, and the program's own clock comes before those of messages.
+    clocks = [clock for clock in clocks if len(set(table.cells(clock.place))) > 1] or clocks[:1]
+    plain = [clock for clock in clocks if len(clock.words) == 1 and clock.words[0] in ("t", "time")]
+    clocks = plain if len(plain) == 1 else clocks
+    parts = {column.unit: column for column in columns if column.kind == "t"}
+    if set(parts) >= {"s", "ns"} and parts["s"].words == parts["ns"].words and not plain:
+        return [parts["s"], parts["ns"]]
+    if len(clocks) == 1:
+        return clocks
+    if clocks:
+        names = [quoted(clock.title) for clock in clocks]
+        raise unclear(
+            table,
+            columns,
+            f"{len(clocks)} columns hold times: {', '.join(names)}.",
+            f'Write which one, for example columns={{"t": {names[0]}}}.',
+        )
+    durations = [column for column in columns if column.title == "duration"]
+    if durations and "success_rate" in table.header:  # as libfranka called its times at first
+        return durations
+    others = [column.place for column in columns if not column.kind]
+    one_does = ""
+    if others:
+        one_does = f'If one does, write columns={{"t": {example(table, others[0])}}}. '
+    raise unclear(
+        table,
+        columns,
+        "column t is missing: no title says that a column holds times.",
+        f"{one_does}If samples are evenly spaced, write the time between two of them in seconds, "
+        "step=0.01.",
+    )
+
+
+def _joints(table, columns, joints, velocities_alone):
+    """Return the columns of the angles and of the velocities, from the base."""
+    if joints is None:
+        sets = _numbered_sets(table, columns)
+        for names in _NAMED_ARMS:
+            named = _named_sets(columns, names)
+            if "q" in named and "q" not in sets:
+                sets = named
+    else:
+        sets = _named_sets(columns, joints)
+        missing = [name for name in joints if not _columns_of_name(columns, name)]
+        if missing:
+            raise unclear(
+                table,
+                columns,
+                f"joints names {missing[0]!r}, and no column has this name.",
+                "Write the names as they stand in the file, from the base to the end-effector.",
+            )
+    angles, velocities = sets.get("q", []), sets.get("qd", [])
+    if velocities_alone and velocities and not angles:
+        angles, velocities = velocities, []
+    if len(angles) == 1:
+        if _are_quaternions(table, angles[0]):
+            raise unclear(
+                table,
+                columns,
+                f"{pattern_of(angles[0])} are four columns whose squares add up to 1 in each row, "
+                "as those of a quaternion do.",
+                f'If they are joint angles, write columns={{"q": {pattern_of(angles[0])}}}.',
+            )
+        return angles[0], _belonging(table, columns, angles[0], velocities)
+    if angles:
+        raise unclear(
+            table,
+            columns,
+            f"{len(angles)} sets of columns may hold the joint angles: "
+            f"{', '.join(pattern_of(found) for found in angles)}.",
+            f'Write the right one, for example columns={{"q": {pattern_of(angles[0])}}}; * is for '
+            "the numbers.",
+        )
+    raise no_joints(table, columns)
+
+
+def _are_quaternions(table, columns):
+    """Return whether these columns are four, and the sum of their squares is 1 in each row."""
+    if len(columns) != 4:
+        return False
+    values = [table.numbers(column.place, f"column {column.title}") for column in columns]
+    return bool((np.abs(np.linalg.norm(values, axis=0) - 1) < 1e-3).all())
+
+
+def _numbered_sets(table, columns):
+    """Return {kind: sets}: columns whose titles differ by their numbers alone, in their order."""
+    of_pattern = {}
+    for column in columns:
+        if column.kind in ("q", "qd") and column.number is not None:
+            of_pattern.setdefault((column.kind, column.pattern), []).append(column)
+    sets = {}
+    for (kind, _), found in of_pattern.items():
+        found.sort(key=lambda column: column.number)
+        sets.setdefault(kind, []).append(found)
+    alone = {kind: found[0] for kind, found in sets.items() if len(found) == 1}
+    for kind, found in alone.items():
+        others = [column for other in alone.values() for column in other]
+        _refuse_gaps(table, columns, kind, found, others)
+    return sets
+
+
+def _refuse_gaps(table, columns, kind, found, others):
+    """Refuse the first joint that has no column, or two; others: all columns of the joints."""
+    numbers = [column.number for column in found]
+    every = [column.number for column in others]
+    start = 0 if 0 in every else 1
+    for number in range(start, max(every) + 1):
+        if numbers.count(number) == 1:
+            continue
+        twice = [str(c.place + 1) for c in found if c.number == number]
+        joint = f"column {kind}{number + 1 - start}"
+        problem = f"{joint} is missing."
+        if twice:
+            problem = f"{joint} occurs twice: columns {' and '.join(twice)} have this title."
+        # A column without a title may be the one that is missing; of two, the first is shown.
+        first, last = (choose(column.place for column in found) for choose in (min, max))
+        untitled = [c.place for c in columns if not c.title and first < c.place < last]
+        shown = {column.number: column.place for column in reversed(found)}.values()
+        line = ", ".join(example(table, place) for place in sorted([*untitled, *shown]))
+        raise unclear(
+            table,
+            columns,
+            problem,
+            "Write all joints from the base, each by title or by number from 1, for example "
+            f'columns={{"{kind}": [{line}]}}.',
+        )
+
+
+def _named_sets(columns, names):
+    """Return {kind: sets} of columns whose titles differ by these names alone."""
+    of_pattern = {}
+    for i, name in enumerate(names):
+        longer = [other for other in names if len(other) > len(name) and name in other]
+        for column, pattern in _columns_of_name(columns, name):
+            if any(column is c for other in longer for c, _ in _columns_of_name(columns, other)):
+                continue
+            kind = kind_of(pattern, has_name=True)
+            kind = "qd" if kind and column.unit in ("rad/s", "deg/s", "rpm") else kind
+            of_pattern.setdefault((kind, pattern), {}).setdefault(i, []).append(column)
+    sets = {}
+    for (kind, _), found in of_pattern.items():
+        if kind and len(found) == len(names) and all(len(same) == 1 for same in found.values()):
+            sets.setdefault(kind, []).append([found[i][0] for i in range(len(names))])
+    return sets
+
+
+def _columns_of_name(columns, name):
+    """Return the columns with the words of a joint's name, and their words with * for the name."""
+    wanted = words_of(name)
+    if wanted[-1:] == ("joint",):
+        wanted = wanted[:-1]
+    found = []
+    for column in columns:
+        words, size = column.words, len(wanted)
+        for at in range(len(words) - size + 1):
+            if words[at : at + size] == wanted:
+                found.append((column, (*words[:at], "*", *words[at + size :])))
+                break
+    return found
+
+
+def _belonging(table, columns, angles, sets):
+    """Return the velocities of these joints: the one set, or the one with the same other words."""
+
+    def other_words(column):
+        return [word for word in column.pattern if KIND_OF.get(word) in ("", "joint")]
+
+    if len(sets) > 1:
+        sets = [found for found in sets if other_words(found[0]) == other_words(angles[0])]
+    if not sets:
+        return []
+    if len(sets) == 1 and len(sets[0]) == len(angles):
+        return sets[0]
+    raise unclear(
+        table,
+        columns,
+        "it is not clear which columns are the velocities of these joints.",
+        f'Write them, for example columns={{"q": {pattern_of(angles)}, '
+        f'"qd": {pattern_of(sets[0])}}}.',
+    )
+
+
+def _named_by_rows(table, columns):
+    """Return the columns, with the names of joints that stand beside the numbers of a message."""
+    names = {}
+    for column in columns:
+        if column.kind != "name" or column.number is None:
+            continue
+        cells = table.cells(column.place)
+        if len(set(cells)) > 1:
+            row = next(i for i, cell in enumerate(cells) if cell != cells[0])
+            raise unclear(
+                table,
+                columns,
+                f"the joints change their places: {column.title} is {cells[0]!r} in row 1 and "
+                f"{cells[row]!r} in row {row + 1}.",
+                "Write the file with one order of the joints.",
+            )
+        names[column.number] = cells[0]
+    named = []
+    for column in columns:
+        values = {word for word in column.pattern if KIND_OF.get(word) in ("q", "qd")}
+        if column.kind == "name" or not values or not names.get(column.number):
+            named.append(column)
+            continue
+        name = names[column.number]
+        beside = [word for word in column.pattern if word != "*"]
+        words = (*beside, *words_of(name))
+        named.append(column_of_words(column.place, f"{column.title} ({name})", words))
+    return named
+
+
+def _titles_of_ros2(table):
+    """Return titles for what `ros2 topic echo --csv` writes of sensor_msgs/JointState, or ().
+
+    There is no header, and the fields stand in the message's order: sec, nanosec, frame_id, names,
+    positions, and, where they are filled, velocities and efforts.
+    """
+    row = table.rows[0]
+    joint_count = 0
+    for place in range(3, table.width):
+        if table.holds_numbers(place) or not row[place]:
+            break
+        joint_count += 1
+    rest = table.width - 3 - joint_count
+    begins = (
+        table.width > 3 and row[0].isdigit() and row[1].isdigit() and not table.holds_numbers(2)
+    )
+    if not begins or not joint_count or rest not in (joint_count, 3 * joint_count):
+        return ()
+    kinds = ("name", "position", "velocity", "effort")[: 1 + rest // joint_count]
+    return (
+        "sec",
+        "nanosec",
+        "frame_id",
+        *(f"{kind}_{i}" for kind in kinds for i in range(joint_count)),
+    )
+
+
+def _without_header(table, columns, joint_count, has_step):
+    """Return the columns of a table without header: t, q1 ... qk and perhaps qd1 ... qdk.
+
+    With a time step there are no times, and the file holds positions alone.
+    """
+    if has_step and joint_count in (None, table.width):
+        return [], columns, []
+    k = joint_count
+    problem = (
+        "it must begin with a header, or hold t, q1 ..., qd1 ... of as many joints as limits has: "
+        f"column t is missing, or others; its shape is ({len(table.rows)}, {table.width})."
+    )
+    if table.width in (7, 8) and _are_quaternions(table, columns[-4:]):
+        problem = "it looks like poses, because its last four columns are unit quaternions."
+    elif k is not None and table.width in (1 + k, 1 + 2 * k) and not has_step:
+        return columns[:1], columns[1 : k + 1], columns[k + 1 :]
+    raise unclear(
+        table,
+        [],
+        problem,
+        'Write the columns by their numbers, from 1: columns={"t": 1, "q1": 2, "q2": 3, ...}. For '
+        "positions alone, give the time step, and the file of the velocities if any: step=0.01, "
+        'velocities="a second file".',
+    )
+
+
+# Columns that the user chose
+# -------------------------------------------------------------------------------------------------
+
+
+def _chosen_places(table, chosen):
+    """Return {"t": places, "q": places, "qd": places} of the argument `columns`."""
+    numbered = {"t": {}, "q": {}, "qd": {}}
+    for key, value in chosen.items():
+        parted = re.fullmatch(r"(t|qd?)([1-9]\d*)?", key) if isinstance(key, str) else None
+        if not parted or (parted[1] == "t" and parted[2]):
+            raise ValueError(
+                f'columns must have keys such as "t", "q1" and "qd1"; one is {key!r:.40}'
+            )
+        places = _places(table, key, value)
+        kind, number = parted[1], parted[2]
+        if kind == "t" and len(places) > 2:
+            raise ValueError('columns["t"] must be one column, or those of seconds and nanoseconds')
+        if number and len(places) != 1:
+            raise ValueError(f"columns[{quoted(key)}] must be one column; it is {value!r:.60}")
+        first = int(number or 1)
+        numbered[kind] |= {first + i: place for i, place in enumerate(places)}
+    count = max([*numbered["q"], *numbered["qd"]], default=0)
+    for kind in ("q", "qd"):
+        missing = [i for i in range(1, count + 1) if i not in numbered[kind]]
+        if missing and (numbered[kind] or kind == "q"):
+            raise ValueError(
+                f"columns must name {kind}1 to {kind}{count}; {kind}{missing[0]} is missing"
+            )
+    return {kind: [found[i] for i in sorted(found)] for kind, found in numbered.items()}
+
+
+def _places(table, key, value):
+    """Return the places of one entry of `columns`: of titles, of numbers, or of a pattern."""
+    values = list(value) if isinstance(value, list | tuple) else [value]
+    is_pattern = len(values) == 1 and isinstance(values[0], str) and "*" in values[0]
+    if is_pattern and values[0] not in table.header:
+        return _matching(table, key, values[0])
+    return [_place(table, key, value) for value in values]
+
+
+def _place(table, key, value):
+    where = f"columns[{quoted(key)}]"
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        if not 1 <= value <= table.width:
+            raise ValueError(
+                f"{where} is {value}: columns count from 1, and {table.name} has {table.width}"
+            )
+        return int(value) - 1
+    if not isinstance(value, str):
+        raise ValueError(f"{where} must be a title or a number from 1; it is {value!r:.60}")
+    # The mark of a comment before the first title is not part of it.
+    places = [i for i, title in enumerate(table.header) if title == value.lstrip("#% ")]
+    if len(places) > 1:
+        numbers = " or ".join(str(place + 1) for place in places)
+        raise ValueError(
+            f"{table.name}: {where} is {value!r}, a title that occurs {len(places)} times: write"
+            f" the column's number, {numbers}"
+        )
+    if not places:
+        raise unclear(
+            table,
+            [understand(i, title) for i, title in enumerate(table.header)],
+            f"{where} is {value!r}, and no column has this title.",
+            "Write a title as it stands in the header, or the number of a column, from 1.",
+        )
+    return places[0]
+
+
+def _matching(table, key, pattern):
+    """Return the places of the titles that a pattern such as "actual_q_*" matches, by number."""
+    before, _, after = pattern.partition("*")
+    form = re.compile(rf"{re.escape(before)}(\d+){re.escape(after)}")
+    found = []
+    for place, title in enumerate(table.header):
+        if match := form.fullmatch(title):
+            found.append((int(match[1]), place))
+    found.sort()
+    numbers = [number for number, _ in found]
+    first = min(numbers, default=2)
+    matched = ", ".join(table.header[place] for _, place in found) or "none"
+    if first > 1 or numbers != list(range(first, first + len(numbers))):
+        raise ValueError(
+            f"columns[{quoted(key)}] is {pattern!r}: it must match titles with all numbers from 0"
+            f" or 1 on, each once; it matches {matched}"
+        )
+    return [place for _, place in found]

@@ -1,0 +1,112 @@
+"""The questions about a file that is not clear: its header, what was understood, what to write."""
+
+import json
+import re
+
+
+class UnclearFileError(ValueError):
+    """A file can be understood in more than one way, or in none: its message says what to write."""
+
+
+def unclear(table, columns, problem, advice):
+    """Return an UnclearFileError: the problem, the header, what was understood, what to write."""
+    lines = [f"{table.name}: {problem}"]
+    if table.header:
+        header = ",".join(table.header)
+        lines.append(f"  header: {_shortened(header, 300)}")
+    if columns:
+        lines.append(f"  understood: {_shortened(_understood(table, columns), 700)}")
+    lines.append(f"  {advice}")
+    return UnclearFileError("\n".join(lines))
+
+
+def _understood(table, columns):
+    """Return what was understood of each column; neighbours of one set are named together."""
+    words = {"t": "time", "q": "joint angle", "qd": "joint velocity", "name": "names of joints"}
+    groups = []
+    for column in columns:
+        meaning = words.get(column.kind)
+        if meaning is None:
+            meaning = "not known" if table.holds_numbers(column.place) else "text"
+        if column.unit:
+            meaning += f" in {column.unit.removeprefix('?')}"
+        if groups and groups[-1][0] == meaning:
+            groups[-1][1].append(column)
+        else:
+            groups.append((meaning, [column]))
+    parts = []
+    for meaning, group in groups:
+        names = [column.title or f"(no title, column {column.place + 1})" for column in group]
+        several = f"{names[0]} to {names[-1]} ({len(names)} columns)"
+        parts.append(f"{names[0] if len(names) == 1 else several}: {meaning}")
+    return "; ".join(parts)
+
+
+def no_joints(table, columns):
+    """Return the question which columns are the joints, with the line for those of the file."""
+    unknown = [c for c in columns if c.kind in ("", "q", "qd") and table.holds_numbers(c.place)]
+    problem = "column q1 is missing: no title says that a column holds the angle of a joint."
+    labels = [c for c in columns if c.words and set(c.words) <= {"joint", "name", "joints"}]
+    if labels and not table.holds_numbers(labels[0].place):
+        return unclear(
+            table,
+            columns,
+            f"it has a row for each joint, named by {labels[0].title!r}, and must have a row for"
+            " each time, with a column for each joint.",
+            f"Write it anew, for example with pandas: table.pivot(index=..., columns="
+            f"{quoted(labels[0].title)}, values=...).",
+        )
+    of_pattern = {}
+    for column in unknown:
+        if column.number is not None:
+            of_pattern.setdefault(column.pattern, []).append(column)
+    families = [pattern_of(found) for found in of_pattern.values() if len(found) > 1]
+    if families:
+        return unclear(
+            table,
+            columns,
+            f"{problem} Numbered columns: {', '.join(families)}.",
+            "If some are joint angles, write them, for example "
+            f'columns={{"q": {families[0]}}}; * is for the numbers.',
+        )
+    titled = [re.sub(r".*\((.*)\)", r"\1", column.title) for column in unknown if column.title]
+    if titled:
+        return unclear(
+            table,
+            columns,
+            problem,
+            "If these are the joints, write them from the base to the end-effector: "
+            f"joints={quoted(titled)}.",
+        )
+    return unclear(
+        table,
+        columns,
+        problem,
+        'If some do, write their numbers, in the order of the joints: columns={"q": [2, 3, ...]}.',
+    )
+
+
+def pattern_of(found):
+    """Return the titles of a set as one pattern, such as "actual_q_*", or as a list."""
+    patterns = set()
+    for column in found:
+        before, mark, after = column.title.rpartition(str(column.number))
+        patterns.add(f"{before}*{after}" if mark else column.title)
+    return quoted(patterns.pop() if len(patterns) == 1 else [column.title for column in found])
+
+
+def example(table, place):
+    """Return a column as the user may write it: its title, or its number if it has none."""
+    titles = table.header
+    unique = titles and titles[place] and titles.count(titles[place]) == 1
+    return quoted(titles[place]) if unique else str(place + 1)
+
+
+def quoted(value):
+    """Return a value as it is written in Python, with double quotes."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _shortened(text, size):
+    """Return a text of at most `size` characters, from which the middle is left out."""
+    return text if len(text) <= size else f"{text[: size - 40]} ... {text[-35:]}"
