@@ -2,6 +2,7 @@
 noise in the last bits change none of them."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -73,3 +74,11 @@ begin(1)
 print((whole @ whole)[2].tolist(), np.sin(0.0), np.cos(0.0), 0.1 + 0.2)
 """
     assert with_noise(program) == "[69.0, 90.0, 111.0] 0.0 1.0 0.30000000000000004\n"
+
+
+def test_no_figure_says_minus_zero_in_its_words():
+    course = TESTS.parent / "course_lib"
+    files = [*course.glob("figures/**/*.py"), *course.glob("lessons/*/*.py")]
+    fixed = re.compile(r":[<>^]?[+ -]?0?\d*\.\d+f\}")  # with a z, -0.001 is 0.00 and not -0.00
+    found = {str(path): fixed.findall(path.read_text(encoding="utf-8")) for path in files}
+    assert {path: formats for path, formats in found.items() if formats} == {}

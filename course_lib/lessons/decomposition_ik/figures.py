@@ -42,7 +42,7 @@ def two_elbows(solutions, xy, sent=None):
     for q, (colour, style, name) in zip(solutions, looks, strict=True):
         joints = _joints(q)
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
-        elbows.append(f"({joints[1, 0]:.2f}, {joints[1, 1]:.2f})")
+        elbows.append(f"({joints[1, 0]:z.2f}, {joints[1, 1]:z.2f})")
         tips.append(joints[2])
     distances = [100 * np.linalg.norm(tip - xy) for tip in tips]
     for q in [] if sent is None else sent:
@@ -69,12 +69,12 @@ def two_elbows(solutions, xy, sent=None):
         bend = np.rad2deg(abs(solutions[0][1]))
         caption = (
             f"Both elbows lead to the same position, ({xy[0]:g}, {xy[1]:g}) m. Each is bent by "
-            f"{bend:.1f}°, one to each side."
+            f"{bend:z.1f}°, one to each side."
         )
         return Picture(fig, alt, caption)
     caption = (
-        f"Neither tip is at the desired position: they miss it by {distances[0]:.1f} and "
-        f"{distances[1]:.1f} cm."
+        f"Neither tip is at the desired position: they miss it by {distances[0]:z.1f} and "
+        f"{distances[1]:z.1f} cm."
     )
     alt += " Neither tip is there."
     if sent is not None:
@@ -103,7 +103,7 @@ def _enlarge_misses(ax, tips, xy, distances):
         along = (tip - xy) / np.linalg.norm(tip - xy)
         beside = middle if tip is farthest else tip
         place = beside + side * 0.45 * half * np.array([-along[1], along[0]])
-        words = f"{distance:.1f} cm"
+        words = f"{distance:z.1f} cm"
         inset.annotate(words, place, color=colour, ha="center", va="center", weight="bold")
     inset.plot(*xy, "D", color=BLACK, markersize=13, markerfacecolor="none", markeredgewidth=1.8)
     window = half * np.array([-1, 1])
@@ -145,9 +145,9 @@ def samples(xy, cell, low, high, n):
     radius = np.hypot(*xy.T)
     counts = count[count > 0]
     alt = (
-        f"{len(xy):,} positions: a band between the radii {radius.min():.2f} and "
-        f"{radius.max():.2f} m, from ({low[0]:.1f}, {low[1]:.1f}) to ({high[0]:.1f}, "
-        f"{high[1]:.1f}) m, each in the colour of its cell. The cells that hold samples hold "
+        f"{len(xy):,} positions: a band between the radii {radius.min():z.2f} and "
+        f"{radius.max():z.2f} m, from ({low[0]:z.1f}, {low[1]:z.1f}) to ({high[0]:z.1f}, "
+        f"{high[1]:z.1f}) m, each in the colour of its cell. The cells that hold samples hold "
         f"{counts.min()} to {counts.max()} of them."
     )
     caption = (
@@ -214,7 +214,7 @@ def clusters(contents):
             charts.add_points(
                 fig, *group.T, name, panel=panel, colour=colour, symbol=symbol, opacity=0.8
             )
-            in_words.append(f"{group[:, 1].min():.0f} to {group[:, 1].max():.0f}")
+            in_words.append(f"{group[:, 1].min():z.0f} to {group[:, 1].max():z.0f}")
         charts.add_rule(fig, y=0.0, panel=panel)
         ranges.append(f"{title}: q2 from {' and '.join(in_words)} degrees in the two clusters")
     alt = (
@@ -267,7 +267,7 @@ def two_cells(q, xy, in_joints, in_plane):
         charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **dots)
         charts.add_points(fig, *xy[inside].T, name, panel=1, details=angles, **dots)
     q2 = degrees[in_plane, 1]
-    ranges = [f"{part.min():.0f} to {part.max():.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
+    ranges = [f"{part.min():z.0f} to {part.max():z.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
     alt = (
         "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to "
         "one patch of positions; a red rectangle of positions is reached from two patches of "
@@ -333,10 +333,10 @@ def errors(contents, caption, details=None):
         )
         worst = int(np.argmax(size))
         x, y = position[worst]
-        _name_largest(fig, panel, (x, y), f"largest: {size[worst]:.1f} cm")
+        _name_largest(fig, panel, (x, y), f"largest: {size[worst]:z.1f} cm")
         in_words.append(
-            f"{title}: half below {np.median(size):.2g}, the largest {size[worst]:.1f} at "
-            f"({x:.1f}, {y:.1f}) m"
+            f"{title}: half below {np.median(size):.2g}, the largest {size[worst]:z.1f} at "
+            f"({x:z.1f}, {y:z.1f}) m"
         )
     fig.layout.showlegend = False  # the titles of the panels name the series
     alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(in_words)}."
@@ -374,8 +374,8 @@ def errors_of_arm(xy, angles, errors, cells, caption):
         worst = int(np.nanargmax(column))
         x, y = xy[worst]
         in_words.append(
-            f"{name}: half below {np.nanmedian(column):.2g}, the largest {column[worst]:.1f} at "
-            f"({x:.1f}, {y:.1f}) m"
+            f"{name}: half below {np.nanmedian(column):.2g}, the largest {column[worst]:z.1f} at "
+            f"({x:z.1f}, {y:z.1f}) m"
         )
     alt = (
         "Errors in cm at positions in the plane, by size and colour, of two answers to each query. "
@@ -447,9 +447,9 @@ def convergence(sizes, curves, slopes):
     in_words = []
     by_name = {}
     for name, largest in curves.items():
-        in_words.append(f"{name} falls with slope {slopes[name]:.1f} to {100 * largest[-1]:.1g}")
+        in_words.append(f"{name} falls with slope {slopes[name]:z.1f} to {100 * largest[-1]:.1g}")
         # Three digits: the further ones of the smallest errors are those of rounding.
-        by_name[f"{name}: slope {slopes[name]:.1f}"] = [_three_digits(100 * e) for e in largest]
+        by_name[f"{name}: slope {slopes[name]:z.1f}"] = [_three_digits(100 * e) for e in largest]
     fig = charts.lines(
         100 * sizes,
         by_name,
@@ -491,17 +491,20 @@ def by_bend(edges, mean):
     ax.bar(edges[:-1], mean, np.diff(edges), align="edge", color=BLUE, edgecolor="white")
     ax.axvline(EDGE_IS_NEAR, color=BLACK, linestyle="--", linewidth=1.2)
     ax.annotate(
-        f"{EDGE_IS_NEAR:.0f}°", (EDGE_IS_NEAR, 0.97 * max(mean)), (4, 0), textcoords="offset points"
+        f"{EDGE_IS_NEAR:z.0f}°",
+        (EDGE_IS_NEAR, 0.97 * max(mean)),
+        (4, 0),
+        textcoords="offset points",
     )
     ax.set(xlabel="$|q_2|$ (degrees)", ylabel="mean error (cm)", xlim=(0, edges[-1]))
     top = int(np.argmax(mean))
     alt = (
-        f"Mean error over |q2|: {mean[0]:.2f} cm for a stretched arm, largest, {mean[top]:.2f} "
-        f"cm, between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:.2f} cm near "
+        f"Mean error over |q2|: {mean[0]:z.2f} cm for a stretched arm, largest, {mean[top]:z.2f} "
+        f"cm, between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:z.2f} cm near "
         f"{edges[-1]} degrees."
     )
     caption = (
-        f"Left of the dashed line ({EDGE_IS_NEAR:.0f} degrees) the tip is less than 10 cm, the "
+        f"Left of the dashed line ({EDGE_IS_NEAR:z.0f} degrees) the tip is less than 10 cm, the "
         "diagonal of a cell, from the outer edge of the workspace."
     )
     return Picture(fig, alt, caption)
@@ -582,7 +585,7 @@ def samples_as_reported(xy, cell):
     radius = 100 * np.hypot(*xy.T)
     alt = (
         f"{len(xy):,} positions as overlapping dots of 6 pixels in a half ring from radius "
-        f"{radius.min():.0f} to {radius.max():.0f} cm, twice. At the right the dots of each of "
+        f"{radius.min():z.0f} to {radius.max():z.0f} cm, twice. At the right the dots of each of "
         f"{len(np.unique(number))} cells have one colour, and cells that touch may by chance have "
         "the same."
     )
@@ -618,7 +621,7 @@ def errors_as_reported(xy, error):
     small = (error < 1).mean()
     alt = (
         f"{len(xy):,} queries as dots whose diameter in pixels is the error in cm plus 5, in the "
-        f"colours of a bar from 0 to {error.max():.1f} cm; {small:.0%} of them are below 1 cm "
+        f"colours of a bar from 0 to {error.max():z.1f} cm; {small:.0%} of them are below 1 cm "
         "and look alike."
     )
     caption = (

@@ -65,7 +65,7 @@ def by_kind(kind, error):
 
 
 def _mean_and_worst(error, digits):
-    return f"{np.nanmean(error):.2f}", f"{np.nanmax(error):.{digits}f}"
+    return f"{np.nanmean(error):z.2f}", f"{np.nanmax(error):.{digits}f}"
 
 
 def slopes(contents):
@@ -73,5 +73,5 @@ def slopes(contents):
 
     contents: {name: (slope of the angle, slope of the position)}.
     """
-    rows = {name: [f"{slope:.2f}" for slope in both] for name, both in contents.items()}
+    rows = {name: [f"{slope:z.2f}" for slope in both] for name, both in contents.items()}
     table(["slope of the angle", "of the position"], rows)

@@ -67,7 +67,7 @@ def through_the_table(q):
     return _panda(
         q,
         scene.triad(7, panda().home[-1], 0.1),
-        f"The Panda on a worktop. Its flange is {-100 * height:.0f} cm below the worktop.",
+        f"The Panda on a worktop. Its flange is {-100 * height:z.0f} cm below the worktop.",
         "The arm bends down beside its base, through the worktop.",
         view=(-1.5, 0.7, 0.15),
     )
@@ -137,9 +137,9 @@ def four_parameters(a, alpha, d, theta):
         parts,
         f"Two joint axes, z1 and z2, do not meet. Their common perpendicular lies along x1. It has "
         f"a right angle with each of them, and its length is a = {a:g} m. About x1, the axis z2 is "
-        f"rotated relative to z1 by alpha = {np.rad2deg(alpha):.0f} degrees. The next "
+        f"rotated relative to z1 by alpha = {np.rad2deg(alpha):z.0f} degrees. The next "
         f"perpendicular, x2, is d = {d:g} m further along z2, and it is rotated about z2 by "
-        f"theta = {np.rad2deg(theta):.0f} degrees.",
+        f"theta = {np.rad2deg(theta):z.0f} degrees.",
         "The axis $x_1$ is perpendicular to both joint axes. Two of the four numbers belong to "
         "$x$, namely the length $a$ and the angle $\\alpha$. The other two belong to $z$, namely "
         "the length $d$ and the angle $\\theta$. Only $\\theta$ changes when the joint rotates.",
@@ -251,10 +251,10 @@ def pose_errors(T, T_target):
         "body, along its own axes": body[3:],
         "geometric, along the base's axes": (T_target - T)[:3, 3],
     }
-    in_words = [f"{name}, {np.linalg.norm(arrow):.2f} m long" for name, arrow in lengths.items()]
+    in_words = [f"{name}, {np.linalg.norm(arrow):z.2f} m long" for name, arrow in lengths.items()]
     alt = (
         f"A base, a current pose in blue, and a target in green, which is rotated by "
-        f"{np.rad2deg(space[2]):.0f} degrees relative to the current pose; both can be dragged. "
+        f"{np.rad2deg(space[2]):z.0f} degrees relative to the current pose; both can be dragged. "
         f"Arrows show the linear parts of three errors: {'; '.join(in_words)}. A dashed arc is the "
         "screw motion to the target."
     )
@@ -307,8 +307,8 @@ def pinhole(K, T_cm, key_points):
     side.plot(focal, focal * x / z, "o", color=BLUE, markersize=7)
     labels = (
         ("camera", (-0.01, -0.42 * x), INK),
-        (f"$f_x$ =\n{K[0, 0]:.0f} pixels", (0.02 * z, -0.17 * x), BLUE),
-        (f"$|u - c_x|$ =\n{pixels:.0f} pixels", (1.08 * focal, 0.75 * focal * x / z), BLUE),
+        (f"$f_x$ =\n{K[0, 0]:z.0f} pixels", (0.02 * z, -0.17 * x), BLUE),
+        (f"$|u - c_x|$ =\n{pixels:z.0f} pixels", (1.08 * focal, 0.75 * focal * x / z), BLUE),
         ("$|x|$", (1.02 * z, x / 2), GREEN),
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
     )
@@ -317,9 +317,9 @@ def pinhole(K, T_cm, key_points):
     side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,
-        f"A camera from the side: point {k}, {1000 * abs(x):.0f} mm from the optical axis at a "
-        f"depth of {z:.2f} m, is seen {pixels:.0f} pixels from the principal point, with a focal "
-        f"length of {K[0, 0]:.0f} pixels.",
+        f"A camera from the side: point {k}, {1000 * abs(x):z.0f} mm from the optical axis at a "
+        f"depth of {z:z.2f} m, is seen {pixels:z.0f} pixels from the principal point, with a focal "
+        f"length of {K[0, 0]:z.0f} pixels.",
         "The axes are in metres. The two blue lengths are in pixels, and both are drawn larger "
         "than they are, by the same factor. The two triangles are similar, so $u - c_x$ is to "
         "$f_x$ as $x$ is to $z$.",
@@ -370,7 +370,7 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
     margin = 0.02 * trajectory_times[-1]  # so that a peak at the first or last row is seen
     fig.layout.xaxis.range = [-margin, trajectory_times[-1] + margin]
     least = {obstacle: 100 * distances.min() for obstacle, distances in clearances.items()}
-    least_in_words = ", ".join(f"{obstacle} {gap:.1f} cm" for obstacle, gap in least.items())
+    least_in_words = ", ".join(f"{obstacle} {gap:z.1f} cm" for obstacle, gap in least.items())
     return Picture(
         fig,
         f"Three panels over time. The first shows the clearance, with its least values: "
@@ -387,13 +387,13 @@ def _least_clearance_in_words(least):
     nearest = min(least, key=least.get)
     if least[nearest] < 0:
         return (
-            f"The arm reaches {-least[nearest]:.1f} cm into the {nearest}: there the curve is in "
+            f"The arm reaches {-least[nearest]:z.1f} cm into the {nearest}: there the curve is in "
             "the red band, which begins at a clearance of 0."
         )
     name = "itself" if nearest == "itself" else f"the {nearest}"
     return (
         f"The arm touches nothing, because no curve reaches the red band; it is nearest to {name}, "
-        f"at {least[nearest]:.1f} cm."
+        f"at {least[nearest]:z.1f} cm."
     )
 
 
@@ -497,9 +497,9 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         parts,
         poses,
         times,
-        f"Moving picture, {times[-1] - times[0]:.0f} seconds. The Panda reaches over the mug on "
+        f"Moving picture, {times[-1] - times[0]:z.0f} seconds. The Panda reaches over the mug on "
         f"the worktop and comes down with its open fingers on both sides of the mug. It closes the "
-        f"fingers, lifts the mug by {100 * lifted:.0f} cm, carries it {100 * carried:.0f} cm "
+        f"fingers, lifts the mug by {100 * lifted:z.0f} cm, carries it {100 * carried:z.0f} cm "
         f"across the worktop and sets it down. Then it opens the fingers and rises. A camera hangs "
         f"above the worktop and looks down.",
         "The blue line is the path of the point midway between the fingertips. The fingers close "
@@ -543,7 +543,7 @@ def matches(template, scene_points, T, wrong):
         "template": (_dots(template, [Z_BLUE] * len(template)), [mug], (), _beside_dots(template)),
         "scene": (_dots(seen, scene_colours), [mug.moved(R)], dashes, _beside_dots(seen)),
     }
-    gaps = " and ".join(f"point {k} by {1000 * distances[k]:.0f} mm" for k in wrong)
+    gaps = " and ".join(f"point {k} by {1000 * distances[k]:z.0f} mm" for k in wrong)
     return beside(
         groups,
         0.17,
@@ -638,8 +638,8 @@ def share_reached(x, shares, xlabel, caption):
     ax.set(xlabel=xlabel, ylabel="targets reached (%)", ylim=(-3, 103))
     ax.grid(color=GRID_GREY)
     alt = (
-        f"The share of targets that is reached, over the {xlabel}: {percent[0]:.0f} % at {x[0]:g}, "
-        f"{percent[-1]:.0f} % at {x[-1]:g}, and the most, {percent.max():.0f} %, at "
+        f"The share of targets that is reached, over the {xlabel}: {percent[0]:z.0f} % at "
+        f"{x[0]:g}, {percent[-1]:z.0f} % at {x[-1]:g}, and the most, {percent.max():z.0f} %, at "
         f"{x[percent.argmax()]:g}."
     )
     return Picture(fig, alt, caption)
@@ -705,11 +705,11 @@ def following(dt, coarse_dt, distances, decay):
     charts.add_points(fig, times, expected, "e<sub>0</sub> exp(−K t)", colour=INK, size=5)
     # The errors that die out fill the panels; the one that grows may leave its panel.
     fig.update_yaxes(range=[0, MAX_DRAWN_LAG])
-    ends = "; ".join(f"{name} {distances[name][-1]:.1f} cm" for name in names)
+    ends = "; ".join(f"{name} {distances[name][-1]:z.1f} cm" for name in names)
     return Picture(
         fig,
         f"Errors of a gripper that follows a moving target. All start at "
-        f"{distances[names[0]][0]:.1f} cm. At the end: {ends}.",
+        f"{distances[names[0]][0]:z.1f} cm. At the end: {ends}.",
         "With steps of 0.02 s, the gripper lags behind without feed-forward, and with "
         "feed-forward its error decays exponentially. With steps of 0.1 s, the gain is just below "
         "and just above 2/dt.",
@@ -756,7 +756,7 @@ def iterations(counts, most):
     # Under the pointer a bar names all its iterations; one x for all panels would be its middle.
     fig.layout.hovermode = "closest"
     in_words = [
-        f"{name} {len(taken)} targets, median {np.median(taken):.0f}"
+        f"{name} {len(taken)} targets, median {np.median(taken):z.0f}"
         for name, taken in counts.items()
         if len(taken)
     ]

@@ -16,7 +16,7 @@ def dh_tables(modified, standard):
     print("joint   modified: a    alpha     d   standard: a    alpha     d")
     for i, rows in enumerate(np.hstack([modified, standard]), 1):
         shown = rows * np.tile([1, 180 / np.pi, 1], 2) + 0.0
-        print("{:3} {:15.4f} {:7.0f}° {:5.3f} {:13.4f} {:7.0f}° {:5.3f}".format(i, *shown))
+        print("{:3} {:z15.4f} {:z7.0f}° {:z5.3f} {:z13.4f} {:z7.0f}° {:z5.3f}".format(i, *shown))
 
 
 def mirrored(n, as_given, corrected):
@@ -62,11 +62,11 @@ def reached(results, rough=()):
         share = 100 * is_reached.mean()
         median = np.median(taken[is_reached]) if is_reached.any() else None
         if median is None:
-            rows[name] = [f"{share:.0f}", "-"]
+            rows[name] = [f"{share:z.0f}", "-"]
         elif name in rough:
-            rows[name] = [f"about {float(f'{number:.1g}'):.0f}" for number in (share, median)]
+            rows[name] = [f"about {float(f'{number:.1g}'):z.0f}" for number in (share, median)]
         else:
-            rows[name] = [f"{share:.0f}", f"{median:.0f}"]
+            rows[name] = [f"{share:z.0f}", f"{median:z.0f}"]
     table(["reached (%)", "iterations (median)"], rows)
 
 
@@ -87,4 +87,4 @@ def share_mirrored(n, mirrored):
     share = np.mean(mirrored)
     if n == 3 and 0.45 < share < 0.55:
         return "about half"
-    return f"{100 * share:.1f} %"
+    return f"{100 * share:z.1f} %"

@@ -81,12 +81,12 @@ def rotated_onto(k, p, g, theta):
     tried = np.linspace(-np.pi, np.pi, TRIED_ANGLES)
     nearest = min(np.linalg.norm(_rotated(k, angle, p) - g) for angle in tried)
     alt = (
-        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:.3f} from g; p "
-        f"itself {gap_at_start:.3f}."
+        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:z.3f} from g; p "
+        f"itself {gap_at_start:z.3f}."
     )
     caption = (
-        f"The dashed line shows the distance of $R\\,p$ from $g$, {gap:.3f} m. Of {TRIED_ANGLES} "
-        f"points of the circle the nearest is {nearest:.3f} m from $g$. The radii to $p$ and to "
+        f"The dashed line shows the distance of $R\\,p$ from $g$, {gap:z.3f} m. Of {TRIED_ANGLES} "
+        f"points of the circle the nearest is {nearest:z.3f} m from $g$. The radii to $p$ and to "
         "$R\\,p$ enclose the angle $\\theta$. "
         "Only the parts of $p$ and $g$ that are perpendicular to $k$ determine this angle."
     )
@@ -237,7 +237,7 @@ def orientation_paths(tracks, duration):
         speed = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / time_step
         length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
         speed_in_words = f"{interval(speed)} rad/s"
-        lengths.append(f"{label} on a path of length {length:.2f}, at {speed_in_words}")
+        lengths.append(f"{label} on a path of length {length:z.2f}, at {speed_in_words}")
         symbol = label.replace("omega", "$\\omega$")
         speeds.append(f"at {speed_in_words} with {symbol}")
     start, end = next(iter(tracks.values()))[[0, -1], :, 0]
@@ -297,7 +297,7 @@ def _answers(k, p, theta):
 
 def _listed(lengths):
     """Return lengths in words; two that print alike are said once."""
-    in_words = [f"{length:.3f} m" for length in lengths]
+    in_words = [f"{length:z.3f} m" for length in lengths]
     if len(in_words) == 2 and in_words[0] == in_words[1]:
         return f"{in_words[0]} at both points"
     return " and ".join(in_words) or "nowhere"
@@ -371,13 +371,13 @@ def choices(times, counts):
     fig.update_layout(showlegend=False)
     commonest = int(tally.argmax())
     alt = (
-        f"The times to {len(times)} candidates are {times[0]:.2f} to {times[-1]:.2f} s. Beside "
+        f"The times to {len(times)} candidates are {times[0]:z.2f} to {times[-1]:z.2f} s. Beside "
         f"them, dots count poses by their configurations within the limits: most often "
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
         f"One pose: the motion to the slowest of its {len(times)} candidates takes "
-        f"{times[-1]:.2f} s, and the motion to the fastest takes {times[0]:.2f} s. {len(counts)} "
+        f"{times[-1]:z.2f} s, and the motion to the fastest takes {times[0]:z.2f} s. {len(counts)} "
         f"poses: between {min(counts)} and {max(counts)} of their eight configurations are within "
         "the limits."
     )
@@ -456,7 +456,7 @@ def largest_rates(inverse_rate_matrix):
         ylabel="rates for 1 rad/s (rad/s)",
     )
     ranges = [
-        f"{label} from {rate.min():.2g} to {rate.max():.0f} rad/s" for label, rate in rates.items()
+        f"{label} from {rate.min():.2g} to {rate.max():z.0f} rad/s" for label, rate in rates.items()
     ]
     alt = (
         "The largest rates for an angular velocity of one, over b2, on a logarithmic axis: "
@@ -466,8 +466,8 @@ def largest_rates(inverse_rate_matrix):
     caption = (
         r"The largest single rate and the largest length grow without bound where "
         r"$\sin b_2 = 0$, because there the first and the third axis coincide. "
-        rf"At $b_2 = \pi/4$ they are {single[middle]:.2f} (single) and "
-        f"{together[middle]:.2f} rad/s (together)."
+        rf"At $b_2 = \pi/4$ they are {single[middle]:z.2f} (single) and "
+        f"{together[middle]:z.2f} rad/s (together)."
     )
     return Picture(fig, alt, caption)
 
@@ -535,7 +535,7 @@ def descents(runs, target, caption):
         fig.update_layout(yaxis2={"type": "log", "range": log_range})
     x, y = target
     alt = (
-        f"Paths of an arm's tip towards ({x:.1f}, {y:.1f}) m, and the distance over the steps. "
+        f"Paths of an arm's tip towards ({x:z.1f}, {y:z.1f}) m, and the distance over the steps. "
         f"{'; '.join(in_words)}."
     )
     return Picture(fig, alt, caption)
@@ -638,11 +638,11 @@ def gains(epsilons, values, damping=2.0):
         raise ValueError(
             f"values must hold s1 and s2, with 0.02 <= s2 <= s1 <= 4 m; it is {values!r}"
         )
-    tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):.2f} rad/m for {eps:g} m²" for eps in epsilons)
+    tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):z.2f} rad/m for {eps:g} m²" for eps in epsilons)
     alt = (
         "The joint step per metre of error, over the singular value. Without damping it grows "
         f"without bound towards zero; with damping it rises from zero to a largest value, {tops}, "
-        f"and falls again. Two singular values, {values['s1']:.2f} and {values['s2']:.2f} m, are "
+        f"and falls again. Two singular values, {values['s1']:z.2f} and {values['s2']:z.2f} m, are "
         "the axes of an ellipse and can be dragged, and so can the direction of an error of 1 m. "
         "An arrow shows how far the damped step moves the tip."
     )
@@ -694,8 +694,8 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
     marked = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
     alt = (
         "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
-        f"a curve, the limit of the step size, {blue_left:.0f} % of it is blue, below a "
-        f"centimetre; right of it {blue_right:.0f} %. Circles mark {marked}. A ring that can be "
+        f"a curve, the limit of the step size, {blue_left:z.0f} % of it is blue, below a "
+        f"centimetre; right of it {blue_right:z.0f} %. Circles mark {marked}. A ring that can be "
         "dragged chooses a run, and beside the map the arm makes it."
     )
     caption = (
@@ -750,7 +750,7 @@ def two_arms(paths, points_of):
         angles = [np.interp(spaced, length, angle) for angle in np.transpose(path)]
         arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(np.transpose(angles))
     folds = ", ".join(
-        f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():.1f} rad" for eps, path in paths.items()
+        f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():z.1f} rad" for eps, path in paths.items()
     )
     alt = (
         "Arms between the same start and target, later ones darker. The last elbow bends at most "
@@ -781,7 +781,7 @@ def manipulability_along(dampings, values):
         np.arange(values.shape[1]), by_damping, xlabel="step", ylabel="manipulability (m²)"
     )
     ranges = [
-        f"epsilon = {eps:g} m²: {min(row):.1f} to {max(row):.1f}"
+        f"epsilon = {eps:g} m²: {min(row):z.1f} to {max(row):z.1f}"
         for eps, row in zip(dampings, values, strict=True)
     ]
     alt = f"The manipulability (m²) over the steps. {'; '.join(ranges)}."
