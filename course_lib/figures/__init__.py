@@ -8,6 +8,7 @@ notebook are in its lesson.
 import itertools
 from importlib import import_module
 
+from course_lib.figures import quiet_matplotlib  # noqa: F401, before matplotlib
 from course_lib.figures.display import show
 from course_lib.figures.plots import lines
 
