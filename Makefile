@@ -58,23 +58,29 @@ BIOME = $(shell command -v biome || ls node_modules/.bin/biome 2>/dev/null)
 BIOME_IS_MISSING = JavaScript is not checked, because Biome is not installed. To install it: \
 	npm install --no-save @biomejs/biome@2.6 (npm comes with Node.js)
 
-# The time was measured with three test processes on two processors of 2.1 GHz.
-WHAT_TEST_DOES = Running the linters, then all tests and all notebooks. This takes about half an \
-	hour on two processors, and longer on a busy machine. Tests whose programs are not installed \
-	are skipped. To run only a part: make test ONLY=exp_so3
+# The times hold for two processors of 2.1 GHz with three test processes.
+WHAT_TEST_DOES = $(if $(filter-out no,$(ALL)),$(WHAT_ALL_DOES),$(WHAT_THE_SHORT_RUN_DOES)) Tests \
+	whose programs are not installed are skipped. To run only a part: make test ONLY=exp_so3
+WHAT_THE_SHORT_RUN_DOES = Running the linters, all notebooks and the quick tests. This takes about ten \
+	minutes of processor time, which is five on two quiet processors. To run all tests: make test ALL=yes.
+WHAT_ALL_DOES = Running the linters, all notebooks and all tests. This takes about half an hour on \
+	two processors, and longer on a busy machine.
+
+# Tests that are marked as slow (pyproject.toml) run with ALL=yes, and with ONLY if they have that name.
+WHICH_TESTS = $(if $(ONLY)$(filter-out no,$(ALL)),,-m "not slow")
 
 # One pytest run, so that its summary comes last; with ONLY, one process, because few tests take
 # seconds. Matplotlib builds its font list beforehand: it reports on stderr if that takes long, and
 # nbval would compare that too. The cells of a notebook share a kernel, so it stays in one worker
 # (loadfile); conftest.py says which files go first.
-test: environment ## run the linters, the tests, and every notebook against its stored outputs; ONLY=poe_kuka_iiwa runs what has that in its name, LAB=all runs all notebooks in JupyterLab
+test: environment ## run the linters, every notebook against its stored outputs, and the tests that take no longer than seconds; ALL=yes runs all tests, ONLY=poe_kuka_iiwa runs what has that in its name, LAB=all runs all notebooks in JupyterLab
 	@$(if $(ONLY),:,echo "$(WHAT_TEST_DOES)")
 	$(PY) -m ruff check --no-cache course_lib tests $(NOTEBOOKS)
 	$(PY) -m ruff format --no-cache --check --quiet course_lib tests
 	.venv/bin/lint-imports --no-cache --no-logo
 	$(if $(BIOME),"$(BIOME)" ci course_lib,@echo "$(BIOME_IS_MISSING)")
 	@$(PY) -c 'import matplotlib.font_manager' 2>/dev/null || :
-	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest \
+	@ONLY="$(ONLY)" LAB="$(LAB)" $(PY) -m pytest -o cache_dir=build/pytest $(WHICH_TESTS) \
 		$(if $(ONLY),-k "$(ONLY)",-n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder) \
 		--nbval --nbval-current-env --nbval-cell-timeout=600 --doctest-modules \
 		$(if $(ONLY),$(wildcard course_lib/$(ONLY)*.py),course_lib) tests $(NOTEBOOKS)

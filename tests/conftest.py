@@ -9,7 +9,8 @@ import nbformat
 import numpy as np
 import pytest
 from hypothesis import settings
-from tools import Machine, report_missing
+from processor_time import Stopwatch, table
+from tools import Machine, declared_tools, report_missing
 
 pytest.register_assert_rewrite("site_visits")  # so that it says what differs, as the tests do
 
@@ -59,21 +60,24 @@ def pytest_ignore_collect(collection_path):
 # follow each other, for it stays open.
 LONGEST = [
     "test_lab.py",
+    "05_panda_dh_ik.ipynb",
+    "06_decomposition_ik.ipynb",
+    "test_bank.py",
     "test_site_course.py",
     "test_mutants.py",
     "test_grade_hostile.py",
-    "test_bank.py",
-]
-LONGEST += ["test_grade_submission.py", "test_release_runs.py", "05_panda_dh_ik.ipynb"]
-LONGEST += ["test_toys_page.py", "test_site.py", "test_site_answers.py"]
-LONGEST += [
+    "test_grade_submission.py",
+    "test_release_runs.py",
+    "test_accepted_forms.py",
+    "test_toys_page.py",
+    "test_site.py",
+    "test_site_answers.py",
     "test_grade_tests.py",
     "test_grade_cluster.py",
     "test_commands.py",
-    "06_decomposition_ik.ipynb",
-]
-LONGEST += ["test_author_guide.py", "test_guide_for_instructors.py", "test_grade_layouts.py"]
-LONGEST += [
+    "test_author_guide.py",
+    "test_guide_for_instructors.py",
+    "test_grade_layouts.py",
     "test_release_nbgrader.py",
     "test_grade_isolation.py",
     "test_notebook_runner.py",
@@ -120,26 +124,51 @@ def pytest_xdist_auto_num_workers():
     )
 
 
+# A sandbox, a browser, a cluster, a copy of the course and its site take seconds, whatever the test
+# does with them.
+SLOW = {"isolated", "browser", "course", "dask"}
+
+
+@pytest.hookimpl(tryfirst=True)  # before pytest chooses by marks
 def pytest_collection_modifyitems(items):
+    """Mark as slow whatever uses a slow fixture or tool, unless it is marked as quick; sort files.
+
+    With loadfile each process of pytest-xdist runs files in this order.
+    """
+    for item in items:
+        used = {*getattr(item, "fixturenames", ()), *declared_tools(item)}
+        if used & SLOW and item.get_closest_marker("quick") is None:
+            item.add_marker("slow")
     ranks = {name: rank for rank, name in enumerate(LONGEST)}
     items.sort(key=lambda item: ranks.get(item.path.name, len(ranks)))
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_protocol(item):
+def pytest_runtest_protocol(item, nextitem):
     """Whatever a test, or a notebook's cell in it, sets for printing arrays ends with the test, and
     so do its tools."""
+    item.config.stopwatch.before(item)
     with np.printoptions():
         outcome = yield
     item.config.machine.restore()
+    item.config.stopwatch.after(item, nextitem)
     return outcome
 
 
+def pytest_sessionfinish(session):
+    """Hand the seconds that a process of pytest-xdist has counted to the one that prints them."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["seconds"] = dict(session.config.stopwatch.seconds)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node):
+    node.config.stopwatch.seconds.update(getattr(node, "workeroutput", {}).get("seconds", {}))
+
+
 def pytest_configure(config):
-    config.addinivalue_line(
-        "markers", "tools(*names): programs that the test needs; it sees no others (tools.py)"
-    )
     config.machine = Machine()
+    config.stopwatch = Stopwatch()
     config.browser, config.to_close = None, ExitStack()
 
 
@@ -282,3 +311,8 @@ def pytest_terminal_summary(terminalreporter):
             terminalreporter.section(title)
             for row in rows:
                 terminalreporter.line("  ".join(map(str.ljust, row, widths)).rstrip())
+    seconds = terminalreporter.config.stopwatch.seconds
+    if seconds:
+        terminalreporter.section("the slowest files, in seconds of processor")
+        for line in table(seconds):
+            terminalreporter.line(line)

@@ -372,6 +372,7 @@ def test_each_chart_in_the_notebooks_has_its_picture_and_its_words(notebook, cel
     assert output.data["text/plain"] == metadata["alt"]
 
 
+@pytest.mark.slow
 def test_nbconvert_keeps_the_words_of_charts_and_plots(tmp_path):
     if not (Path(sys.prefix) / "share/jupyter/nbconvert/templates/lab_with_alt").exists():
         unavailable("the course is not installed in this environment")

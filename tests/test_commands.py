@@ -45,7 +45,7 @@ def test_make_alone_lists_every_target_on_a_line(course):
     assert all(len(line.split()) > 3 for line in lines)
 
 
-def test_make_test_lints_what_is_the_projects_and_says_what_is_near_a_typo(course):
+def test_make_test_says_what_is_near_a_typo(course):
     for name in ("handed_in/doe/answer.py", "notebooks/Untitled.py"):
         (course / name).parent.mkdir(parents=True, exist_ok=True)
         (course / name).write_text("import os, sys\n")
@@ -59,17 +59,34 @@ def test_make_test_says_that_javascript_is_not_checked_without_biome(course):
     assert "JavaScript is not checked, because Biome is not installed" in done.stdout
 
 
-def test_make_test_begins_with_what_it_does_and_how_long_and_how_to_run_a_part(course):
+def test_make_test_begins_with_what_it_does_and_how_long(course):
     fault = course / "course_lib/fault.py"
     fault.write_text("import os\n")  # the linter stops at it, before the first test
-    whole = run(course, "make", "test").stdout.splitlines()
-    part = run(course, "make", "test", "ONLY=unhat").stdout
+    short, whole, part = (
+        run(course, "make", "test", *settings).stdout.splitlines()[0]
+        for settings in ([], ["ALL=yes"], ["ONLY=unhat"])
+    )
     fault.unlink()
-    assert "all tests and all notebooks" in whole[0]
-    assert "half an hour" in whole[0]
-    (exercise,) = re.findall(r"make test ONLY=(\w+)", whole[0])
-    assert list(ROOT.glob(f"course_lib/lessons/*/exercises/{exercise}.py"))
-    assert "half an hour" not in part
+    for line, tests, time in (
+        (short, "quick tests", "minutes"),
+        (whole, "all tests", "half an hour"),
+    ):
+        assert tests in line
+        assert time in line
+        (exercise,) = re.findall(r"make test ONLY=(\w+)", line)
+        assert list(ROOT.glob(f"course_lib/lessons/*/exercises/{exercise}.py"))
+    assert "make test ALL=yes" in short
+    assert "Running the linters" not in part
+
+
+def test_make_test_leaves_out_what_is_slow_unless_all_is_asked_for(course):
+    def options(*settings):
+        return run(course, "make", "-n", "test", *settings).stdout
+
+    assert '-m "not slow"' in options()
+    assert '-m "not slow"' in options("ALL=no")
+    assert "not slow" not in options("ALL=yes")
+    assert "not slow" not in options("ONLY=hat_se3")
 
 
 @pytest.mark.parametrize("ci", [False, True])
@@ -112,7 +129,7 @@ def test_make_student_takes_more(course):
     assert "MORE=0.5 is neither yes nor no" in run(course, "make", "student", "MORE=0.5").stderr
 
 
-def test_make_update_makes_the_folder_of_exercises_and_says_that_it_is_new(course):
+def test_make_update_makes_the_folder_of_exercises(course):
     assert "Made exercises/" in made(course, "update")
     assert "are of this version" in made(course, "update")
     shutil.rmtree(course / "exercises")
@@ -128,7 +145,7 @@ def test_make_data_writes_a_trajectory_whose_velocities_are_exact(course):
 
 
 @pytest.mark.tools("browser")
-def test_make_notebooks_runs_a_notebook_and_make_animations_writes_its_film(course):
+def test_make_notebooks_stores_outputs_and_make_animations_films(course):
     path = "notebooks/01_small.ipynb"
     write(course / "notebooks", "01_small.ipynb", new_code_cell("print(6 * 7)"))
     made(course, "notebooks", f"NOTEBOOKS={path}")
@@ -205,7 +222,10 @@ def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, 
     python = str(Path(shutil.which("python3")).resolve())
     done = run(course, str(course / ".ci/run"), PATH=str(tmp_path), PYTHON=python, **chosen)
     if chromium == "there" and "libatomic1" not in done.stderr:
-        assert done.stdout.splitlines() == ["make environment in CI=true", "make test in CI=true"]
+        assert done.stdout.splitlines() == [
+            "make environment in CI=true",
+            "make test ALL=yes in CI=true",
+        ]
     else:
         assert done.returncode == 1
         assert re.search(

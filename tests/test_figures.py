@@ -228,6 +228,7 @@ def matplotlib_plots(made):
     return [p.fig for p in made if isinstance(p, Picture) and isinstance(p.fig, Figure)]
 
 
+@pytest.mark.slow
 def test_a_phone_shows_the_letters_of_every_plot_readably(made):
     plots = matplotlib_plots(made)
     assert len(plots) > 15

@@ -36,6 +36,7 @@ def new_cases(exercise):
     return [sum(counts[case] == 1 for case in cases) for cases in sets]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(EXERCISES.keys() - set(WITHOUT_ARGUMENTS)))
 def test_a_table_of_answers_misses_cases_of_every_set(name):
     counts = new_cases(EXERCISES[name])

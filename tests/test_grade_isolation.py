@@ -217,6 +217,7 @@ def test_nothing_is_graded_and_one_paragraph_says_what_to_do(
     assert not list((tmp_path / "out").glob("results/*"))
 
 
+@pytest.mark.slow
 def test_isolation_none_is_refused_to_root_and_grades_for_others(
     tmp_path, capsys, monkeypatch, solutions
 ):

@@ -151,6 +151,7 @@ def answer(few, name):
     return next(source for source in few[1] if f"def {name}(" in source)
 
 
+@pytest.mark.quick
 def test_each_exercise_of_a_notebook_is_judged_for_itself(few):
     loud = answer(few, "matrix_to_quaternion").replace(
         "):\n",

@@ -66,6 +66,7 @@ def with_broken_answers(cells):
             yield new_code_cell(stub)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_every_cell_of_a_release_runs_and_its_checks_judge_later_answers(unpacked, name):
     notebook = nbformat.read(unpacked / "notebooks" / name, 4)

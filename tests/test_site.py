@@ -164,6 +164,7 @@ def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader
     page.set_viewport_size({"width": 1280, "height": 844})
 
 
+@pytest.mark.quick
 def test_page_works_offline_on_a_phone_in_the_dark(site, notebooks, browser):
     with Visit(browser, site / "01_rotations.html", theme="dark", width=390) as visit:
         facts = assert_readable(visit, notebooks / "01_rotations.ipynb", 390)
@@ -235,6 +236,7 @@ def test_cells_follow_their_tags_and_the_site_is_small(site):
     assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 7e6
 
 
+@pytest.mark.slow
 def test_building_again_gives_the_same_files(site, notebooks, tmp_path):
     builder.build(notebooks, tmp_path / "html")
     for file in site.rglob("*"):

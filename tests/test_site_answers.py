@@ -25,6 +25,8 @@ from sphinx_builds import build
 from course_lib.figures.stills import TOY
 from course_lib.pack.site import SiteError
 
+pytestmark = pytest.mark.slow  # Sphinx builds a site of its own for these tests
+
 TITLE, PROMISE = (
     "More: rotations at random",
     "You draw them uniformly, $R^\\top R = I$. 40 minutes.",
@@ -166,7 +168,7 @@ def test_only_imports_and_lines_that_draw_are_folded(site):
     )
 
 
-def test_left_out_the_page_shows_what_students_find_and_keeps_other_outputs(site):
+def test_without_answers_a_page_shows_what_students_find(site):
     text = (site[False] / "01.html").read_text(encoding="utf-8")
     assert "NotImplementedError" in text
     assert "Type your answer here." in text
@@ -219,7 +221,7 @@ def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks
     assert "gooseberry" not in text
 
 
-def test_an_answer_that_cannot_be_told_from_the_rest_stops_the_site_without_answers(tmp_path):
+def test_an_answer_that_cannot_be_told_from_the_rest_is_named(tmp_path):
     bare = cell(source="def turn():\n    return 42", nbgrader=NBGRADER)
     write(
         tmp_path / "notebooks",
@@ -244,9 +246,7 @@ def more_visit(site, browser):
         yield visit
 
 
-def test_a_section_is_a_line_with_its_heading_and_its_promise_that_the_keyboard_opens(
-    more_visit, notebooks
-):
+def test_the_keyboard_opens_a_folded_section(more_visit, notebooks):
     page = more_visit.page
     line, inside = page.locator("summary.more").first, page.get_by_text("Haar")
     expect(line.locator("h2")).to_contain_text(TITLE)

@@ -13,6 +13,8 @@ from sphinx_builds import build
 from course_lib.pack.site import SiteError, formulas, glossary
 from course_lib.pack.site import build as builder
 
+pytestmark = pytest.mark.slow  # Sphinx builds a site of its own for these tests
+
 FIRST = r"""# Rotations
 
 See *Axis and angle*, *Two ways*, *Both*, and notebook 2. Notebook 1 is this one, notebook 7 none.

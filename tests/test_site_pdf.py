@@ -11,6 +11,8 @@ from sphinx_builds import build
 
 from course_lib.pack.site import SiteError, pdf
 
+pytestmark = pytest.mark.slow  # Sphinx builds a site of its own for these tests
+
 LONG_TITLE = "A section whose title is so long that a page has to set it in two lines, one below"
 
 
@@ -27,7 +29,7 @@ def site(tmp_path_factory):
     return folder.parent / "html"
 
 
-def test_notation_stands_before_the_notebooks_and_the_other_pages_after_them(site):
+def test_notation_stands_before_the_notebooks(site):
     book = BeautifulSoup(pdf._book(site, {}), "html.parser")
     chapters = [chapter["id"] for chapter in book.select(".chapter")]
     assert chapters == ["notation", "01_rotations", "02_rigid_motion", "semester"]
@@ -45,7 +47,7 @@ PRINTED = b"""2 0 obj\n<</Type /Page\n/Resources <<>>>>\nendobj
 """
 
 
-def test_an_anchor_is_on_the_page_that_comes_so_many_pages_after_the_first():
+def test_an_anchor_is_on_its_page_counted_from_the_first():
     assert pdf.first_pages(PRINTED) == {"notation": 2, "01_rotations-x": 3}
 
 

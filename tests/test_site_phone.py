@@ -17,6 +17,8 @@ from course_lib.figures.stills import TOY
 from course_lib.figures.stored_chart import PLOTLY, stored
 from course_lib.lessons.rotations.figures import frames
 
+pytestmark = pytest.mark.slow  # Sphinx builds a site of its own for these tests
+
 NOTEBOOKS = sorted(Path(__file__).parent.parent.glob("notebooks/0*.ipynb"))
 
 TEXT = r"""# Narrow
@@ -162,7 +164,7 @@ SIDES = re.compile(r"\b(on the (left|right)|the (left|right) (panel|picture|plot
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem[:2])
-def test_no_caption_names_a_side_of_panels_that_a_phone_shows_below_each_other(notebook):
+def test_no_caption_names_a_side_of_panels(notebook):
     captions = [
         made.get("metadata", {}).get("caption", "")
         for part in nbformat.read(notebook, as_version=4).cells

@@ -47,6 +47,13 @@ def report_missing(places):
     ]
 
 
+def declared_tools(item):
+    """Return the names of the tools that a test declares, by a mark or by a fixture."""
+    declared = {name for mark in item.iter_markers("tools") for name in mark.args}
+    fixtures = getattr(item, "fixturenames", ())
+    return declared | {tool for fixture, tool in FIXTURES.items() if fixture in fixtures}
+
+
 class Machine:
     """The programs of this machine, apart from the tools, in a folder of links, and where the tools
     are."""
@@ -69,12 +76,7 @@ class Machine:
     def show(self, item):
         """Let a test see the tools that it declares; skip it, or let it fail, where one is
         missing."""
-        declared = {name for mark in item.iter_markers("tools") for name in mark.args}
-        declared |= {
-            tool
-            for fixture, tool in FIXTURES.items()
-            if fixture in getattr(item, "fixturenames", ())
-        }
+        declared = declared_tools(item)
         path = [self.folder.name]
         for tool in sorted(declared):
             if self.found[tool] is None:
