@@ -1,6 +1,7 @@
 """The whole course as a site: every page and every figure, in a browser without a network.
 
-Each page is opened once, on a phone in the dark, and later made as wide as a desktop, in the light.
+Each page is opened once, on a phone in the dark. A page of each kind is later made as wide as a
+desktop, in the light.
 """
 
 import re
@@ -76,7 +77,7 @@ def test_no_page_is_wider_than_the_narrowest_phone(visit):
 
 
 @of_a_notebook
-def test_every_panel_is_within_the_page_on_a_phone_and_large_enough_to_read(visit):
+def test_every_panel_is_large_enough_to_read_on_a_phone(visit):
     panels = visit.page.locator(".panels > .panel").all()
     size = 'e => [e.getBoundingClientRect().right, e.clientWidth / e.getAttribute("width")]'
     sizes = [panel.evaluate(size) for panel in panels]
@@ -116,7 +117,12 @@ def test_works_offline_on_a_phone(visit):
     )
 
 
-def test_nothing_scrolls_sideways_or_bars_a_reader_on_a_desktop_in_the_light(visit):
+# A page of each kind. The rules of the style, of which all pages are made, hold for the others too.
+OF_EACH_KIND = (NOTEBOOKS[0].stem, "index", "errata", "notation", "search", "reports")
+
+
+@pytest.mark.parametrize("visit", OF_EACH_KIND, indirect=True)
+def test_works_on_a_desktop_in_the_light(visit):
     visit.page.evaluate("document.documentElement.dataset.theme = 'light'")
     visit.page.set_viewport_size({"width": DESKTOP, "height": 844})
     assert visit.page.evaluate(WIDE) == []
