@@ -405,7 +405,7 @@ CONTRASTS = f"""() => [...document.querySelectorAll(".toy-figure")].map((box) =>
 }})"""
 
 
-def test_toys_follow_a_change_of_theme_with_enough_contrast_and_keep_their_configuration(visit):
+def test_toys_follow_a_change_of_theme(visit):
     before = {}
     for box in (figure_of(visit, "circles_toy"), figure_of(visit, "planar_arm_toy")):
         slider, at_first = box.get_by_role("slider").first, picture(box)
@@ -596,12 +596,13 @@ def test_a_click_on_the_map_chooses_the_run(visit):
     put(box, "Steps", 30)
     said = box.locator("p[role=status]")
     place = box.locator("canvas").first.bounding_box()
-    answers = []
+    answers = [said.inner_text()]
     for across in (0.75, 0.95):
         x = place["x"] + across * place["width"]
         visit.page.mouse.click(x, place["y"] + 0.75 * place["height"])
-        visit.page.evaluate(SETTLED, 100)
+        expect(said).not_to_have_text(answers[-1])
         answers.append(said.inner_text())
+    del answers[0]
     sizes = [float(re.search(r"α = (\S+)", words)[1]) for words in answers]
     assert sizes[0] < 2 < sizes[1]
     left = [float(re.search(r"tip is (\d+\.\d+|\d)", words)[1]) for words in answers]
@@ -611,17 +612,18 @@ def test_a_click_on_the_map_chooses_the_run(visit):
 
 def test_a_drag_across_a_chart_moves_the_time_of_all_of_them(visit):
     box = figure_of(visit, "velocities")
-    time = box.get_by_role("slider", name="Time")
-    numbers = box.locator(".numbers")
-    for chart in (1, 2):
+    time, numbers = box.get_by_role("slider", name="Time"), box.locator(".numbers")
+    for chart, pixels in ((1, 60), (2, 120)):  # to two places: the numbers are others each time
         put(box, "Time", 0)
         before = numbers.inner_text()
         place = box.locator("canvas").nth(chart).bounding_box()
-        drag(visit.page, place["x"] + 100, place["y"] + 40, 60, 0)
-        visit.page.evaluate(SETTLED, 200)
-        across = (160 - 48) / (place["width"] - 64)  # 48 and 16 pixels are margins
-        assert float(time.input_value()) == pytest.approx(2 * across, abs=0.03)
-        assert numbers.inner_text() != before
+        drag(visit.page, place["x"] + 100, place["y"] + 40, pixels, 0)
+        across = (100 + pixels - 48) / (place["width"] - 64)  # 48 and 16 pixels are margins
+        visit.page.wait_for_function(
+            "([time, seconds]) => Math.abs(time.value - seconds) < 0.03",
+            arg=[time.element_handle(), 2 * across],
+        )
+        expect(numbers).not_to_have_text(before)
 
 
 def test_a_click_on_a_dot_shows_the_arm_that_made_it(visit):
@@ -713,7 +715,7 @@ def test_a_range_of_the_drive_keeps_its_arrow_keys(visit):
     expect(box.get_by_label("Step dt")).to_have_value("-0.9")
 
 
-def test_clicks_move_the_mugs_pose_and_one_that_is_5_mm_off_raises_the_residual(visit):
+def test_a_click_that_is_5_mm_off_raises_the_residual(visit):
     box = figure_of(visit, "click")
     words = box.locator("p[role=status]")
     box.get_by_role("button", name="Take the shipped clicks").click()
@@ -839,7 +841,7 @@ def test_a_dragged_body_rotates_about_its_joint_and_no_other_does(visit, name, m
     assert all(label.startswith(moved) or name == "gimbals" for label in changed)
 
 
-def test_the_library_follows_each_of_several_solutions_while_the_target_moves(visit):
+def test_the_library_follows_each_of_several_solutions(visit):
     box = figure_of(visit, "eight")
     for axis in "zyx":
         put(box, f"Rotate about {axis}", 0)
@@ -955,7 +957,7 @@ POSES = """() => {
 }"""
 
 
-def test_the_range_moves_the_bodies_along_screws_and_reduced_motion_stands_still(film, figure):
+def test_the_range_moves_the_bodies_along_screws(film, figure):
     page, _ = film
     page.evaluate(POSES)
     slider, poses = page.get_by_role("slider", name="Time"), Film(figure).poses
