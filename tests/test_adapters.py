@@ -27,7 +27,7 @@ def value(function, **arguments):
     return wire.from_json(put(function, **arguments)["value"])
 
 
-def test_floats_go_in_as_real_symbols_of_their_names_and_whole_numbers_as_they_are():
+def test_floats_go_in_as_real_symbols_of_their_names():
     given = []
 
     def notes(a, theta):
@@ -136,7 +136,7 @@ def test_what_stays_an_expression_is_no_number(entry):
         lambda a, alpha, d, theta: np.arctan2(theta, alpha),
     ],
 )
-def test_a_function_for_numbers_used_on_symbols_is_named_without_the_numbers_of_the_case(function):
+def test_a_function_for_numbers_used_on_symbols_is_named(function):
     verdict = judge(DH_SYMBOLIC, LocalFunction(function))
     assert verdict.state == ERROR
     assert "For theta" not in describe(verdict)

@@ -90,9 +90,7 @@ def test_a_notebook_that_is_not_there_is_named_without_an_error_number(tmp_path,
 
 
 @pytest.mark.parametrize("old", [None, b"whole film"])
-def test_a_film_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
-    old, tmp_path, monkeypatch
-):
+def test_an_interrupted_film_leaves_the_file_before(old, tmp_path, monkeypatch):
     def interrupted(picture, file, *_, **__):
         if hasattr(file, "write"):
             file.write(b"half")
@@ -112,9 +110,7 @@ def test_a_film_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
     assert not old or gif.read_bytes() == old
 
 
-def test_an_mp4_whose_writing_is_interrupted_leaves_the_file_of_the_time_before(
-    tmp_path, monkeypatch
-):
+def test_an_interrupted_mp4_leaves_the_file_before(tmp_path, monkeypatch):
     def interrupted(command, **_):
         Path(command[-1]).write_bytes(b"half")
         raise KeyboardInterrupt

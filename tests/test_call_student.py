@@ -89,7 +89,7 @@ def test_an_endless_loop_ends_after_the_cpu_time_of_all_cases(stubborn):
     assert signal.getitimer(signal.ITIMER_PROF) == (0.0, 0.0)
 
 
-def test_off_the_main_thread_there_is_no_clock_and_every_case_is_asked_although_one_fails():
+def test_off_the_main_thread_every_case_is_asked():
     answers = []
     thread = threading.Thread(
         target=lambda: answers.extend(put(lambda x: 1 / x, [1.0], [0], [2.0]))
@@ -177,7 +177,7 @@ def test_what_the_check_has_of_the_library_is_refused_as_in_grading(function):
     )  # another exercise may call it
 
 
-def test_a_forbidden_name_is_put_back_although_the_function_is_interrupted():
+def test_a_forbidden_name_is_put_back_after_an_interruption():
     def interrupted(w):
         assert rotations.exp_so3 is not exp_by_another_name
         raise KeyboardInterrupt
@@ -211,7 +211,7 @@ def test_the_line_shown_is_the_last_one_of_the_students_own():
     assert error["line"] == _inverse.__code__.co_firstlineno + 1
 
 
-def test_anything_that_can_be_called_is_judged_and_need_not_have_lines_of_its_own():
+def test_anything_that_can_be_called_is_judged():
     vectorized = np.vectorize(right, signature="(n,n)->(n,n)")
     for function in (functools.partial(right), vectorized, lambda M: np.matrix(right(M))):
         assert judge(NEAREST_SO, LocalFunction(function)).state == RIGHT
@@ -314,7 +314,7 @@ def test_whatever_is_raised_is_one_calm_message(error, said):
     assert len(text) < 1200
 
 
-def test_settings_of_numpy_are_put_back_and_pictures_of_the_function_are_closed():
+def test_settings_of_numpy_are_put_back():
     import matplotlib.pyplot as plt
 
     kept, before = plt.figure(), (np.geterr(), np.get_printoptions())

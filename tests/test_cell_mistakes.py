@@ -65,7 +65,7 @@ def test_a_check_before_its_answer_says_which_cell_to_run(shell, shown):
     assert state(shell) == NOT_ATTEMPTED
 
 
-def test_a_later_cell_uses_the_librarys_function_in_place_of_an_undefined_one(shell, shown):
+def test_a_later_cell_uses_the_library_for_an_undefined_function(shell, shown):
     assert run(shell, "used = check.nearest_so.use(nearest_so)")
     assert shell.user_ns["used"].whose == "the library's"
     assert "attempt" not in vars(shell.user_ns["used"])
@@ -93,9 +93,7 @@ def test_an_undefined_name_elsewhere_still_raises(shell, shown, capsys):
     assert "NameError" in capsys.readouterr().out
 
 
-def test_a_cell_that_also_calls_an_undefined_function_raises_what_python_raises(
-    shell, shown, capsys
-):
+def test_a_cell_that_calls_an_undefined_function_raises(shell, shown, capsys):
     assert not run(shell, f"nearest_so(np.eye(3))\n{CHECK}")
     shown_error = capsys.readouterr().out
     assert "name 'nearest_so' is not defined" in shown_error
@@ -120,9 +118,7 @@ def test_a_letter_without_quotes_is_asked_for_with_quotes(shell, shown, letter):
         ANSWER.replace("svd(M)", "svd(M"),
     ],
 )
-def test_the_function_of_an_older_cell_is_not_judged_for_a_cell_that_is_not_python(
-    shell, shown, broken
-):
+def test_a_cell_that_is_not_python_is_not_judged_by_an_older_one(shell, shown, broken):
     run(shell, ANSWER, broken, CHECK)
     assert state(shell) == ERROR
     assert "is not valid Python" in shown[-1]

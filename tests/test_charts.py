@@ -254,7 +254,7 @@ def test_the_last_bits_of_a_machine_do_not_reach_the_file():
         assert json.dumps(again) == json.dumps(first)
 
 
-def test_a_figure_of_anybody_gets_the_style_of_the_course_and_keeps_its_own_template():
+def test_a_figure_of_anybody_gets_the_style_of_the_course():
     plain = go.Figure(go.Scatter(y=[1, 2]))
     assert stored(plain)["layout"]["template"]["layout"]["colorway"] == list(COLOURS)
     own = go.Figure(go.Scatter(y=[1, 2]), layout={"template": "plotly_dark"})
@@ -503,9 +503,7 @@ def test_without_plotlys_script_the_picture_stays(page, browser):
 
 
 @pytest.mark.parametrize(("session", "has_still"), [("", True), ("/home/student/01.ipynb", False)])
-def test_the_stored_picture_stays_with_the_same_chart_except_in_jupyterlab(
-    session, has_still, tmp_path, monkeypatch
-):
+def test_the_stored_picture_stays_with_the_same_chart(session, has_still, tmp_path, monkeypatch):
     fig = charts.lines(T, {"a": T}, **METRES)
     data = {PLOTLY: stored(fig), "image/png": "iVBORw0KGgo="}
     cell = nbformat.v4.new_code_cell("fig")

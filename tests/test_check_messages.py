@@ -74,7 +74,7 @@ def _rows(n):
     return np.repeat(np.arange(n), 6).reshape(n, 6)
 
 
-def test_a_wrong_answer_is_one_message_with_input_answer_property_and_mistake(shown):
+def test_a_wrong_answer_is_one_message(shown):
     Check(NEAREST_SO)(reflections_stay)
     (text,) = map(words, shown)
     order = [
@@ -116,7 +116,7 @@ def test_arguments_and_answer_are_folded_if_they_need_many_lines(shown):
     assert "4.14159" in folded
 
 
-def test_a_pair_is_shown_as_it_was_returned_and_without_the_part_that_is_right():
+def test_a_pair_is_shown_without_the_part_that_is_right():
     verdict = Verdict(
         DOUBLE, WRONG, "it is a pair.", case=(np.zeros(1),), answer=(np.eye(2), np.ones(2))
     )
@@ -203,7 +203,7 @@ def test_progress_shows_what_is_done_and_what_is_next(shown):
     assert "Restart Kernel and Run All Cells" in hand_in
 
 
-def test_progress_tells_the_two_sittings_apart_and_where_the_second_begins(shown):
+def test_progress_tells_the_two_sittings_apart(shown):
     progress = Progress(
         [Check(NEAREST_SO), Check(DOUBLE), Check(IS_SMALL)], stop=("nearest_so", "A test")
     )
@@ -396,7 +396,7 @@ def test_progress_counts_the_predictions_of_the_core(shown):
 
 
 @pytest.mark.parametrize(("right", "choices"), [("c", "ab"), ("a", "a")])
-def test_a_prediction_has_two_to_four_choices_with_the_right_one_among_them(right, choices):
+def test_a_prediction_has_two_to_four_choices(right, choices):
     with pytest.raises(ValueError, match="order: two to four choices"):
         Prediction("order", right, dict.fromkeys(choices, ""))
 

@@ -22,7 +22,7 @@ def test_the_report_s_rule_needs_124_steps_and_one_that_adapts_far_fewer():
     assert mean_steps(adapting, damped_step) < 10
 
 
-def test_a_rule_hears_of_each_step_its_number_its_distances_and_what_it_used():
+def test_a_rule_hears_of_each_step():
     heard = []
 
     def listening(k, before, after, alpha, eps):

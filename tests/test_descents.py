@@ -19,7 +19,7 @@ def as_it_is(q):
     return q
 
 
-def test_the_distance_is_that_of_seven_numbers_whatever_the_sign_of_a_quaternion():
+def test_the_distance_is_that_of_seven_numbers():
     random = np.random.default_rng(0)
     A, B = (
         rigid.transform(rotations.random_rotations(200, random), random.normal(size=(200, 3)))
@@ -45,7 +45,7 @@ def test_a_descent_counts_its_steps_and_stops_at_the_distance_asked_for():
         assert distances[-1] <= 0.02 < min(distances[:-1])
 
 
-def test_a_target_that_is_not_reached_counts_one_step_more_than_there_were():
+def test_a_target_that_is_not_reached_counts_one_step_more():
     far = np.concatenate([PANDA.fk(READY)[None], rigid.transform(np.eye(3), [[9.0, 0, 0]])])
     reached, taken = descents.descend(PANDA, far, READY, (ik.pose_error, damped, as_it_is), 7, 0.02)
     assert reached.tolist() == [True, False]

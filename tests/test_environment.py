@@ -66,7 +66,7 @@ def make(tmp_path):
     return make
 
 
-def test_a_set_up_that_was_interrupted_begins_again_without_an_error_of_cat(make):
+def test_a_set_up_that_was_interrupted_begins_again(make):
     assert make("environment", AT="-r environment.txt")[0].returncode != 0
     (make.bin / "cat").unlink()
     # It writes after cmp has found no file to compare with, and has ended.
@@ -84,7 +84,7 @@ def test_a_set_up_that_was_interrupted_begins_again_without_an_error_of_cat(make
     assert (make.course / ".venv/made-from").is_file()
 
 
-def test_what_is_set_up_is_used_again_until_its_origin_changes_with_pip_and_with_uv(make):
+def test_what_is_set_up_is_used_until_its_origin_changes(make):
     done, called = make("environment")
     assert (done.returncode, done.stderr) == (0, "")
     assert re.search(r"-m venv \.venv\n.* -m pip install .* uv==0.13.9\n", called)

@@ -179,7 +179,7 @@ def test_every_picture_says_what_its_data_say(made):
         )
 
 
-def test_pictures_are_shown_with_their_words_and_plots_have_the_same_bytes_again(made, outputs):
+def test_plots_have_the_same_bytes_again(made, outputs):
     for i, output in outputs.items():
         assert output.metadata["image/png"]["alt"] == output.data["text/plain"] == made[i].alt
         function, arguments, _ = PICTURES[i]
@@ -308,7 +308,7 @@ def test_pages_may_cut_panels_apart_that_are_side_by_side():
 
 
 @pytest.mark.parametrize("alt", ["", "short", None, 3])
-def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt):
+def test_a_picture_without_words_is_refused(alt):
     with pytest.raises(ValueError, match="alt must say"):
         show(Figure(), alt=alt)
     with pytest.raises(
@@ -317,7 +317,7 @@ def test_a_picture_without_words_and_something_that_is_no_figure_are_refused(alt
         show([1, 2], alt=ALT)
 
 
-def test_a_caption_follows_its_figure_as_an_output_of_its_own_and_ones_own_words_replace_a_picture_s():
+def test_a_caption_is_an_output_of_its_own():
     words = "It rises by $\\pi$."
     with mock.patch("IPython.display.display") as display:
         show(Picture(Figure(), "Words that are replaced", "Others"), alt=ALT, caption=words)

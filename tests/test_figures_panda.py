@@ -42,7 +42,7 @@ def bodies_of(frames):
     return np.concatenate([stands, frames[..., :-1, :, :] @ rigid.inverse(ARM.home[:-1])], -3)
 
 
-def test_both_conventions_are_drawn_on_one_arm_with_arrows_along_their_axes_and_shared_origins_named_together():
+def test_both_conventions_are_drawn_on_one_arm():
     frames = T_W0 @ ARM.frames(READY)
     film = Film(figures.conventions(frames[:-1], frames[1:], BASE))
     stands = solids.Model.of(solids.shell(ARM)).placed(bodies_of(frames)) - BASE

@@ -41,7 +41,7 @@ def test_a_point_of_a_curve_without_a_time_axis_says_its_time():
 POSES = rigid.transform(np.eye(3), np.array([[0.0, 0, 0], [0.1, 0, 0], [0.1, 0.3, 0]]))
 
 
-def test_the_charts_beside_the_end_effector_hold_the_velocities_of_each_frame():
+def test_the_charts_hold_the_velocities_of_each_frame():
     course = figures.velocities_over_time(T, V, POSES).meta
     assert course["times"] == T.tolist()
     for chart, (frame, velocities) in zip(course["charts"], V.items(), strict=True):
@@ -54,7 +54,7 @@ def test_the_charts_beside_the_end_effector_hold_the_velocities_of_each_frame():
         assert all(low <= tick <= high for tick in chart["ticks"])
 
 
-def test_the_arrow_at_the_end_effector_is_along_the_velocity_in_the_last_frame():
+def test_the_arrow_at_the_end_effector_is_along_its_velocity():
     ((body, _, vectors),) = figures.velocities_over_time(T, V, POSES).meta["arrows"]
     assert body == 0
     np.testing.assert_allclose(np.cross(vectors, V["body"]), 0, atol=1e-4)

@@ -38,7 +38,7 @@ ARMS = NAMED | {
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_every_arm_is_drawn_completely_with_few_vertices_where_its_kinematics_puts_it(name):
+def test_every_arm_is_drawn_where_its_kinematics_puts_it(name):
     arm = ARMS[name]
     q = np.random.default_rng(1).uniform(-2, 2, arm.n)
     toy = make_film(solids.shell(arm), solids.link_poses(arm, q)[None], [0.0], "An arm.")
@@ -90,7 +90,7 @@ def _volume(mesh):
 # ---- films ----
 
 
-def test_a_film_contains_the_poses_at_twenty_times_a_second_and_little_more():
+def test_a_film_contains_the_poses_at_twenty_times_a_second():
     arm, times = iiwa14(), np.linspace(0, 4, 401)
     q = np.linspace(-0.5, 1, 401)[:, None] * np.ones(7)
     film = Film(

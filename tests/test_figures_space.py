@@ -123,7 +123,7 @@ def test_the_arrows_of_the_body_frame_are_the_columns_of_its_matrix():
     assert [word for word, *_ in film.course["words"]] == list("xyzxyz")
 
 
-def test_orientations_beside_each_other_are_drawn_to_one_scale_even_if_they_are_no_rotations():
+def test_orientations_beside_each_other_are_drawn_to_one_scale():
     longer = 4 * DRAWS[1]
     film = Film(nb1.frames({"a": DRAWS[0], "b": longer}))
     scale, vertices, apart = 2.4 / 4, film.at(0), film.poses[0, :, :3, 3]

@@ -55,7 +55,7 @@ def checked(source, **changed):
 
 
 @pytest.mark.parametrize("unfinished", WRONG_DOUBLES)
-def test_a_right_answer_below_a_wrong_one_gets_its_tick_and_says_what_it_calls(unfinished, shown):
+def test_a_right_answer_below_a_wrong_one_gets_its_tick(unfinished, shown):
     check, space = checked(WRONG_DOUBLES[unfinished] + RIGHT_SO)
     assert check.verdict.state == RIGHT
     assert check.verdict.points == 3
@@ -150,7 +150,7 @@ closure_alias = closure
 NAMES = ("plain", "cached", "thing", "method", "part", "closure", "missing")
 
 
-def test_a_right_one_answers_whatever_a_function_is_called_by_and_is_gone_afterwards():
+def test_a_right_one_answers_whatever_a_function_is_called_by():
     space = {}
     exec(FORMS, space)
     before = dict(space)
@@ -216,9 +216,7 @@ def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
     assert own_files(space["double"]) == []
 
 
-def test_the_check_says_at_once_that_a_file_beside_the_notebook_does_not_count(
-    beside, monkeypatch, shown
-):
+def test_the_check_says_that_a_file_of_ones_own_does_not_count(beside, monkeypatch, shown):
     space = {}
     exec(USES["from"], space)
     monkeypatch.setattr(kernel, "ipython_shell", lambda: object())

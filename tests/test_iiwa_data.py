@@ -98,7 +98,7 @@ def cells():
     return space
 
 
-def test_no_solver_comes_nearer_to_a_target_than_the_sphere_about_the_shoulder(cells):
+def test_no_solver_comes_nearer_than_the_sphere_about_the_shoulder(cells):
     found = [smallest_error(target, k) for k, target in enumerate(cells["targets"])]
     np.testing.assert_allclose(found, cells["beyond"], rtol=0, atol=1e-6)
 
@@ -112,7 +112,7 @@ def test_the_given_function_does_not_win_it(cells):
     assert cells["score_of_targets"](cells["bring"]).startswith("36 of 100: 6 of 10 nearest, 0 of")
 
 
-def test_where_the_null_space_has_nothing_to_gain_the_distance_is_a_minimum(cells):
+def test_without_gain_in_the_null_space_the_distance_is_a_minimum(cells):
     for target in cells["targets"][cells["beyond"] == 0]:
         q = damped(target, np.array([0.1, 0.5, -0.1, -1, 0.1, 0.5, 0.1]))
         nearest = minimize(

@@ -77,7 +77,7 @@ def test_an_unreachable_target_ends_nearby_without_success():
     assert (found.q <= arm.limits[:, 1]).all()
 
 
-def test_a_target_that_only_joint_angles_beyond_the_limits_reaches_is_not_reached():
+def test_a_target_beyond_the_limits_is_not_reached():
     free = panda()
     narrow = SerialArm(free.screw_axes, free.home, np.tile([-0.1, 0.1], (7, 1)))
     found = solve(
@@ -164,7 +164,7 @@ def test_more_targets_than_are_stepped_together():
     np.testing.assert_allclose(there.q, q0, atol=1e-12)
 
 
-def test_poses_as_printed_with_six_digits_are_targets_wherever_they_are_poses():
+def test_poses_as_printed_with_six_digits_are_targets():
     arm = panda()
     q = np.random.default_rng(0).uniform(*arm.limits.T, (4000, 7))
     exact, printed = arm.fk(q), arm.fk(q).round(6)

@@ -47,7 +47,7 @@ def test_what_touches_something_picks_nothing():
     assert not challenge.picked(MUG, low)
 
 
-def test_at_most_three_points_of_a_scene_are_wrong_and_the_others_are_nearly_exact():
+def test_at_most_three_points_of_a_scene_are_wrong():
     random = np.random.default_rng(3)
     counts = set()
     for _ in range(200):

@@ -141,7 +141,7 @@ def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, 
 # ---- stills ----
 
 
-def test_a_still_is_drawn_anew_only_for_a_figure_that_changed_and_goes_if_there_is_no_browser(
+def test_a_still_is_drawn_anew_for_a_figure_that_changed(
     write,
 ):
     path = write(show(1), show(2))
@@ -231,9 +231,7 @@ def test_a_file_that_is_no_notebook_or_not_there_is_named(write, capsys):
     assert "No notebook was named" in capsys.readouterr().out
 
 
-def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves_the_old_one(
-    tmp_path, monkeypatch
-):
+def test_an_interruption_leaves_the_old_file(tmp_path, monkeypatch):
     path = tmp_path / "file"
     path.touch()
     path.chmod(0o640)
@@ -251,7 +249,7 @@ def test_a_file_that_is_written_keeps_its_permissions_and_an_interruption_leaves
 
 
 @pytest.mark.tools("browser")
-def test_a_toy_is_stored_as_its_model_and_a_picture_of_its_start_without_controls(tmp_path):
+def test_a_toy_is_stored_as_its_model_and_a_picture(tmp_path):
     path = tmp_path / "toy.ipynb"
     source = "from course_lib.lessons.subproblems_damped_ik.toys import circles_toy\ncircles_toy()"
     nbformat.write(

@@ -129,7 +129,7 @@ def without(cells, left_out, path):
     path.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=kept)))
 
 
-def test_the_core_needs_nothing_of_more_and_each_part_of_more_nothing_of_another(path, tmp_path):
+def test_the_core_needs_nothing_of_more(path, tmp_path):
     notebook = nbformat.read(path, 4)
     cells, more = notebook.cells, cells_of_more(notebook)
     starts = [i for i, cell in enumerate(cells) if TAG in cell.metadata.get("tags", [])]

@@ -118,7 +118,7 @@ def test_a_time_step_that_does_not_fit_two_files_is_reported(tmp_path, capsys):
     )
 
 
-def test_a_file_beyond_the_limits_is_refused_and_the_course_s_own_is_shown(tmp_path, capsys):
+def test_a_file_beyond_the_limits_is_refused(tmp_path, capsys):
     t, q, qd = another_path()
     q[40, 3] = 2.2
     path = tmp_path / "own.csv"

@@ -97,7 +97,7 @@ def test_the_workflow_for_forks_runs_the_notebooks_on_each_push():
     assert kept == ["build/html", "build/html-students"]
 
 
-def test_the_workflow_publishes_the_pages_without_solutions_where_pages_are_switched_on():
+def test_the_workflow_publishes_the_pages_without_solutions():
     pages = workflow("notebooks")["jobs"]["pages"]
     assert "github.event.repository.has_pages" in pages["if"]
     assert pages["steps"][0]["with"]["name"] == "site-for-students"

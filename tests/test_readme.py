@@ -130,7 +130,7 @@ def test_every_program_that_a_command_needs_is_listed_with_its_package(monkeypat
 ONLY_ON_UNIX = ("fcntl", "grp", "pwd", "resource", "syslog", "termios")
 
 
-def test_what_the_commands_for_windows_load_is_there_without_the_modules_of_unix():
+def test_the_commands_for_windows_need_no_module_of_unix():
     guides = [
         ROOT / name
         for name in ("notebooks/places.md", "course_lib/pack/release/students/README.md")

@@ -319,7 +319,7 @@ def test_words_for_graders_in_another_cell_are_named(words):
     assert "Move that to an answer cell" in sentence
 
 
-def test_a_picture_that_the_author_pasted_into_an_answer_stays_with_the_author():
+def test_a_picture_pasted_into_an_answer_stays_with_the_author():
     name = "01_rotations.ipynb"
     book = nbformat.read(ROOT / "notebooks" / name, as_version=4)
     cells = [cell for cell in book.cells if cell.cell_type == "markdown"]

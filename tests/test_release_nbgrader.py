@@ -62,7 +62,7 @@ def nbgrader(folder, *arguments):
     return done.stderr
 
 
-def test_every_notebook_becomes_part_of_an_assignment_with_full_marks_for_solutions_and_none_for_stubs(
+def test_nbgrader_gives_solutions_full_marks_and_stubs_none(
     course,
 ):
     nbgrader(course, "generate_assignment", "all")

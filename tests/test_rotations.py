@@ -223,7 +223,7 @@ def test_a_large_batch_may_lie_in_any_order_in_memory(function):
     assert np.array_equal(function(batch[::-1]), function(batch)[::-1])
 
 
-def test_rotation_vectors_whose_squares_underflow_keep_their_digits_in_a_large_batch():
+def test_rotation_vectors_whose_squares_underflow_keep_their_digits():
     w = _large_batch(exp_so3)
     w[-1] = [3e-170, -2e-170, 1e-170]
     w[-2] = 0

@@ -44,7 +44,7 @@ def said(part):
     return " ".join(part.get_text(" ").replace("#", "").split())
 
 
-def test_the_home_page_states_the_question_and_the_duration_of_each_notebook(article):
+def test_the_home_page_states_each_question_and_duration(article):
     home, hours = article("index"), []
     assert len(home.select(".first-steps a")) == 5
     assert home.select(".first-steps a[href='notation.html#what-you-need']")
@@ -69,7 +69,7 @@ PICTURE = (
 )
 
 
-def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(article):
+def test_the_home_page_shows_a_picture_of_each_notebook(article):
     pictures = article("index").select(f".card :is({PICTURE})")
     shown = [picture.get("alt") or picture["aria-label"] for picture in pictures]
     assert len(shown) == len(NOTEBOOKS)
@@ -86,9 +86,7 @@ def test_the_home_page_shows_a_picture_of_each_notebook_from_the_tagged_cell(art
         assert alt in " ".join(stored.metadata["image/png"]["alt"].split())
 
 
-def test_the_home_page_has_the_toy_of_the_tagged_cell_which_starts_without_a_shift_of_the_layout(
-    course, browser
-):
+def test_the_home_page_has_the_toy_of_the_tagged_cell(course, browser):
     cells = [cell for notebook in NOTEBOOKS for cell in nbformat.read(notebook, 4).cells]
     (tagged,) = (cell for cell in cells if "home" in cell.metadata.get("tags", []))
     (toy,) = (output for output in tagged.outputs if TOY in output.get("data", {}))
@@ -165,7 +163,7 @@ def test_errata_contain_every_claim_with_its_evidence_and_the_correction(article
     assert sorted(printed) == sorted("".join(output.text.split()) for output in outputs)
 
 
-def test_each_report_has_its_picture_and_a_link_to_the_cells_that_compute_its_numbers(article):
+def test_each_report_has_its_picture_and_links_to_its_cells(article):
     parts = article("reports").select("section section")
     reproduced = [
         notebook

@@ -65,7 +65,7 @@ def test_a_stored_notebook_gets_the_model_and_a_live_one_the_widget(monkeypatch)
     assert stored[TOY]["layout"]["meta"]["course"]["kind"] == toy.meta["kind"]
 
 
-def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_path, monkeypatch):
+def test_where_widgets_do_not_run_the_stored_still_is_shown(tmp_path, monkeypatch):
     toy, outputs = TOYS["reach"](), []
     stored = new_output("display_data", data={TOY: toy.stored(), "image/png": "iVBORw0KGgo="})
     nbformat.write(
@@ -88,9 +88,7 @@ def test_where_widgets_do_not_run_the_stored_still_is_shown_and_a_sentence(tmp_p
 
 
 @pytest.mark.parametrize("live", [False, True])
-def test_a_stored_caption_says_where_the_figure_moves_and_pages_get_the_caption_alone(
-    live, monkeypatch
-):
+def test_a_stored_caption_says_where_the_figure_moves(live, monkeypatch):
     outputs = []
     monkeypatch.setattr(
         "IPython.display.display", lambda *data, **more: outputs.append((data, more))
@@ -172,7 +170,7 @@ def two_balls(ghosts):
     return film(parts, poses, [0.0, 1.0, 2.0], "Two balls: one moves.", ghosts=ghosts)
 
 
-def test_ghosts_of_a_film_are_of_the_bodies_that_move_and_the_last_is_its_end():
+def test_ghosts_of_a_film_are_of_the_bodies_that_move():
     course = two_balls(2).meta
     assert course["ghosts"] == [1.0, 2.0]
     assert course["moving"] == [1]
@@ -184,7 +182,7 @@ def test_too_many_ghosts_of_a_film_are_refused_by_name():
         two_balls(9)
 
 
-def test_things_of_a_flat_film_with_names_keep_what_stands_still_beside_them():
+def test_things_of_a_flat_film_keep_what_stands_still():
     corners = np.zeros((2, 3, 2))
     toy = flat_film(
         [corners, corners],
@@ -242,7 +240,7 @@ def answer(arm, fk, base=None, q=Q):
     return found | (found["value"] or {"end": None, "bodies": None})
 
 
-def test_a_right_function_of_screws_moves_every_body_to_the_librarys_pose_whatever_it_does_to_its_arguments():
+def test_a_right_function_of_screws_moves_every_body_as_the_library():
     def changes(screws, M, theta):
         T = by_screws(screws, M, theta)
         screws[:], M[:], theta[:] = 0, 0, 0
@@ -264,7 +262,7 @@ def test_a_wrong_function_moves_the_bodies_to_the_poses_it_returns():
     assert_allclose(found["bodies"][2], reversed_order(arm.screw_axes[:2], np.eye(4), Q[:2]))
 
 
-def test_a_function_of_angles_may_return_all_frames_in_the_world_or_the_end_effector_alone():
+def test_a_function_of_angles_may_return_all_frames_or_the_last():
     arm, base = panda(), rigid.transform(np.eye(3), [-0.2, 0.13, 0.6])
     q = np.array([0.1, -0.5, 0.2, -2.0, 0.3, 1.4, 0.5])
     frames = answer(arm, lambda q: base @ arm.frames(q), base, q)
@@ -349,7 +347,7 @@ def test_a_motion_between_two_orientations_is_sampled(quaternions):
         assert words in asked(figure, f, ends=[start.tolist(), goal.tolist()])["problem"]
 
 
-def test_a_table_is_asked_beforehand_for_pages_and_one_that_fails_gives_no_answers():
+def test_a_table_is_asked_beforehand_for_pages():
     toy = figures.alive(table([1, 1]), lambda p: p if p[0] > 0 else None)
     at, q = (np.array(toy.meta["stored"][name], float).T for name in ("at", "q"))
     assert (np.linalg.norm(at, axis=1) <= 2 + 1e-3).all()
@@ -397,7 +395,7 @@ def test_the_function_gets_what_is_clicked_and_the_figure_its_pose():
 
 
 @pytest.mark.parametrize("what", ["paths", "words", "arrows"])
-def test_a_line_in_a_colour_of_bodies_is_refused_since_the_script_cannot_draw_it(what):
+def test_a_line_in_a_colour_of_bodies_is_refused(what):
     drawn = {
         "paths": [(np.array([[0.0, 0, 0], [1, 0, 0]]), VIOLET, ())],
         "words": [("here", np.zeros(3), VIOLET)],

@@ -50,7 +50,7 @@ UNIFORMITY = {
 
 
 @pytest.mark.parametrize("text", UNIFORMITY)
-def test_each_property_of_uniform_rotations_distinguishes_them_from_others(text):
+def test_each_property_distinguishes_uniform_rotations(text):
     (wanted,) = (
         each for each in check.random_rotations.exercise.properties if each.text.startswith(text)
     )
