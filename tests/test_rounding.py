@@ -19,6 +19,7 @@ ANOTHER_PROCESSOR = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 def test_another_processor_stores_the_same_outputs(path):
     reason = other_processors.missing(ANOTHER_PROCESSOR)
