@@ -38,6 +38,18 @@ def test_a_point_of_a_curve_without_a_time_axis_says_its_time():
         assert "time: %{customdata[0]" in curve.hovertemplate
 
 
+def test_no_cell_of_the_workspace_reaches_beyond_its_edges():
+    angle = np.linspace(-np.pi / 2, np.pi / 2, 201)
+    edge = 0.1 + 0.97 * np.cos(angle), 0.97 * np.sin(angle)  # half a circle beside a hole
+    radii, heights = np.arange(0.15, 1.2, 0.1), np.arange(-1.05, 1.1, 0.1)
+    everywhere = np.ones((len(heights), len(radii)))
+    drawn = figures.workspace(radii, heights, everywhere, 0.1, edge).fig.data[0]
+    r, z = np.meshgrid(drawn.x, drawn.y)
+    has_colour = np.isfinite(np.array(drawn.z, float))
+    farthest = np.hypot(r + 0.05 - 0.1, np.abs(z) + 0.05)
+    assert (has_colour == (farthest < 0.97)).all()
+
+
 POSES = rigid.transform(np.eye(3), np.array([[0.0, 0, 0], [0.1, 0, 0], [0.1, 0.3, 0]]))
 
 
@@ -119,6 +131,12 @@ def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
     for length in lengths:
         assert texts.count(f"{1000 * length:g}") == 1
         assert f"{1000 * length:g} along" in alt
+
+
+def test_the_caption_of_a_drawing_begins_with_what_is_found_in_it():
+    plain, told = (three_views.three_views("iiwa", ARMS["iiwa"], finding=f) for f in ("", "Found."))
+    assert plain.caption.startswith("The dimensions are in millimetres.")
+    assert told.caption == f"Found. {plain.caption}"
 
 
 @pytest.mark.parametrize("name", ARMS)

@@ -65,7 +65,7 @@ _TOWARDS = {_TOP: 1, _SIDE: -1, _END: 1}
 _ON_AXIS = 1e-9  # metres: a corner nearer than that to a joint's axis lies on it
 
 
-def three_views(name, arm, frames=("s", "b")):
+def three_views(name, arm, frames=("s", "b"), finding=""):
     """Return a dimensioned drawing of an arm at joint angles zero.
 
     It shows the arm from the side, from above and from the front.
@@ -77,6 +77,8 @@ def three_views(name, arm, frames=("s", "b")):
         Its screw axes are drawn.
     frames : tuple of str, optional
         The names of the frames of base and flange, a character each.
+    finding : str, optional
+        What is found in this drawing; the caption begins with it.
 
     Returns
     -------
@@ -106,9 +108,9 @@ def three_views(name, arm, frames=("s", "b")):
         _draw_frames(view, arm, corners)
     fig.draw_without_rendering()  # the layout of panels with equal scales settles in two rounds
     caption = (
-        "The dimensions are in millimetres. A cross is an arrow that points away from you, and a "
-        "dot is an arrow that points at you."
-    )
+        f"{finding} The dimensions are in millimetres. A cross is an arrow that points away from "
+        "you, and a dot is an arrow that points at you."
+    ).lstrip()
     return Picture(fig, _in_words(arm, data, *frames), caption)
 
 

@@ -4,7 +4,10 @@ Each function returns a Picture, for `show`. Lengths are in metres, times in sec
 radians.
 """
 
+import itertools
+
 import numpy as np
+from matplotlib.path import Path
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
@@ -353,12 +356,18 @@ def arm_movie(arm, motion):
         motion.t,
         f"Moving picture, {np.ptp(motion.t):.1f} s: the arm follows the trajectory. Its "
         f"end-effector moves within {size}.",
-        "The end-effector follows the dashed path.",
+        "The end-effector follows the dashed path, which extends over "
+        f"{_extents(path)} m. The translucent arms show the arm at other instants.",
         name="iiwa",
         ghosts=3,
         paths=[(path, BLUE, (7, 5))],
         view=(0.1, 1.0, 0.5),
     )
+
+
+def _extents(path):
+    """Return how far a path (n, 3) extends along x, y and z, in metres, as words."""
+    return " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
 
 
 def plane_projections(t, path):
@@ -383,7 +392,7 @@ def plane_projections(t, path):
         xlabel=[f"{'xyz'[i]} (m)" for i, _ in planes],
         ylabel=[f"{'xyz'[j]} (m)" for _, j in planes],
         equal=True,
-        height=330,
+        height=_PLANES_HEIGHT,
     )
     _leave_margins(fig, [(path[:, i], path[:, j]) for i, j in planes])
     for panel, (i, j) in enumerate(planes):
@@ -391,17 +400,21 @@ def plane_projections(t, path):
             fig, path[:, i], path[:, j], "path", panel=panel, details={"time (s)": _seconds(t)}
         )
         charts.add_points(fig, path[:1, i], path[:1, j], "start", panel=panel, colour=CRIMSON)
-    size = " by ".join(f"{extent:.2f}" for extent in np.ptp(path, axis=0))
     alt = (
         f"The path of the end-effector in the three coordinate planes. In space it extends over "
-        f"{size} m."
+        f"{_extents(path)} m."
     )
     return Picture(
         fig,
         alt,
-        "The three panels are projections of one path in space. In which of them does the path "
-        "cross itself?",
+        "The three panels are projections of one path in space, each with the same scale along "
+        "both axes. In which of them does the path cross itself?",
     )
+
+
+# In pixels: the height at which a panel whose contents are twice as high as wide, as those of the
+# course's file are, is as wide as the column leaves room for.
+_PLANES_HEIGHT = 420
 
 
 def _leave_margins(fig, contents):
@@ -470,9 +483,10 @@ def velocities_over_time(t, v, poses):
         f"{len(v)} panels show the components of the linear velocity over time, one for each "
         f"frame, and beside them the frame of the end-effector moves along its path. One cursor "
         f"goes through all of them. The largest components are: {speeds}.",
-        "Drag the cursor across the panels: the violet arrow at the end-effector's frame is the "
-        "velocity at that time. The body twist and the hybrid twist have the same speed at each "
-        "instant, because only their axes differ.",
+        "The components along x are orange, those along y green, and those along z blue. Drag the "
+        "cursor across the panels: the violet arrow at the end-effector's frame is the velocity at "
+        "that time. The body twist and the hybrid twist have the same speed at each instant, "
+        "because only their axes differ.",
         paths=[(path, BLUE, (7, 5))],
         arrows=[(0, AXIS, 0.6 * size / fastest * drawn_as_arrow)],
         charts=charts_over_time,
@@ -601,17 +615,16 @@ def near_its_bounds(t, manipulability, q, limits):
     """
     low, high = np.transpose(limits)
     shares = 100 * np.abs(q - (low + high) / 2) / ((high - low) / 2)
-    titles = ["manipulability", "joint angles"]
     fig = charts.panels(
-        titles,
+        ["", ""],
         xlabel="time (s)",
-        ylabel=["manipulability", "share of the way to a limit (%)"],
+        ylabel=["manipulability w (m³)", "share of the way to a limit (%)"],
         columns=1,
         share="x",
         height=560,
     )
-    charts.add_line(fig, t, manipulability, "manipulability", colour=BLACK, markers=_few(t))
-    fig.data[0].showlegend = False  # its panel has its name
+    charts.add_line(fig, t, manipulability, "w", colour=BLACK, markers=_few(t))
+    fig.data[0].showlegend = False  # its axis has its name
     for joint, share in enumerate(shares.T):
         charts.add_line(
             fig,
@@ -624,15 +637,15 @@ def near_its_bounds(t, manipulability, q, limits):
         )
     charts.add_rule(fig, y=100, text="limit", panel=1)
     nearest = shares.max(0)
+    least, most = np.min(manipulability), np.max(manipulability)
+    joint = f"Joint {nearest.argmax() + 1} comes nearest to a limit, at {nearest.max():.0f} %"
     return Picture(
         fig,
-        f"Two panels show curves over time. The manipulability is between "
-        f"{np.min(manipulability):.3f} and "
-        f"{np.max(manipulability):.3f}. Joint {nearest.argmax() + 1} comes nearest to a limit, "
-        f"at {nearest.max():.0f} % of the way.",
-        "The nearer the manipulability is to zero, the nearer the arm is to a singular "
-        "configuration. The angles are measured from the middle between their limits. If you zoom "
-        "in one panel, the other follows.",
+        f"Two panels show curves over time. The manipulability is between {least:.3f} and "
+        f"{most:.3f} m³. {joint} of the way.",
+        f"The manipulability w, which is 0 in a singular configuration, stays at or above "
+        f"{least:.3f} m³. {joint} of the way from the middle of its range. If you zoom in one "
+        "panel, the other follows.",
     )
 
 
@@ -643,6 +656,8 @@ _MAP_DECIMALS = 4
 
 def workspace(radii, heights, manipulability, hole, outer_edge):
     """Return a map of the places that a gripper reaches from above, coloured by manipulability.
+
+    A cell that lies partly beyond the edges has no colour.
 
     Parameters
     ----------
@@ -655,7 +670,8 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
     hole : float
         The least distance from axis 1 that can be reached, in metres.
     outer_edge : tuple of array_like, shape (k,)
-        Distances and heights at which the arm is stretched, in metres.
+        Distances and heights at which the arm is stretched, in metres, from one end of the hole's
+        edge to the other.
 
     Returns
     -------
@@ -665,20 +681,37 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
     fig = charts.panels(
         xlabel="distance r from axis 1 (m)", ylabel="height z (m)", equal=True, height=560
     )
-    values = np.round(manipulability, _MAP_DECIMALS)
-    charts.add_map(fig, radii, heights, values, charts.ColourScale("manipulability w (m³)", low=0))
+    is_within = _whole_cells_within(radii, heights, np.transpose(outer_edge))
+    values = np.where(is_within, manipulability, np.nan)
+    drawn = np.round(values, _MAP_DECIMALS)
+    charts.add_map(fig, radii, heights, drawn, charts.ColourScale("manipulability w (m³)", low=0))
     edge_r, edge_z = np.round(outer_edge, _MAP_DECIMALS)
     charts.add_line(fig, edge_r, edge_z, "arm stretched", colour=BLACK)
     charts.add_line(
         fig, [hole, hole], [edge_z.min(), edge_z.max()], "edge of the hole", colour=CRIMSON
     )
-    row, column = np.unravel_index(np.nanargmax(manipulability), manipulability.shape)
-    best = radii[column], heights[row], manipulability[row, column]
+    fig.update_xaxes(range=[0, 1.05 * edge_r.max()])  # from axis 1 on, so that one sees the hole
+    row, column = np.unravel_index(np.nanargmax(values), values.shape)
+    best = radii[column], heights[row], values[row, column]
     return Picture(
         fig,
         f"A map of the places that the flange reaches while it points down. Its manipulability is "
         f"largest, {best[2]:.3f} m³, near r = {best[0]:.2f} m and z = {best[1]:.2f} m. It falls to "
         f"zero at the hole around axis 1, of radius {hole:.2f} m, and at the outer edge.",
-        "The colour of a place shows the largest manipulability of all configurations that reach "
-        "it from above. Places without a colour cannot be reached.",
+        "The flange reaches, from above, what lies between the red and the black line. The colour "
+        "of a place shows the largest manipulability of all configurations that reach it. (Cells "
+        "that the black line cuts have no colour.)",
     )
+
+
+def _whole_cells_within(radii, heights, boundary):
+    """Return which cells of a map (m, n) have all four corners within a boundary (k, 2), which the
+    line from its last point to its first closes."""
+    inside = Path(boundary)
+    # A hundredth inwards, so that rounding does not decide on cells whose edge is on the boundary.
+    half_r, half_z = 0.495 * (radii[1] - radii[0]), 0.495 * (heights[1] - heights[0])
+    is_within = np.full((len(heights), len(radii)), True)
+    for dr, dz in itertools.product((-half_r, half_r), (-half_z, half_z)):
+        corners = np.stack(np.meshgrid(radii + dr, heights + dz), -1)
+        is_within &= inside.contains_points(corners.reshape(-1, 2)).reshape(is_within.shape)
+    return is_within
