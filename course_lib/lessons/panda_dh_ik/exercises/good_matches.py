@@ -39,6 +39,14 @@ def _residuals(chosen, src, dst):
     return np.linalg.norm(_gaps(chosen, src, dst), axis=1)
 
 
+def _residuals_of_triples(src, dst):
+    """Return the triples (t, 3), and the distances that each one's pose leaves, (t, n)."""
+    triples = np.array(list(itertools.combinations(range(len(src)), 3)))
+    T = register_points(src[triples], dst[triples])
+    found = src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3]
+    return triples, np.linalg.norm(found - dst, axis=-1)
+
+
 def _masks(src, dst, tol, size=lambda gaps: np.linalg.norm(gaps, axis=-1)):
     """Return the triples (t, 3), and which matches are within tol of each one's pose, (t, n)."""
     triples = np.array(list(itertools.combinations(range(len(src)), 3)))
@@ -94,12 +102,11 @@ def _worst_dropped(*case):
 def _by_residuals(case, measure, of_all):
     """Return the matches that agree with the triple whose residuals are smallest; of_all: whether
     those of all matches count, or those of the triple alone."""
-    triples, masks = _masks(*case)
-    sizes = []
-    for triple in triples:
-        residuals = _residuals(triple, *case[:2])
-        sizes.append(measure(residuals if of_all else residuals[triple]))
-    return masks[np.argmin(sizes)]
+    masks = _masks(*case)[1]
+    triples, residuals = _residuals_of_triples(*case[:2])
+    if not of_all:
+        residuals = np.take_along_axis(residuals, triples, axis=1)
+    return masks[np.argmin(measure(residuals, axis=1))]
 
 
 def _cases(rng):
@@ -284,9 +291,9 @@ def first_majority(src, dst, tol):
     "Which number does the task make the largest?",
 )
 def least_capped(src, dst, tol):
-    triples, masks = _masks(src, dst, tol)
-    sums = [np.minimum(_residuals(triple, src, dst), tol).sum() for triple in triples]
-    return masks[np.argmin(sums)]
+    masks = _masks(src, dst, tol)[1]
+    residuals = _residuals_of_triples(src, dst)[1]
+    return masks[np.argmin(np.minimum(residuals, tol).sum(1))]
 
 
 _SHORTCUTS = (fitted_once_more, close_triples_only, first_majority, least_capped)
