@@ -193,14 +193,14 @@ def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
 
 
 def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
-    judge = judging.judge
+    judged = judging.judged
 
     def endless(exercise, *rest):
         if exercise.name == "nearest_so":
             busy(time.process_time() + 100)
-        return judge(exercise, *rest)
+        return judged(exercise, *rest)
 
-    monkeypatch.setattr(judging, "judge", endless)
+    monkeypatch.setattr(judging, "judged", endless)
     monkeypatch.setattr(judging, "JUDGING_SECONDS", 0.5)
     result = grade(book(few[0], *few[1]), NAME, SEED)
     said = {row["exercise"]: row["message"] for row in result["exercises"]}["nearest_so"]

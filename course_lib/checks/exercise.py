@@ -468,6 +468,17 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     -------
     Verdict
     """
+    cases, asked, consult = questions_of(exercise, seed, seconds)
+    try:
+        reply = student.reply(write(asked), consult)
+    except _CANNOT_BE_READ as problem:
+        return _unreadable(exercise, problem)
+    return judged(exercise, student, cases, asked, reply)
+
+
+def questions_of(exercise, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
+    """Return the cases of an exercise, its questions as plain data, and what answers calls of
+    candidates; see judge."""
     cases, consult = exercise.questions(seed)
     asked = {
         "cases": [list(case) for case in cases],
@@ -480,15 +491,24 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
         "names": list(exercise.arguments),
         "exercise": exercise.name,
     }
+    return cases, asked, consult
+
+
+def judged(exercise, student, cases, asked, reply):
+    """Return the Verdict on a reply to the questions of these cases; see judge."""
     try:
-        answers = _answers(student, asked, consult, exercise.arguments)
+        answers = _answers(reply, len(cases), exercise.arguments)
         with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
             verdict = exercise.verdict(cases, answers)
             if verdict.state != WRONG or verdict.case is None:
                 return verdict
             return replace(verdict, digits=_digits_that_replay(verdict, student, asked))
     except _CANNOT_BE_READ as problem:
-        return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
+        return _unreadable(exercise, problem)
+
+
+def _unreadable(exercise, problem):
+    return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
 
 
 _CANNOT_BE_READ = (
@@ -501,11 +521,10 @@ _CANNOT_BE_READ = (
 )
 
 
-def _answers(student, asked, consult, arguments):
-    """Return the student's answers to some questions; raises if what came back cannot be read."""
-    claims = json.loads(student.reply(write(asked), consult))
-    answers = [_claim(answer, arguments) for answer in claims["answers"]]
-    if len(answers) != len(asked["cases"]):
+def _answers(reply, number, arguments):
+    """Return the answers in a reply to so many questions; raises if it cannot be read."""
+    answers = [_claim(answer, arguments) for answer in json.loads(reply)["answers"]]
+    if len(answers) != number:
         raise NotPlain("not one answer for each case")
     return answers
 
@@ -521,7 +540,8 @@ def _digits_that_replay(verdict, student, asked):
     if write(list(forms[SHOWN_DIGITS[0]])) == write(list(case)):
         return SHOWN_DIGITS[0]
     again = asked | {"cases": [list(form) for form in forms.values()], "in_place": []}
-    answers = _answers(student, again, None, exercise.arguments)
+    reply = student.reply(write(again), None)
+    answers = _answers(reply, len(forms), exercise.arguments)
     for (digits, form), answer in zip(forms.items(), answers, strict=True):
         if "error" in answer or _passes(exercise, form, answer):
             continue

@@ -2,6 +2,7 @@
 
 import functools
 import json
+from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
@@ -39,9 +40,9 @@ class Attempt:
     ----------
     outcomes : dict
         {name: Outcome} of what was asked.
-    asked : set of str
-        The names of the exercises that were asked: their cases are known in the sandbox from then
-        on, so their right functions answer no more calls.
+    asked : Counter
+        How often each exercise was asked: its cases are known in the sandbox from the first time
+        on, so its right function answers no more calls, and it is asked other cases.
     """
 
     def __init__(
@@ -58,7 +59,7 @@ class Attempt:
         self.files = sandbox_files(forbidden)
         self.left_out = dict.fromkeys(run.too_slow, "it took too long")
         self.outcomes: dict[str, Outcome] = {}
-        self.asked: set[str] = set()
+        self.asked = Counter()
         self.sandbox = None
         self._calls_of_cells = 0
 
@@ -84,7 +85,7 @@ class Attempt:
         """Return what the runner is to do, see runner.py."""
         return {
             "cells": self.run.sources,
-            "names": [*names],
+            "needed": [] if self.whole else self.run.needed(names),
             "whole": self.whole,
             "without": [*self.left_out],
         }
@@ -97,12 +98,14 @@ class Attempt:
             return False
         if before and (before.verdict.state == RIGHT or not before.answered):
             return False
-        asked_before = self.asked - {name}
+        asked_before = self.asked.keys() - {name}
         student = Student(
             self.sandbox, self.run, exercise, self.instead.get(name, ()), asked_before
         )
-        self.asked.add(name)
-        outcome = replace(ask(self.run, student, self.left_out, at), whole=self.whole)
+        times = self.asked[name]
+        self.asked[name] += 1
+        answered = ask(self.run, student, self.left_out, at, times=times)
+        outcome = replace(answered, whole=self.whole)
         self.outcomes[name] = before.better(outcome) if before else outcome
         return False
 
@@ -123,9 +126,14 @@ class Attempt:
 
     def _once(self) -> tuple[Place | None, Ended | None]:
         """Run the cells once and ask; return the place that ended the sandbox, and how it ended."""
-        self.outcomes, self.asked = {}, set()
+        self.outcomes, self.asked = {}, Counter()
+        written = self.exercises.keys() - self.run.unwritten
+        if not written and not self.whole:
+            for name in self.exercises:
+                self.ask_now(name, 0)
+            return None, None
         with self.run.sandbox(self.files) as self.sandbox:
-            place, end = run_cells(self.sandbox, self.order(self.exercises), self.run, self)
+            place, end = run_cells(self.sandbox, self.order(written), self.run, self)
             if end is None:
                 for name in self.exercises:
                     self.ask_now(name, 0)
@@ -159,6 +167,7 @@ def all_forbidden(exercises: Iterable[Exercise]) -> frozenset[str]:
     return frozenset(name for exercise in exercises for name in exercise.forbidden)
 
 
+@functools.cache
 def sandbox_files(forbidden: frozenset[str]) -> dict[str, bytes]:
     """Return the content of a sandbox without these functions of the library."""
     return contents(
@@ -224,7 +233,7 @@ class SeparateCandidates(Student):
     def _in_a_sandbox_of_its_own(self) -> str:
         """Run the cells once more, and return the reply about one candidate."""
         self._reply_to_one = None
-        self._attempt.asked = set()
+        self._attempt.asked = Counter()
         order = self._attempt.order([self.exercise.name])
         with self._run.sandbox(self._attempt.files) as self._sandbox:
             _, end = run_cells(self._sandbox, order, self._run, self)

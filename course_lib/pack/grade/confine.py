@@ -29,6 +29,8 @@ import sys
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 DIE_WITH_PARENT, SET_SECCOMP, DROP_BOUND, NO_NEW_PRIVILEGES, SECCOMP_FILTER = 1, 22, 24, 38, 2
+AMBIENT, CLEAR_ALL = 47, 4  # linux/prctl.h: PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL
+CAPABILITIES_VERSION_3 = 0x20080522  # linux/capability.h
 
 # Linux: arch/x86/entry/syscalls/syscall_64.tbl, include/uapi/asm-generic/unistd.h
 ARCHITECTURES = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}  # AUDIT_ARCH_*
@@ -119,6 +121,7 @@ def confine(limits: dict, uid: int = 0) -> None:
         os.setresgid(uid, uid, uid)
         os.setresuid(uid, uid, uid)
     if sys.platform == "linux":
+        give_up_rights()
         die_with_parent()  # the setting is lost when the user changes
         control(NO_NEW_PRIVILEGES, 1)
         filter_calls(program(platform.machine()))
@@ -129,6 +132,22 @@ def control(option: int, *values: int) -> None:
     if LIBC.prctl(option, *map(ctypes.c_ulong, [*values, 0, 0, 0, 0][:4])) != 0:
         number = ctypes.get_errno()
         raise OSError(number, f"prctl: {os.strerror(number)}")
+
+
+def give_up_rights() -> None:
+    """Give up all capabilities, which the process that this one was forked from has needed."""
+
+    class Header(ctypes.Structure):
+        _fields_ = (("version", ctypes.c_uint32), ("process", ctypes.c_int))
+
+    class Rights(ctypes.Structure):  # effective, permitted and inheritable ones, twice 32 of them
+        _fields_ = (("bits", ctypes.c_uint32 * 6),)
+
+    control(AMBIENT, CLEAR_ALL)
+    header, none = Header(CAPABILITIES_VERSION_3, 0), Rights()
+    if LIBC.capset(ctypes.byref(header), ctypes.byref(none)) != 0:
+        number = ctypes.get_errno()
+        raise OSError(number, f"capset: {os.strerror(number)}")
 
 
 def die_with_parent() -> None:

@@ -24,6 +24,9 @@ ALONE = ("-P", "-s")  # as -I, but PYTHONHASHSEED is read; the environment is ou
 NONE = "none"  # what ISOLATION= may be
 # {folder: the part of the scratch space that it may hold}
 WRITABLE = {"/scratch": 1, "/tmp": 4, "/dev/shm": 8}
+# Where a run has its files, where it sees the course, and where all versions of that are, which no
+# run sees.
+SCRATCH, COURSE, COURSES = "/scratch", "/course", "/courses"
 FIRST_UID = 200_000  # as root: each sandbox gets a user of its own, who owns nothing on the machine
 HELP = """\
 Submissions cannot be kept apart from this machine, so none was run: they could read your files,
@@ -59,104 +62,143 @@ def problem() -> str:
         return "needs Linux"
     if shutil.which("bwrap"):
         return (
-            reason := _tried()
+            reason := _tried()[0]
         ) and f"is installed, but this machine does not let it work: {reason}"
     return (
         "is not installed: `sudo apt install bubblewrap` on Debian and Ubuntu, on Fedora with `dnf`"
     )
 
 
+def can_be_shared() -> bool:
+    """Return whether a process in a jail can make spaces of its own for each run."""
+    return _tried()[1]
+
+
 @functools.cache
-def _tried() -> str:
-    """Return what goes wrong where bubblewrap starts a process with numpy and a child, or ""."""
-    with tempfile.TemporaryDirectory(prefix=f"grade-{os.getpid()}-") as folder:
-        confine = Path(__file__).with_name("confine.py").read_bytes()
-        write_files(Path(folder), {"runner.py": TRIAL, "confine.py": confine})
-        limits = {
-            "memory": 4 * 10**9,
-            "file": 10**6,
-            "files": 64,
-            "processes": 10,
-            "scratch": 10**6,
-        }
+def _tried() -> tuple[str, bool]:
+    """Return what goes wrong where a jail runs a process with numpy and a child, or "", and whether
+    the jail can serve several runs."""
+    if not _tried_apart(True):
+        return "", True
+    return _tried_apart(False), False
+
+
+def _tried_apart(apart: bool) -> str:
+    """Return what goes wrong in a jail, or "".
+
+    apart: whether a process in it is to make spaces of its own for a run.
+    """
+    own = Path(__file__)
+    files = {name: own.with_name(name).read_bytes() for name in ("prepared.py", "confine.py")}
+    limits = {
+        "memory": 4 * 10**9,
+        "file": 10**6,
+        "files": 64,
+        "processes": 10,
+        "scratch": 10**6,
+    }
+    from course_lib.pack.grade.jail import Jail  # which needs this module
+
+    jail = Jail.tried(apart)
+    try:
+        begun = jail.begin(files | {"runner.py": TRIAL}, limits)
         try:
-            command = start(Path(folder, "course"), limits)
-            done = subprocess.run(
-                command,
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                timeout=600,
-                cwd="/",
-                env=environment(),
-            )
-        except (OSError, subprocess.SubprocessError) as error:
-            return str(error)
-    errors = done.stderr.decode(errors="replace").strip().splitlines()
-    return (
-        ""
-        if done.stdout == b"fine\n"
-        else errors[-1]
-        if errors
-        else f"it ends with status {done.returncode}"
-    )
+            answer = _all_of(begun.replies)
+            errors = _all_of(begun.errors).decode(errors="replace").strip().splitlines()
+        finally:
+            begun.end()
+    except (OSError, subprocess.SubprocessError) as error:
+        return str(error)
+    finally:
+        jail.close()
+    if answer == b"fine\n":
+        return ""
+    return errors[-1] if errors else "its process ended"
+
+
+def _all_of(pipe: int) -> bytes:
+    """Return all that comes through a pipe until it is closed."""
+    parts = []
+    while part := os.read(pipe, 1 << 16):
+        parts.append(part)
+    return b"".join(parts)
 
 
 TRIAL = b"""
-import json, os, sys
-sys.path[:0] = [sys.argv[1], *json.loads(sys.argv[2])["packages"]]
-from confine import confine
-confine(json.loads(sys.argv[2])["limits"], json.loads(sys.argv[2])["uid"])
-import numpy
-open("trial", "w").close()
-os.waitpid(os.fork() or os._exit(0), 0)
-print("fine")
+import os
+
+def main(course, requests, replies, put_aside):
+    open("trial", "w").close()
+    os.waitpid(os.fork() or os._exit(0), 0)
+    os.write(replies, b"fine\\n")
 """
 
 
-def write_files(folder: Path, contents: Mapping[str, bytes]) -> None:
-    """Write the files for a sandbox into folder/course, readable for every user, and its other
-    folders."""
-    folder.chmod(0o711)
-    for name in ("course", "scratch"):
-        (folder / name).mkdir()
-    for path, content in contents.items():
-        file = folder / "course" / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(content)
-    for path in folder.rglob("*"):
-        path.chmod(0o755 if path.is_dir() else 0o644)
+def write_files(
+    folder: Path, contents: Mapping[str, bytes], other: Path, others: Mapping[str, bytes]
+) -> None:
+    """Write the files of a version of the course into a folder, readable for every user.
 
-
-def start_unisolated(course: Path, limits: dict) -> list[str]:
-    """Return the command that runs course/runner.py as the instructor, with these Limits as a
-    dict."""
-    settings = {
-        "limits": limits | {"processes": None},
-        "uid": 0,
-        "packages": sys.path,
-    }
-    return [sys.executable, *ALONE, str(course / "runner.py"), str(course), json.dumps(settings)]
-
-
-def start(course: Path, limits: dict, hidden: Iterable[str] = ()) -> list[str]:
-    """Return the command that runs course/runner.py in bubblewrap, with these Limits as a dict.
-
-    course: the folder that write_files made. hidden: folders to hide wherever they are.
+    Another process may make the same folder at the same time. other, others: a folder whose files
+    are there already, and its contents: equal ones get another name only.
     """
-    uid = (
-        FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8
-        if os.getuid() == 0
-        else 0
-    )
-    settings = {
-        "limits": limits | _processes(limits, uid),
-        "uid": uid,
-        "packages": packages(),
-    }
-    rooms = [(path, limits["scratch"] // part) for path, part in WRITABLE.items()]
-    shown, covered = mounts(hidden)
-    command = [PYTHON, *ALONE, "-X", "utf8", "/course/runner.py", "/course", json.dumps(settings)]
-    return [*_bubblewrap([*shown, (str(course), "/course")], covered, rooms), *command]
+    made = Path(tempfile.mkdtemp(prefix=".", dir=folder.parent))
+    try:
+        for path, content in contents.items():
+            file = made / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            if others.get(path) is content and (other / path).exists():
+                os.link(other / path, file)
+            else:
+                file.write_bytes(content)
+                file.chmod(0o644)
+        for path in [made, *made.rglob("*")]:
+            if path.is_dir():
+                path.chmod(0o755)
+        made.rename(folder)
+    except OSError:
+        if not folder.is_dir():
+            raise
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+
+
+def start_unisolated(course: Path, settings: dict) -> list[str]:
+    """Return the command that runs course/prepared.py as the instructor."""
+    settings = settings | {"course": str(course), "packages": sys.path}
+    return [sys.executable, *ALONE, str(course / "prepared.py"), json.dumps(settings)]
+
+
+def start(
+    shown: Path, version: str, limits: dict, settings: dict, hidden: Iterable[str] = ()
+) -> list[str]:
+    """Return the command that runs prepared.py in bubblewrap.
+
+    shown: the folder of all versions of the course, or that of the only one. version: the name of
+    the first one. limits: Limits as a dict. hidden: folders to hide wherever they are.
+    """
+    course = f"{COURSES}/{version}"
+    settings = settings | {"course": course, "packages": packages()}
+    files, covered = mounts(hidden)
+    inside = COURSES if settings["apart"] else course
+    command = [PYTHON, *ALONE, "-X", "utf8", f"{course}/prepared.py", json.dumps(settings)]
+    rights = ["CAP_SYS_ADMIN", "CAP_NET_ADMIN"] if settings["apart"] else []
+    if os.getuid() == 0:  # to become a user who owns nothing, see confine.py
+        rights += ["CAP_SETUID", "CAP_SETGID", "CAP_SETPCAP", "CAP_KILL"]
+    folders = [*files, (str(shown), inside)]
+    return [*_bubblewrap(folders, covered, rooms(limits), rights), *command]
+
+
+def rooms(limits: dict) -> list[tuple[str, int]]:
+    """Return (path, bytes) of the folders that a run can write to."""
+    return [(path, limits["scratch"] // part) for path, part in WRITABLE.items()]
+
+
+def new_uid() -> int:
+    """Return the number of a user for a run, who owns nothing on this machine; 0 to stay."""
+    if os.getuid() != 0:
+        return 0
+    return FIRST_UID + (os.getpid() * 1000 + time.monotonic_ns() // 10**6) % 10**8
 
 
 def environment(scratch: str = "") -> dict[str, str]:
@@ -171,11 +213,13 @@ def environment(scratch: str = "") -> dict[str, str]:
     return variables if scratch else variables | {"LD_LIBRARY_PATH": LIBRARIES}
 
 
-def _processes(limits: dict, uid: int) -> dict[str, int | None]:
+def bound_on_processes(limits: dict, isolated: bool, uid: int) -> dict[str, int | None]:
     """Bound the number of processes.
 
     Before Linux 5.14 all processes of a user count, not only the sandbox's.
     """
+    if not isolated:
+        return {"processes": None}
     release = [
         int("".join(filter(str.isdigit, part)) or 0) for part in platform.release().split(".")[:2]
     ]
@@ -183,7 +227,10 @@ def _processes(limits: dict, uid: int) -> dict[str, int | None]:
 
 
 def _bubblewrap(
-    shown: list[tuple[str, str]], covered: list[tuple[str, bool]], rooms: list[tuple[str, int]]
+    shown: list[tuple[str, str]],
+    covered: list[tuple[str, bool]],
+    rooms: list[tuple[str, int]],
+    rights: list[str],
 ) -> list[str]:
     flags = [
         "--unshare-pid",
@@ -194,12 +241,13 @@ def _bubblewrap(
         "sandbox",
     ]
     flags += ["--die-with-parent", "--new-session", "--cap-drop", "ALL"]
-    if os.getuid() == 0:  # to become a user who owns nothing, see confine.py
-        flags += ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"]
+    for right in rights:
+        flags += ["--cap-add", right]
     devices = [f"/dev/{name}" for name in DEVICES]
     above = {str(folder) for _, target in shown for folder in Path(target).parents}
     for folder in sorted(above - {"/"}):
         flags += ["--perms", "755", "--dir", folder]
+    flags += ["--perms", "755", "--dir", COURSE]
     for path, size in rooms:
         flags += ["--perms", "1777", "--size", str(size), "--tmpfs", path]
     for source, target in shown:
@@ -207,4 +255,4 @@ def _bubblewrap(
     for target, is_folder in covered:
         flags += ["--size", "4096", "--tmpfs", target, "--remount-ro", target] if is_folder else []
         flags += [] if is_folder else ["--ro-bind", "/dev/null", target]
-    return [shutil.which("bwrap"), *flags, "--remount-ro", "/", "--chdir", "/scratch"]
+    return [shutil.which("bwrap"), *flags, "--remount-ro", "/", "--chdir", SCRATCH]

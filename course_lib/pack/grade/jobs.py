@@ -227,6 +227,8 @@ class Processes:
         """End all that still runs."""
         for work, _ in self._running.values():
             work.end()
+        if hasattr(self._grade, "close"):  # tests grade by a function
+            self._grade.close()
 
 
 def outcome(work: Bounded) -> dict:

@@ -5,6 +5,7 @@ hard, and for cases with other numbers. So what the notebook refuses is refused 
 that is looked up in a table fails.
 """
 
+import hashlib
 from dataclasses import replace
 
 from course_lib.checks.exercise import (
@@ -14,8 +15,10 @@ from course_lib.checks.exercise import (
     WRONG,
     Exercise,
     Verdict,
-    judge,
+    judged,
+    questions_of,
 )
+from course_lib.checks.wire import write
 from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.result import message_of
@@ -30,27 +33,39 @@ JUDGING_SECONDS_OF_TEST = 120
 
 
 def ask(
-    run: Run, student: Student, left_out: dict, at: int = 0, seed: Seed | None = None
+    run: Run,
+    student: Student,
+    left_out: dict,
+    at: int = 0,
+    seed: Seed | None = None,
+    times: int = 0,
 ) -> Outcome:
     """Return the Outcome of an exercise: put its questions to the student's function, and judge.
 
     left_out: {(cell, line): why it was left out}. at: the number of its check in the notebook, 0
-    after all cells. seed: of the cases; without it, several sets of cases are asked.
+    after all cells. seed: of the cases; without it, several sets of cases are asked. times: how
+    often the sandbox was asked for this exercise before; each time it is asked other cases, because
+    it may have kept those that it knows.
     """
     exercise = student.exercise
     if run.over():
         return run.not_graded(exercise)
-    first, *others = [seed] if seed is not None else _seeds(run, exercise)
-    asked, verdict = first, judge_within_bounds(run, student, first)
+    first, *others = [seed] if seed is not None else _seeds(run, exercise, times)
+    if exercise.name in run.unwritten:
+        asked, verdict, known = first, Verdict(exercise, NOT_ATTEMPTED), True
+    else:
+        asked, (verdict, known) = first, judge_within_bounds(run, student, first)
     for other in others:
         if verdict.state != RIGHT or student.ended or student.candidates or run.over():
             break
-        asked, verdict = other, replace(judge_within_bounds(run, student, other), note=verdict.note)
+        note = verdict.note
+        asked, (verdict, known) = other, judge_within_bounds(run, student, other)
+        verdict = replace(verdict, note=note)
     if student.ended:
         verdict = Verdict(exercise, ERROR, student.ended)
         return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
-    if verdict.case is not None and verdict.state in (WRONG, ERROR):
-        verdict = _without_what_varies(verdict, judge_within_bounds(run, student, asked))
+    if verdict.case is not None and verdict.state in (WRONG, ERROR) and not known:
+        verdict = _without_what_varies(verdict, judge_within_bounds(run, student, asked)[0])
     for (cell, _), how in left_out.items():
         is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
         if verdict.state == ERROR or is_missing:
@@ -68,14 +83,17 @@ def ask(
     )
 
 
-def _seeds(run: Run, exercise: Exercise) -> list[Seed]:
+def _seeds(run: Run, exercise: Exercise, times: int = 0) -> list[Seed]:
     """Return the seeds of the sets of cases: those of the notebook, and a secret one.
 
     The numbers of the candidates of a test depend on the seed, so these are secret.
+
+    times: how often the sandbox was asked before. It has not seen the secret cases that follow.
     """
+    secret = (run.seed, 1 + times) if times else run.seed  # asking candidates apart has the first
     if isinstance(exercise, WriteTest):
-        return [run.seed]
-    return [*exercise.public_seeds, run.seed]
+        return [secret]
+    return [*exercise.public_seeds, secret]
 
 
 def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
@@ -98,17 +116,33 @@ def _seconds_for(exercise: Exercise) -> float:
     return JUDGING_SECONDS_OF_TEST if isinstance(exercise, WriteTest) else JUDGING_SECONDS
 
 
-def judge_within_bounds(run: Run, student: Student, seed: Seed) -> Verdict:
-    """Return the Verdict on a student's answers to one set of cases, formed within bounds."""
-    exercise = student.exercise
+def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict, bool]:
+    """Return the Verdict on a student's answers to one set of cases, formed within bounds, and
+    whether the same answers came before.
+
+    What the grader computes for a set of cases, and the verdict on equal answers to it, are
+    computed once for all runs of a submission.
+    """
+    exercise, known = student.exercise, False
     try:
         with cpu_deadline(_seconds_for(exercise)):
-            verdict = judge(exercise, student, seed, run.limits.cpu_seconds)
-            message_of(verdict)  # showing an answer of any size may take long too, or fail
+            asked = exercise.name, seed
+            if asked not in run.questions:
+                run.questions[asked] = questions_of(exercise, seed, run.limits.cpu_seconds)
+            cases, questions, consult = run.questions[asked]
+            reply = student.reply(write(questions), consult)
+            key = (*asked, hashlib.sha256(reply.encode()).digest())
+            known = key in run.verdicts
+            if not known:
+                verdict = judged(exercise, student, cases, questions, reply)
+                message_of(verdict)  # showing an answer of any size may take long too, or fail
+                run.verdicts[key] = verdict
+            verdict = run.verdicts[key]
     except CpuDeadline as deadline:
-        return Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
+        verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
     except Exception as error:
-        return Verdict(exercise, ERROR, f"Its answers cannot be judged: {type(error).__name__}.")
+        why = f"Its answers cannot be judged: {type(error).__name__}."
+        verdict = Verdict(exercise, ERROR, why)
     if verdict.reason.startswith(UNREADABLE_REPLY):  # the rest is a text of the student's process
-        return replace(verdict, reason=f"{UNREADABLE_REPLY}.")
-    return verdict
+        verdict = replace(verdict, reason=f"{UNREADABLE_REPLY}.")
+    return verdict, known

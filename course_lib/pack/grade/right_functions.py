@@ -19,7 +19,7 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
     """
     wrong = [e for e in run.exercises if outcomes[e.name].verdict.state != RIGHT]
     instead = {e.name: [other for other in wrong if other is not e] for e in wrong}
-    unwritten = stubs_only(run.sources) | run.untouched
+    unwritten = stubs_only(run.statements) | run.untouched
     asked = [e for e in wrong if e.name not in unwritten and _is_named(run, e)]
     judged_again = {}
     for whole in (False, True):

@@ -1,7 +1,9 @@
 """A submission while it is graded, and the outcomes of its exercises so far."""
 
+import functools
+import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from course_lib.checks.exercise import (
@@ -15,6 +17,7 @@ from course_lib.checks.exercise import (
 )
 from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.sandbox import Limits, Sandbox
+from course_lib.pack.grade.statements import Statement, as_sent, needed, statements, stubs_only
 
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
@@ -22,6 +25,9 @@ Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets 
 # Of the grader's own processor time, after which it asks for no further exercise. It would be ended
 # after CPU_SECONDS, and every exercise would be lost.
 MAX_JUDGING_SECONDS = CPU_SECONDS // 2
+# What differs from one set of cases to another in the reason of a verdict: numbers, and which
+# versions a list of some of them names.
+OF_A_SET = re.compile(r"[-+]?\d[\d.]*(e[-+]?\d+)?|\(one [^)]*\)")
 WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
 
 
@@ -67,12 +73,13 @@ class Outcome:
     def better(self, later: "Outcome") -> "Outcome":
         """Return the better one of this and a later outcome.
 
-        Of equal ones the later, if its reason is another.
+        Of equal ones the later, if its reason is another, and not only its numbers are.
         """
         mine, other = self._rank(), later._rank()
         if other != mine:
             return later if other > mine else self
-        return later if later.verdict.reason != self.verdict.reason else self
+        reasons = (OF_A_SET.sub("", outcome.verdict.reason) for outcome in (self, later))
+        return self if len(set(reasons)) == 1 else later
 
     def _rank(self) -> tuple:
         verdict = self.verdict
@@ -103,6 +110,10 @@ class Run:
         All so far.
     missing : set of str
         Modules that the notebook imports and that are not there.
+    questions : dict
+        {(exercise's name, seed): what questions_of returns}.
+    verdicts : dict
+        {(exercise's name, seed, hash of a reply): Verdict}.
     """
 
     sources: list[str]
@@ -115,12 +126,34 @@ class Run:
     too_slow: list = field(default_factory=list)
     sandboxes: list = field(default_factory=list)
     missing: set[str] = field(default_factory=set)
+    questions: dict = field(default_factory=dict)
+    verdicts: dict = field(default_factory=dict)
     begin: float = field(default_factory=time.process_time)
 
     def sandbox(self, files: dict[str, bytes]) -> Sandbox:
         """Return a Sandbox that is not yet started."""
         self.sandboxes.append(self.start(files))
         return self.sandboxes[-1]
+
+    @functools.cached_property
+    def statements(self) -> list[Statement]:
+        """The statements of its code cells."""
+        return statements(self.sources)
+
+    @functools.cached_property
+    def unwritten(self) -> set[str]:
+        """The names of the exercises that are not worth asking, because nothing defines their
+        functions but what students are given to begin with, which raises NotImplementedError."""
+        bound = {name for statement in self.statements for name in statement.binds}
+        if "*" in bound:
+            return set()
+        return (stubs_only(self.statements) | ({e.name for e in self.exercises} - bound)) & (
+            self.untouched
+        )
+
+    def needed(self, names: Iterable[str]) -> list:
+        """Return what the runner needs to know of the statements that functions need."""
+        return as_sent(needed(self.statements, [*names]), self.sources)
 
     def over(self) -> bool:
         """Return whether the submission has used all its time."""

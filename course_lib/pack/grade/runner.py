@@ -1,5 +1,4 @@
-"""Run a notebook's cells and put questions to its functions: the script that is started in the
-sandbox.
+"""Run a notebook's cells and put questions to its functions: what a process in the sandbox does.
 
 All its output is only a claim, because the student's code runs in the same process and can forge
 it. It reads one JSON object with the cells, and runs them. Then it reads requests {"ask": name,
@@ -37,26 +36,29 @@ TOO_OFTEN = "it calls the functions that it tests too often"
 NOT_READING = "it does not read what the functions that it calls answer"
 
 
-def main() -> None:
-    """Run the cells, then answer requests until the input ends."""
-    course, settings = sys.argv[1], json.loads(sys.argv[2])
-    sys.path[:0] = [course, *settings["packages"]]
-    confine = importlib.import_module("confine").confine
-    confine(settings["limits"], settings["uid"])
-    requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
-    nowhere = os.open(os.devnull, os.O_RDWR)
-    for standard in (0, 1, 2):
-        os.dup2(nowhere, standard)
+def main(course: str, requests: int, replies: int, put_aside: dict) -> None:
+    """Run the cells, then answer requests until the input ends.
+
+    Parameters
+    ----------
+    course : str
+        The folder with the course's files.
+    requests, replies : int
+        Numbers of the pipes from and to the grader.
+    put_aside : dict
+        {name: module} of what is loaded already, for a run of the whole notebook.
+    """
+    os.dup2(1, 2)  # which leads nowhere: the grader reads of an end by the pipe that this was
     shutil.copytree(f"{course}/data", "data", dirs_exist_ok=True)
-    importlib.import_module(
-        "numpy.random"
-    )  # numpy does so when it is first used: in each child process, again
-    conversation = Conversation(requests, replies)
+    conversation = Conversation(os.fdopen(requests, "rb"), replies)
     order = conversation.read()
     begin_all_random_numbers_alike()
-    run = whole if order["whole"] else needed_only
+    run = needed_only
+    if order["whole"]:
+        run = whole
+        sys.modules |= put_aside
     left_out = {tuple(place) for place in order["without"]}
-    space = run(order["cells"], order["names"], left_out, conversation.say)
+    space = run(order["cells"], order["needed"], left_out, conversation.say)
     conversation.say(ran=True)
     conversation.serve(space.get)
 
@@ -130,7 +132,7 @@ def begin_all_random_numbers_alike() -> None:
 # ---- cells ----
 
 
-def whole(sources: list[str], names: list[str], without: set[tuple], say: Callable) -> dict:
+def whole(sources: list[str], needed: list, without: set[tuple], say: Callable) -> dict:
     """Run the cells as Jupyter does, but continue after errors; return their namespace."""
     from IPython.core.interactiveshell import InteractiveShell
     from IPython.utils.text import SList
@@ -153,11 +155,11 @@ def whole(sources: list[str], names: list[str], without: set[tuple], say: Callab
     return shell.user_ns
 
 
-def needed_only(sources: list[str], names: list[str], without: set[tuple], say: Callable) -> dict:
-    """Run only the statements that the functions of these names need, whatever fails; return their
-    namespace."""
-    from statements import needed, statements
+def needed_only(sources: list[str], needed: list, without: set[tuple], say: Callable) -> dict:
+    """Run only the statements that are needed, whatever fails; return their namespace.
 
+    needed: [number of a cell, its text as Python, places of statements in it], see statements.py.
+    """
     for number, source in enumerate(sources):
         text = [f"{line}\n" for line in source.split("\n")]
         linecache.cache[f"<cell {number}>"] = (len(source), None, text, f"<cell {number}>")
@@ -165,11 +167,14 @@ def needed_only(sources: list[str], names: list[str], without: set[tuple], say: 
     space = vars(module)
     space["display"] = print
     sys.modules["__kept__"], sys.modules["__main__"] = sys.modules["__main__"], module
-    for one in needed(statements(sources), names):
-        if (one.cell, one.tree.lineno) not in without:
-            say(running=[one.cell, one.tree.lineno])
+    for number, text, places in needed:
+        body = ast.parse(text).body
+        for tree in (body[place] for place in places):
+            if (number, tree.lineno) in without:
+                continue
+            say(running=[number, tree.lineno])
             try:
-                exec(compile(ast.Module([one.tree], []), f"<cell {one.cell}>", "exec"), space)
+                exec(compile(ast.Module([tree], []), f"<cell {number}>", "exec"), space)
             except BaseException as error:  # also those that students derive from BaseException
                 note_missing(error, say)
     return space
@@ -302,7 +307,3 @@ def write(pipe: int, data: bytes) -> None:
     """Write all of the data to a pipe."""
     while data:
         data = data[os.write(pipe, data) :]
-
-
-if __name__ == "__main__":
-    main()

@@ -9,24 +9,25 @@ import os
 import select
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
 
 import psutil
 
 from course_lib.pack.grade import isolation
+from course_lib.pack.grade.jail import Jail
 
 MIN_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
-WAIT = 0.25  # seconds between two looks
-# Processes of ours around the student's: what begins the sandbox, and its first process.
+WAIT = 0.25  # seconds between two looks at an answer that is waited for
+PAUSE = 0.3  # seconds between two looks at what a sandbox uses
+# Processes of ours around the student's: what stands by the run, and its first process.
 WATCHERS = 2
+TICKS, PAGE = os.sysconf("SC_CLK_TCK"), os.sysconf("SC_PAGE_SIZE")
 
 
 @dataclass(frozen=True)
@@ -74,23 +75,16 @@ class Idle(TooSlow):
 class Sandbox:
     """A running sandbox, as a context manager; leaving it ends every process in it.
 
-    contents: {path: bytes} of the files at /course, runner.py among them. hidden: folders that must
-    not be visible, wherever they are. isolate: "none" if the instructor asked for no isolation.
+    contents: {path: bytes} of the files at /course, runner.py among them. jail: in which it runs.
 
     A thread keeps up to date: looks, how often it looked; computed, the processor time of
     everything in the sandbox; free, the time in which an answer was waited for and nothing in the
     sandbox waited for a processor.
     """
 
-    def __init__(
-        self,
-        contents: Mapping[str, bytes],
-        limits: Limits,
-        hidden: Iterable[str] = (),
-        isolate: str = "",
-    ) -> None:
-        self._contents, self._limits, self._hidden = contents, limits, hidden
-        self._isolated = isolation.isolated(isolate)
+    def __init__(self, contents: Mapping[str, bytes], limits: Limits, jail: Jail) -> None:
+        self._contents, self._limits, self._jail = contents, limits, jail
+        self._isolated = jail.isolated
         self._unread = bytearray()  # the bytes that are not a whole message yet
         self._over = self._excess = ""  # why no message comes any more, which bound was exceeded
         self._ended = threading.Event()
@@ -99,24 +93,8 @@ class Sandbox:
         self._before = (0.0, 0.0)  # the seconds waited, and delayed, at the last look
 
     def __enter__(self) -> "Sandbox":
-        self._folder = Path(tempfile.mkdtemp(prefix=f"grade-{os.getpid()}-"))
-        try:
-            isolation.write_files(self._folder, self._contents)
-            course, limits = self._folder / "course", dataclasses.asdict(self._limits)
-            if self._isolated:
-                command, scratch = isolation.start(course, limits, self._hidden), ""
-            else:
-                command, scratch = (
-                    isolation.start_unisolated(course, limits),
-                    str(self._folder / "scratch"),
-                )
-            pipe = {name: subprocess.PIPE for name in ("stdin", "stdout", "stderr")}
-            place = {"cwd": scratch or "/", "env": isolation.environment(scratch)}
-            self._process = subprocess.Popen(command, **pipe, start_new_session=True, **place)
-        except BaseException:
-            shutil.rmtree(self._folder, ignore_errors=True)
-            raise
-        os.set_blocking(self._process.stdin.fileno(), False)
+        self._begun = self._jail.begin(self._contents, dataclasses.asdict(self._limits))
+        os.set_blocking(self._begun.requests, False)
         self._watcher = threading.Thread(target=self._look_on, daemon=True)
         self._watcher.start()
         return self
@@ -125,17 +103,9 @@ class Sandbox:
         self._ended.set()
         self._watcher.join()  # before the process's number may be another's
         self._look()
-        left = [] if self._isolated else self._processes()
-        self._kill()
-        for process in left:
-            with contextlib.suppress(psutil.Error):
-                process.kill()
-        with contextlib.suppress(OSError):
-            self._process.stdin.close()
-        self._process.wait()
-        self._process.stdout.close()
-        self._process.stderr.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        left = [] if self._isolated else self._numbers()
+        self._begun.end()
+        _kill(left[1:])
 
     def send(self, message: dict, watch: "Watch") -> None:
         """Send a message, anything that JSON can hold."""
@@ -144,9 +114,9 @@ class Sandbox:
             raise Ended(self._over)
         while data:
             try:
-                data = data[os.write(self._process.stdin.fileno(), data[:65536]) :]
+                data = data[os.write(self._begun.requests, data[:65536]) :]
             except BlockingIOError:
-                self._wait(self._process.stdin, select.POLLOUT, watch)
+                self._wait(self._begun.requests, select.POLLOUT, watch)
             except OSError:
                 raise Ended(self._why()) from None
 
@@ -172,25 +142,16 @@ class Sandbox:
         wanted to."""
         return max(self.free - self.computed, 0)
 
-    def _processes(self) -> list[psutil.Process]:
-        """Return the process that begins the sandbox and all below it, parents before their
-        children."""
-        try:
-            first = psutil.Process(self._process.pid)
-            return [first, *first.children(recursive=True)]
-        except psutil.Error:
-            return []
+    def _numbers(self) -> list[int]:
+        """Return the numbers of the process that stands by the run and of all below it, parents
+        before their children."""
+        return _below(self._begun.number)
 
     def _look_on(self) -> None:
         """Look again and again, also while answers are judged; end the sandbox if it exceeds a
         bound."""
-        pause = 0.3
-        while not self._ended.wait(pause):
-            begin = time.thread_time()
+        while not self._ended.wait(PAUSE):
             count, memory = self._look()
-            pause = max(
-                0.3, 100 * (time.thread_time() - begin)
-            )  # it looks through all processes of the machine
             if count > self._limits.processes + 5:
                 self._excess = f"more than {self._limits.processes} processes"
             elif memory > self._limits.everything:
@@ -198,46 +159,44 @@ class Sandbox:
             elif self._isolated:
                 self._excess = self._taken_beside_memory()
             if self._excess:
-                return self._kill()
+                return _kill(self._numbers()[1:])  # with the first one the kernel ends all
 
     def _look(self) -> tuple[int, int]:
         """Measure the processor time; return the number of processes and their memory together."""
-        processes, first = self._processes(), WATCHERS if self._isolated else 0
+        numbers, first = self._numbers(), WATCHERS if self._isolated else 1
         computed = delayed = memory = 0
-        for number, process in enumerate(processes):
-            with contextlib.suppress(psutil.Error, OSError):
-                times = process.cpu_times()
-                computed += times.children_user + times.children_system
-                memory += process.memory_info().rss
-                if number >= first:
-                    computed += times.user + times.system
-                    delayed += _delay(process.pid)
+        for place, number in enumerate(numbers):
+            used = _used(number)
+            if used is None:
+                continue
+            own, waited_for, resident = used
+            computed += waited_for
+            memory += resident
+            if place >= first:
+                computed += own
+                delayed += _delay(number)
+        if memory > self._limits.everything:  # what is shared counts only once, then
+            memory = sum(map(_share_of_memory, numbers))
         waited = self._waited
         self.free += max(waited - self._before[0] - max(delayed - self._before[1], 0), 0)
         self.computed = max(computed, self.computed)
         self._before = (waited, delayed)
         self.looks += 1
-        return len(processes), memory
+        return len(numbers), memory
 
     def _taken_beside_memory(self) -> str:
         """Return what the sandbox takes too much of that neither bytes nor processes show, or
         ""."""
-        for process in self._processes()[WATCHERS - 1 :]:
-            names = _names_in_use(process.pid)
+        for number in self._numbers()[WATCHERS - 1 :]:
+            names = _names_in_use(number)
             if names is None:
                 continue  # it ended, or is not yet in its own file system
             if names > self._limits.names:
                 return f"more than {self._limits.names:,} files and folders"
-            if _sockets_in_use(process.pid) > self._limits.sockets:
+            if _sockets_in_use(number) > self._limits.sockets:
                 return f"more than {self._limits.sockets} sockets"
             return ""  # all processes share one file system and one network
         return ""
-
-    def _kill(self) -> None:
-        with contextlib.suppress(OSError):
-            os.killpg(
-                self._process.pid, signal.SIGKILL
-            )  # and with it, by the kernel, all in its namespaces
 
     def _next(self, watch: "Watch") -> dict:
         looked_at = 0
@@ -257,13 +216,13 @@ class Sandbox:
             self._unread += self._more(watch)
 
     def _more(self, watch: "Watch") -> bytes:
-        self._wait(self._process.stdout, select.POLLIN, watch)
-        data = os.read(self._process.stdout.fileno(), 1 << 20)
+        self._wait(self._begun.replies, select.POLLIN, watch)
+        data = os.read(self._begun.replies, 1 << 20)
         if not data:
             raise Ended(self._why())
         return data
 
-    def _wait(self, pipe: IO[bytes], event: int, watch: "Watch") -> None:
+    def _wait(self, pipe: int, event: int, watch: "Watch") -> None:
         """Wait for an event of a pipe.
 
         What this process itself waits for a processor then does not count.
@@ -283,10 +242,10 @@ class Sandbox:
         """
         if self._excess:
             return self._excess
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(10)
-        os.set_blocking(self._process.stderr.fileno(), False)
-        reason = (self._process.stderr.read(2000) or b"").decode(errors="replace").strip()
+        reason, errors = "", select.poll()
+        errors.register(self._begun.errors, select.POLLIN)
+        if errors.poll(10_000):
+            reason = os.read(self._begun.errors, 20_000).decode(errors="replace").strip()
         return reason.splitlines()[-1] if reason else "its process ended"
 
 
@@ -328,6 +287,62 @@ class Watch:
                     f"it computed nothing for {self._max_idle} seconds. What does it wait for?"
                 )
             self._since = sandbox.free, computed
+
+
+def _below(number: int) -> list[int]:
+    """Return the number of a process and those of all below it, parents before their children."""
+    numbers = [number]
+    for parent in numbers:
+        try:
+            for thread in os.listdir(f"/proc/{parent}/task"):
+                with open(f"/proc/{parent}/task/{thread}/children") as file:
+                    numbers += map(int, file.read().split())
+        except FileNotFoundError:
+            if parent == number and not os.path.exists("/proc/self/task"):  # not Linux
+                with contextlib.suppress(psutil.Error):
+                    children = psutil.Process(number).children(recursive=True)
+                    numbers += [child.pid for child in children]
+                break
+        except OSError:
+            continue
+    return numbers
+
+
+def _used(number: int) -> tuple[float, float, int] | None:
+    """Return what a process has used: seconds of processor time, those of the processes that it has
+    waited for, and bytes of memory; None if it has ended."""
+    try:
+        with open(f"/proc/{number}/stat") as file:
+            fields = file.read().rpartition(")")[2].split()
+        user, system, user_of_others, system_of_others = map(int, fields[11:15])
+        own, of_others = user + system, user_of_others + system_of_others
+        return own / TICKS, of_others / TICKS, int(fields[21]) * PAGE
+    except (OSError, ValueError):
+        pass
+    try:  # not Linux
+        process = psutil.Process(number)
+        times = process.cpu_times()
+        others = times.children_user + times.children_system
+        return times.user + times.system, others, process.memory_info().rss
+    except (psutil.Error, OSError):
+        return None
+
+
+def _share_of_memory(number: int) -> int:
+    """Return the bytes of a process's memory, of pages that several share its part of them."""
+    with contextlib.suppress(OSError, ValueError, IndexError):
+        for line in Path(f"/proc/{number}/smaps_rollup").read_text().splitlines():
+            if line.startswith("Pss:"):
+                return 1024 * int(line.split()[1])
+    used = _used(number)
+    return used[2] if used else 0
+
+
+def _kill(numbers: list[int]) -> None:
+    """Kill the processes with these numbers."""
+    for number in numbers:
+        with contextlib.suppress(OSError):
+            os.kill(number, signal.SIGKILL)
 
 
 def _delay(number: int) -> float:

@@ -1,14 +1,14 @@
 """Find the statements of a notebook that its functions need, from the source alone.
 
-The sandbox's script uses this too.
-
 A notebook may draw and print for a minute, but defining its functions takes a moment. What a
 function needs is found by names: every statement that binds or changes a name that the function
 reads, and what that statement reads in turn.
 """
 
 import ast
+import bisect
 import functools
+import itertools
 import re
 import symtable
 import warnings
@@ -36,10 +36,13 @@ SIMPLE = (
 
 @dataclass
 class Statement:
-    """One statement at the top of a cell (counted from 0), and the names it binds, reads and
-    changes."""
+    """One statement at the top of a cell, and the names it binds, reads and changes.
+
+    cell, place: the numbers of the cell and of the statement in it, from 0.
+    """
 
     cell: int
+    place: int
     tree: ast.stmt
     binds: set = field(default_factory=set)
     reads: set = field(default_factory=set)
@@ -50,7 +53,9 @@ def statements(sources: Sequence[str]) -> list[Statement]:
     """Return the Statements of a notebook's code cells, without stubs of functions that other cells
     define."""
     in_order = [
-        _looked_at(number, tree) for number, source in enumerate(sources) for tree in parsed(source)
+        _looked_at(number, place, tree)
+        for number, source in enumerate(sources)
+        for place, tree in enumerate(parsed(source))
     ]
     written = {
         name for statement in in_order if not is_stub(statement.tree) for name in statement.binds
@@ -62,10 +67,10 @@ def statements(sources: Sequence[str]) -> list[Statement]:
     ]
 
 
-def stubs_only(sources: Sequence[str]) -> set[str]:
+def stubs_only(in_order: Sequence[Statement]) -> set[str]:
     """Return the names of the functions that a notebook defines, but has not begun to write."""
     stubs, written = set(), set()
-    for statement in statements(sources):
+    for statement in in_order:
         names = stubs if is_stub(statement.tree) else written
         names |= statement.binds
     return stubs - written
@@ -83,22 +88,35 @@ def needed(in_order: Sequence[Statement], names: Sequence[str]) -> list[Statemen
         if isinstance(statement.tree, IMPORTS)
         for name in statement.binds
     }
+    places = {}  # {name: positions of the statements that bind or change it}
+    for position, statement in enumerate(in_order):
+        for name in statement.binds | (statement.changes - imported):
+            places.setdefault(name, []).append(position)
     kept, left, seen = set(), [(name, len(in_order)) for name in [*names, "*"]], set()
     while left:
         name, end = left.pop()
         if (name, end) in seen:
             continue
         seen.add((name, end))
-        for position in range(end - 1, -1, -1):
+        positions = places.get(name, [])
+        for position in reversed(positions[: bisect.bisect_left(positions, end)]):
             statement = in_order[position]
-            if name not in statement.binds and (name in imported or name not in statement.changes):
-                continue
             kept.add(position)
             later = end if isinstance(statement.tree, FUNCTIONS) else position
             left += [(read, later) for read in statement.reads]
             if name in statement.binds and isinstance(statement.tree, SIMPLE):
                 break
     return [in_order[position] for position in sorted(kept)]
+
+
+def as_sent(needed_ones: Sequence[Statement], sources: Sequence[str]) -> list:
+    """Return [number of a cell, its text as Python, places of statements in it] of what is
+    needed."""
+    by_cell = itertools.groupby(needed_ones, key=lambda statement: statement.cell)
+    return [
+        [cell, plain(sources[cell]), [statement.place for statement in in_cell]]
+        for cell, in_cell in by_cell
+    ]
 
 
 # ---- the text of a cell ----
@@ -175,8 +193,8 @@ def is_stub(tree: ast.stmt) -> bool:
 # ---- one statement ----
 
 
-def _looked_at(number: int, tree: ast.stmt) -> Statement:
-    statement = Statement(number, tree)
+def _looked_at(cell: int, place: int, tree: ast.stmt) -> Statement:
+    statement = Statement(cell, place, tree)
     statement.reads = _read(tree)
     _bound(tree, statement.binds)
     for node in _outside_scopes(tree):
@@ -198,6 +216,13 @@ def _looked_at(number: int, tree: ast.stmt) -> Statement:
 def _read(tree: ast.stmt) -> set[str]:
     """Return the global names that a statement reads, or that the function it defines reads when
     called."""
+    nodes = [*ast.walk(tree)]
+    if not any(isinstance(node, SCOPES) for node in nodes):  # then there is nothing to work out
+        return {
+            node.id
+            for node in nodes
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+        }
     try:
         left, names = [symtable.symtable(ast.unparse(tree), "", "exec")], set()
         while left:

@@ -138,6 +138,8 @@ class Student:
     def _answer(self, text: str, consult: Callable | None) -> str:
         """Return the answer to a call of a candidate, or of a right function, as JSON text."""
         name = called_name(text) or ""
+        if name in self._asked_before and name in self._right_ones.others:
+            return self._comes_too_late(name)
         if not name.startswith(CHECK_PREFIX):
             return self._right_ones.answering(consult)(text)
         other = self._run.exercise(name.removeprefix(CHECK_PREFIX))
@@ -146,9 +148,16 @@ class Student:
         if other is self.exercise:
             return json.dumps({"refused": name})
         if other.name in self._asked_before:
-            self.too_late = True
-            return json.dumps({"error": f"{name}.library answers no more after its check"})
+            return self._comes_too_late(f"{name}.library")
         return answer_call(self.exercise, other, text)
+
+    def _comes_too_late(self, name: str) -> str:
+        """Return the answer to a call of a right function whose cases the sandbox knows already.
+
+        Whoever has kept the cases could have them answered, and answer from that at the next check.
+        """
+        self.too_late = True
+        return json.dumps({"error": f"{name} answers no more after its check"})
 
     def _receive(self, watch: Watch) -> dict:
         message = {}

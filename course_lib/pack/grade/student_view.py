@@ -20,7 +20,7 @@ from course_lib.checks.follow_through import library_name
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
 ASKING = ("call_student.py", "right_ones.py", "clock.py", "wire.py", "adapters.py")
-SCRIPTS = ("runner.py", "statements.py", "confine.py")
+SCRIPTS = ("prepared.py", "runner.py", "confine.py")
 DRAWING = (
     "figures",
     "tables",

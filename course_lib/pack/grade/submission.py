@@ -16,20 +16,23 @@ may go wrong by. Only the whole notebook has what is found by running it: a modu
 writes, a name that is made by exec, the function that was defined when its check was called.
 """
 
+import dataclasses
 import functools
 import hashlib
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from course_lib.checks.exercise import ERROR, RIGHT, Exercise
-from course_lib.pack.grade import isolation, notebook_file
+from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.attempt import all_forbidden, attempt, sandbox_files
+from course_lib.pack.grade.jail import Jail
 from course_lib.pack.grade.missing_modules import NOT_HANDED_IN, explain_missing, modules_missing
 from course_lib.pack.grade.notebook_file import Unreadable, course_of
 from course_lib.pack.grade.result import result_of
 from course_lib.pack.grade.right_functions import follow_through
 from course_lib.pack.grade.run import Outcome, Run
 from course_lib.pack.grade.sandbox import Limits, Sandbox
+
+SHARED: dict[tuple, Jail] = {}  # {(hidden, wanted): what a Grader has started in this process}
 
 
 def grade(
@@ -74,7 +77,18 @@ def grade(
         )
         return result_of(notebook, release, None, [problem], {}, cells)
     limits = limits or Limits()
-    start = functools.partial(Sandbox, limits=limits, hidden=tuple(hidden), isolate=wanted)
+    hidden = tuple(hidden)
+    jail = SHARED.get((hidden, wanted)) or Jail(hidden, wanted, modules_excluded())
+    try:
+        return _graded(text, notebook, release, course, cells, seed, limits, jail)
+    finally:
+        if jail not in SHARED.values():
+            jail.close()
+
+
+def _graded(text, notebook, release, course, cells, seed, limits, jail) -> dict:
+    """Return the result of a notebook of the course, run in a Jail; see grade."""
+    start = functools.partial(Sandbox, limits=limits, jail=jail)
     sources, cases_seed = notebook_file.code(cells), seed_of(text, seed)
     untouched = notebook_file.untouched(course, sources)
     run = Run(sources, limits, cases_seed, course.exercises, start, untouched)
@@ -101,7 +115,7 @@ def seed_of(content: bytes, seed: int) -> int:
     return int.from_bytes(digest[:8], "big")
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Grader:
     """Grades submissions by grade().
 
@@ -112,14 +126,34 @@ class Grader:
     wanted: str = ""
 
     def prepare(self) -> None:
-        """Load the course and try the isolation once, for all processes forked from this one."""
-        if isolation.isolated(self.wanted):
-            isolation.mounts()
+        """Load the course and start the jail once, for all processes forked from this one."""
+        files = {}
         for course in notebook_file.courses().values():
-            sandbox_files(all_forbidden(course.exercises))
+            files = sandbox_files(all_forbidden(course.exercises))
+        jail = Jail(self.hidden, self.wanted, modules_excluded())
+        jail.prepare(files, dataclasses.asdict(Limits()))
+        SHARED[self.hidden, self.wanted] = jail
+
+    def close(self) -> None:
+        """End the jail that prepare() has started."""
+        jail = SHARED.pop((self.hidden, self.wanted), None)
+        if jail is not None:
+            jail.close()
 
     def __call__(self, content: bytes, notebook: str, seed: int) -> dict:  # noqa: D102
         return grade(content, notebook, seed, hidden=self.hidden, wanted=self.wanted)
+
+
+def modules_excluded() -> list[str]:
+    """Return the modules outside the course that hold functions which some exercise forbids.
+
+    Each process in which an answer is asked needs them, to take these functions away.
+    """
+    names = all_forbidden(
+        exercise for course in notebook_file.courses().values() for exercise in course.exercises
+    )
+    modules = {name.rpartition(".")[0] for name in names}
+    return sorted(module for module in modules if not module.startswith("course_lib."))
 
 
 def ask_all(run: Run) -> dict[str, Outcome]:
