@@ -1,6 +1,7 @@
 """find_signs: which joints of a standard table have the opposite sign, by a search over all
 patterns of signs."""
 
+import functools
 import itertools
 
 import numpy as np
@@ -20,11 +21,19 @@ def _patterns(table):
     return np.array(list(itertools.product([1, -1], repeat=len(table))))
 
 
+@functools.lru_cache(maxsize=1000)
+def _step(convention, *row):
+    """Return the pose of one row, which the poses of all patterns need."""
+    return convention(*row)
+
+
 def _ends(table, q, patterns, convention=standard):
     """Return the poses of all configurations with each pattern of signs, (patterns, m, 4, 4)."""
     T = np.eye(4)
     for row, angles, signs in zip(table, np.transpose(q), np.transpose(patterns), strict=True):
-        steps = {sign: [convention(*row, sign * angle) for angle in angles] for sign in (1, -1)}
+        steps = {
+            sign: [_step(convention, *row, sign * angle) for angle in angles] for sign in (1, -1)
+        }
         T = T @ np.array([steps[sign] for sign in signs])
     return T
 

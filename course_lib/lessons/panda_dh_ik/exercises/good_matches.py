@@ -39,19 +39,27 @@ def _residuals(chosen, src, dst):
     return np.linalg.norm(_gaps(chosen, src, dst), axis=1)
 
 
+def _triples(n):
+    return np.array(list(itertools.combinations(range(n), 3)))
+
+
+@remembered
+def _gaps_of_triples(src, dst):
+    """Return the differences that the pose of each triple leaves, (t, n, 3): all answers to a case
+    need them."""
+    triples = _triples(len(src))
+    T = register_points(src[triples], dst[triples])
+    return src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3] - dst
+
+
 def _residuals_of_triples(src, dst):
     """Return the triples (t, 3), and the distances that each one's pose leaves, (t, n)."""
-    triples = np.array(list(itertools.combinations(range(len(src)), 3)))
-    T = register_points(src[triples], dst[triples])
-    found = src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3]
-    return triples, np.linalg.norm(found - dst, axis=-1)
+    return _triples(len(src)), np.linalg.norm(_gaps_of_triples(src, dst), axis=-1)
 
 
 def _masks(src, dst, tol, size=lambda gaps: np.linalg.norm(gaps, axis=-1)):
     """Return the triples (t, 3), and which matches are within tol of each one's pose, (t, n)."""
-    triples = np.array(list(itertools.combinations(range(len(src)), 3)))
-    T = register_points(src[triples], dst[triples])
-    return triples, size(src @ np.swapaxes(T[:, :3, :3], -1, -2) + T[:, None, :3, 3] - dst) < tol
+    return _triples(len(src)), size(_gaps_of_triples(src, dst)) < tol
 
 
 @remembered
