@@ -6,12 +6,13 @@ import json
 import os
 import resource
 import signal
+import textwrap
 import time
 
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
-from course_lib.pack.grade import judging, notebook_file, runner
+from course_lib.pack.grade import judging, notebook_file, run, runner, sandbox
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
 from course_lib.pack.grade.result import row_of
@@ -179,14 +180,14 @@ CLAIMS = {
 
 @pytest.mark.parametrize("claim", CLAIMS)
 def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
-    run = Run([], SHORT, SEED, (), None)
+    one = Run([], SHORT, SEED, (), None)
     for exercise in (
         each
         for each in notebook_file.courses()[NAME].exercises
         if each.name in ("is_valid", "nearest_so")
     ):
         begin = time.process_time()
-        outcome = judging.ask(run, Student(Claims(CLAIMS[claim]), run, exercise), {})
+        outcome = judging.ask(one, Student(Claims(CLAIMS[claim]), one, exercise), {})
         assert outcome.verdict.points < exercise.points or claim == "lists in lists"
         assert json.dumps(row_of(exercise, outcome))
         assert time.process_time() - begin < 10
@@ -207,3 +208,36 @@ def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
     assert said == "Its answers cannot be judged: that takes more than 0.5 seconds of computing."
     assert points(result) == FULL - 3
     assert signal.getitimer(signal.ITIMER_PROF) == (0, 0)
+
+
+# ---- what costs the grader time ----
+
+
+def test_a_notebook_of_very_many_statements_is_refused_before_it_is_parsed():
+    begin = time.process_time()
+    result = grade(book("x = 1\n" * 150_000), NAME, SEED)
+    assert "more than 50,000 lines" in result["problems"][0]
+    assert time.process_time() - begin < 2
+
+
+FLOOD = """
+import os
+while True:
+    for pipe in range(3, 40):
+        try:
+            os.write(pipe, b'{}\\n' * 20_000)
+        except OSError:
+            pass
+"""
+
+
+def test_a_flood_of_the_pipe_costs_the_grader_a_bounded_time(few, monkeypatch):
+    monkeypatch.setattr(sandbox, "READING_SECONDS", 0.5)
+    monkeypatch.setattr(run, "MAX_READING_SECONDS", 1)
+    begin = time.process_time()
+    cell = f"def nearest_so(M):\n{textwrap.indent(FLOOD, '    ')}"
+    result = grade(book(few[0], cell), NAME, SEED, SHORT)
+    row = {row["exercise"]: row for row in result["exercises"]}["nearest_so"]
+    assert row["points"] == 0
+    assert "it wrote too much" in row["message"]
+    assert time.process_time() - begin < 5

@@ -28,6 +28,10 @@ MAX_CELLS = 5_000
 MAX_PARTS = 5_000_000
 MAX_CODE = 2_000_000  # characters of code; the longest notebook has about 50 000
 
+# Lines and semicolons of code, as many as there may be statements; the longest notebook has some
+# thousand
+MAX_LINES = 50_000
+
 
 class Unreadable(ValueError):
     """The file is not a usable notebook; the text says why."""
@@ -117,6 +121,9 @@ def read(content: bytes) -> tuple[list[Cell], str]:
     cells = [cell for cell in map(_cell, listed) if cell]
     if sum(len(cell.source) for cell in cells) > MAX_CODE:
         raise Unreadable(f"Its cells hold more than {MAX_CODE // 10**6} million characters.")
+    sources = code(cells)
+    if sum(source.count("\n") + source.count(";") for source in sources) > MAX_LINES:
+        raise Unreadable(f"Its cells hold more than {MAX_LINES:,} lines.")
     release = _within(book, "metadata", "course", "release")
     return cells, release[:100] if isinstance(release, str) else ""
 

@@ -16,7 +16,7 @@ from course_lib.checks.exercise import (
     Verdict,
 )
 from course_lib.pack.grade.bounded import CPU_SECONDS
-from course_lib.pack.grade.sandbox import Limits, Sandbox
+from course_lib.pack.grade.sandbox import READING_SECONDS, Limits, Sandbox
 from course_lib.pack.grade.statements import Statement, as_sent, needed, statements, stubs_only
 
 Place = tuple[int, int]  # (cell, line) of a statement
@@ -25,6 +25,7 @@ Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets 
 # Of the grader's own processor time, after which it asks for no further exercise. It would be ended
 # after CPU_SECONDS, and every exercise would be lost.
 MAX_JUDGING_SECONDS = CPU_SECONDS // 2
+MAX_READING_SECONDS = 2 * READING_SECONDS  # of that time, to read what all sandboxes write
 # What differs from one set of cases to another in the reason of a verdict: numbers, and which
 # versions a list of some of them names.
 OF_A_SET = re.compile(r"[-+]?\d[\d.]*(e[-+]?\d+)?|\(one [^)]*\)")
@@ -161,7 +162,9 @@ class Run:
         computed = sum(sandbox.computed for sandbox in self.sandboxes) + judged
         asleep = sum(sandbox.asleep for sandbox in self.sandboxes)
         limits = self.limits
+        reading = sum(sandbox.reading for sandbox in self.sandboxes)
         too_long = asleep > limits.submission_seconds or computed > limits.submission_cpu_seconds
+        too_long = too_long or reading > MAX_READING_SECONDS
         return too_long or judged > MAX_JUDGING_SECONDS
 
     def exercise(self, name: object) -> Exercise | None:

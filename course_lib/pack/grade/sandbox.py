@@ -23,6 +23,9 @@ from course_lib.pack.grade import isolation
 from course_lib.pack.grade.jail import Jail
 
 MIN_PROGRESS = 0.01  # of a processor, over the seconds after which a process counts as idle
+# Of the grader's own processor time, to read what comes from one sandbox. The calls of a test, of
+# which no honest one makes more than 100,000, take three.
+READING_SECONDS = 6
 WAIT = 0.25  # seconds between two looks at an answer that is waited for
 PAUSE = 0.3  # seconds between two looks at what a sandbox uses
 # Processes of ours around the student's: what stands by the run, and its first process.
@@ -79,7 +82,7 @@ class Sandbox:
 
     A thread keeps up to date: looks, how often it looked; computed, the processor time of
     everything in the sandbox; free, the time in which an answer was waited for and nothing in the
-    sandbox waited for a processor.
+    sandbox waited for a processor. reading: the grader's own processor time to read what came.
     """
 
     def __init__(self, contents: Mapping[str, bytes], limits: Limits, jail: Jail) -> None:
@@ -89,7 +92,7 @@ class Sandbox:
         self._over = self._excess = ""  # why no message comes any more, which bound was exceeded
         self._ended = threading.Event()
         self.looks = 0
-        self.computed = self.free = self._waited = 0.0
+        self.computed = self.free = self._waited = self.reading = 0.0
         self._before = (0.0, 0.0)  # the seconds waited, and delayed, at the last look
 
     def __enter__(self) -> "Sandbox":
@@ -130,11 +133,14 @@ class Sandbox:
     def receive(self, watch: "Watch") -> dict:
         """Return the next message, a dict; raise Ended if the sandbox ended, and from then on
         always."""
+        begin = time.thread_time()
         try:
-            return self._next(watch)
+            return self._next(watch, begin)
         except Ended as end:
             self._over = str(end)
             raise
+        finally:
+            self.reading += time.thread_time() - begin
 
     @property
     def asleep(self) -> float:
@@ -198,9 +204,11 @@ class Sandbox:
             return ""  # all processes share one file system and one network
         return ""
 
-    def _next(self, watch: "Watch") -> dict:
+    def _next(self, watch: "Watch", begin: float) -> dict:
         looked_at = 0
         while True:
+            if self.reading + time.thread_time() - begin > READING_SECONDS:
+                raise Ended("it wrote too much")
             end = self._unread.find(b"\n", looked_at)
             if end >= 0:
                 line, looked_at = bytes(self._unread[:end]), 0
