@@ -103,12 +103,16 @@ def grade_all(
     """
     done = {}
     with (
-        tqdm(total=number_of_notebooks(submissions), desc="grading", unit="notebook") as bar,
+        tqdm(
+            total=number_to_grade(submissions, results, seed),
+            desc="grading",
+            unit="notebook",
+            smoothing=0,  # the time that remains is told from all that were graded
+        ) as bar,
         contextlib.closing(pool),
     ):
-        for submission, result in _results(submissions, results, seed, pool, offered):
+        for submission, result in _results(submissions, results, seed, pool, offered, bar.update):
             done[submission] = result
-            bar.update(not submission.refused)
     return [(submission, done[submission]) for submission in submissions]
 
 
@@ -117,14 +121,27 @@ def number_of_notebooks(submissions: Sequence[Submission]) -> int:
     return sum(not submission.refused for submission in submissions)
 
 
+def number_to_grade(submissions: Sequence[Submission], results: Path, seed: int) -> int:
+    """Return how many notebooks differ from each other and have no stored result."""
+    paths = set()
+    for submission in submissions:
+        with contextlib.suppress(Exception):  # what cannot be read is not graded
+            paths.add(results / result_name(submission, read(submission), seed))
+    return sum(not path.exists() for path in paths)
+
+
 def _results(
     submissions: Sequence[Submission],
     results: Path,
     seed: int,
     pool: object,
     offered: Mapping[str, Offered] | None,
+    graded: Callable[[], object],
 ) -> Iterator[tuple[Submission, dict]]:
-    """Yield each submission with its result as soon as that is there."""
+    """Yield each submission with its result as soon as that is there.
+
+    graded: is called for each that was graded.
+    """
     in_progress = {}  # {path of a result: Begun}
     for submission in submissions:
         try:
@@ -141,11 +158,11 @@ def _results(
             yield submission, kept
         else:
             while not pool.room():
-                yield from _finished(pool, in_progress, offered)
+                yield from _finished(pool, in_progress, offered, graded)
             pool.begin(path, content, submission.notebook, seed)
             in_progress[path] = Begun(content, seed, [submission])
     while in_progress:
-        yield from _finished(pool, in_progress, offered)
+        yield from _finished(pool, in_progress, offered, graded)
 
 
 @dataclass
@@ -163,7 +180,10 @@ class Begun:
 
 
 def _finished(
-    pool: object, in_progress: dict, offered: Mapping[str, Offered] | None
+    pool: object,
+    in_progress: dict,
+    offered: Mapping[str, Offered] | None,
+    graded: Callable[[], object],
 ) -> Iterator[tuple[Submission, dict]]:
     """Wait a while; yield the submissions that are finished, whose results are then in files.
 
@@ -184,6 +204,7 @@ def _finished(
             result, why = None, f"It could not be graded: no usable result came, because {problem}."
         if result is not None:
             write_atomically(path, json.dumps(result, sort_keys=True, indent=1))
+        graded()
         for submission in in_progress.pop(path).waiting:
             yield submission, result or ungraded_result(submission, why, "not graded")
 

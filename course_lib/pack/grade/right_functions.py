@@ -7,7 +7,11 @@ from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Exercise, Verdict, w
 from course_lib.checks.follow_through import in_circles
 from course_lib.pack.grade.attempt import all_forbidden, attempt
 from course_lib.pack.grade.run import Instead, Outcome, Run
-from course_lib.pack.grade.statements import stubs_only
+from course_lib.pack.grade.statements import needed, stubs_only
+
+# Words without which a function reads only names that it writes down.
+FINDS_NAMES = ("globals", "locals", "vars", "eval", "exec", "getattr", "import_", "importlib")
+FINDS_NAMES += ("sys", "gc", "inspect", "__dict__", "__main__", "get_ipython")
 
 
 def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
@@ -23,7 +27,11 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
     asked = [e for e in wrong if e.name not in unwritten and _is_named(run, e)]
     judged_again = {}
     for whole in (False, True):
-        exercises = [e for e in asked if outcomes[e.name].whole == whole]
+        exercises = [
+            e
+            for e in asked
+            if outcomes[e.name].whole == whole and (whole or _may_call(run, e, wrong))
+        ]
         if exercises and len(wrong) > 1 and not run.over():
             judged_again |= _with_right_ones(run, exercises, whole, instead)
     calls = {name: outcome.called for name, outcome in judged_again.items()}
@@ -60,6 +68,15 @@ def _refusals(outcome: Outcome) -> list[str]:
 def _is_named(run: Run, exercise: Exercise) -> bool:
     """Return whether the notebook names the function at all, so that it may call others."""
     return any(exercise.name in source for source in run.sources)
+
+
+def _may_call(run: Run, exercise: Exercise, others: Sequence[Exercise]) -> bool:
+    """Return whether the cells that a function needs name another exercise at all, or find names by
+    other ways than by writing them."""
+    cells = {statement.cell for statement in needed(run.statements, [exercise.name])}
+    text = "\n".join(run.sources[cell] for cell in sorted(cells))
+    names = [other.name for other in others if other is not exercise]
+    return any(name in text for name in (*names, *FINDS_NAMES))
 
 
 def _with_right_ones(

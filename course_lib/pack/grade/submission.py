@@ -2,13 +2,20 @@
 
 Every verdict is formed here, from answers that the submission's process gives as plain data.
 
-The cheapest run comes first: only the statements that the functions need, without any function that
-some exercise forbids. An exercise whose run called a function that only others forbid, or left out
-a cell that it may need, is asked again in a process of its own: a process that an earlier cell left
-behind may have spoiled the first. Whatever is not right then is asked once more after the whole
-notebook ran as in Jupyter, and the better outcome counts. At last whatever is not right is asked
-with right functions in place of the others that are not right either, in case it calls them. What
-the student has not worked on is asked in the first run only: no other can make it right.
+All runs are forked from one process, which has loaded what they need; see jail.py. The cheapest run
+comes first: only the statements that the functions need, without any function that some exercise
+forbids. An exercise whose run called a function that only others forbid, or left out a cell that it
+may need, is asked again in a process of its own: a process that an earlier cell left behind may
+have spoiled the first. Whatever is not right then is asked once more after the whole notebook ran
+as in Jupyter, and the better outcome counts. At last whatever is not right is asked with right
+functions in place of the others that are not right either, in case it calls them. What the student
+has not worked on is asked in the first run only, because no other can make it right, and what
+nobody has begun to write is not asked at all.
+
+Nothing that knows right answers can be asked for cases that a run has seen: a right function
+answers no more once its own cases are known in the run, and each check of an exercise asks other
+cases. Whatever a run keeps of one check is of no use at the next, and no run sees what another
+kept.
 
 Both runs are needed. Many notebooks take a minute to draw and print, or end in a cell that never
 ends, so that running only what the functions need saves most of the time, and most of what a run
@@ -168,12 +175,24 @@ def ask_all(run: Run) -> dict[str, Outcome]:
     ]
     if not unfinished or run.over():
         return outcomes
-    for name, outcome in attempt(run, unfinished, frozenset(), whole=True).items():
-        exercise, before = outcome.verdict.exercise, outcomes[name]
-        is_better = outcome.verdict.points > before.verdict.points
-        if outcome.too_late or (is_better and _is_taken_away(exercise)):
-            outcome = attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)[name]
-        outcomes[name] = before.better(outcome)
+    by_whole = attempt(run, unfinished, frozenset(), whole=True)
+    again = [
+        exercise
+        for exercise in unfinished
+        if by_whole[exercise.name].too_late
+        or (
+            by_whole[exercise.name].verdict.points > outcomes[exercise.name].verdict.points
+            and _is_taken_away(exercise)
+        )
+    ]
+    if len(again) > 1:  # together, and alone only what that hinders
+        together = attempt(run, again, all_forbidden(again), whole=True)
+        by_whole |= together
+        again = [e for e in again if together[e.name].hindered or together[e.name].too_late]
+    for exercise in again:
+        by_whole |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)
+    for name, outcome in by_whole.items():
+        outcomes[name] = outcomes[name].better(outcome)
     return outcomes
 
 
