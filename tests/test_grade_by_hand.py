@@ -248,9 +248,11 @@ def test_what_students_wrote_is_escaped_in_the_list():
 def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
     said, _ = run(tmp_path, capsys)
-    assert "Grading 1 notebook of 1 student, 1 at once: about 1 minute on an idle machine" in said
-    assert _duration(12_000, 16) == "6 hours"
-    assert _duration(60, 2) == "15 minutes"
+    assert "Grading 1 notebook of 1 student, 1 at once: about 10 seconds on an idle machine." in said
+    assert _duration(12_000, 16) == "2 hours"
+    assert _duration(60, 2) == "5 minutes"
+    said, _ = run(tmp_path, capsys)
+    assert "for 0 of them; the others are equal to these or have a result already" in said
 
 
 def test_a_shell_refuses_the_page_s_command_until_the_folder_stands_in_it(tmp_path):
