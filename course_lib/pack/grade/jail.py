@@ -72,7 +72,7 @@ class Jail:
         """Begin a run that sees these files, {path: bytes}, with these Limits as a dict."""
         try:
             return self._begun(files, limits)
-        except OSError:
+        except NotStarted:
             if self._process is None:
                 raise
         self._stop()  # it was ended from outside
@@ -118,7 +118,9 @@ class Jail:
             )
 
     def _settings(self) -> dict:
-        return {"apart": self._apart, "modules": self._modules}
+        # For one run, what it may need of these is loaded when it does.
+        is_shared = self._apart or not self.isolated
+        return {"apart": self._apart, "modules": self._modules if is_shared else []}
 
     def _begun(self, files: Mapping[str, bytes], limits: dict) -> "Begun":
         version = self._version(files)
@@ -239,7 +241,9 @@ class Begun:
         """Return the number of the process that says that it has begun, as the kernel tells it."""
         self._socket.settimeout(START_SECONDS)
         size = struct.calcsize("3i")
-        text, about, *_ = self._socket.recvmsg(100, socket.CMSG_SPACE(size))
+        text, about = b"", []
+        with contextlib.suppress(ConnectionError):
+            text, about, *_ = self._socket.recvmsg(100, socket.CMSG_SPACE(size))
         if not text:
             raise NotStarted(self._jail.why())
         if not self._jail.isolated:
