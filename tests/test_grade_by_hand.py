@@ -248,7 +248,9 @@ def test_what_students_wrote_is_escaped_in_the_list():
 def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2])
     said, _ = run(tmp_path, capsys)
-    assert "Grading 1 notebook of 1 student, 1 at once: about 10 seconds on an idle machine." in said
+    assert (
+        "Grading 1 notebook of 1 student, 1 at once: about 10 seconds on an idle machine." in said
+    )
     assert _duration(12_000, 16) == "2 hours"
     assert _duration(60, 2) == "5 minutes"
     said, _ = run(tmp_path, capsys)
