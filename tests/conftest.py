@@ -244,7 +244,7 @@ def isolated():
     """For tests that run a submission: they need a bubblewrap that works."""
     from helpers import unavailable
 
-    from course_lib.pack.grade import isolation
+    from course_lib.pack.grade.jail import isolation
 
     if problem := isolation.problem():
         unavailable(f"bubblewrap {problem}")

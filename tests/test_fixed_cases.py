@@ -12,7 +12,7 @@ import pytest
 
 from course_lib.checks.wire import write
 from course_lib.checks.write_test import WriteTest
-from course_lib.pack.grade.notebook_file import courses
+from course_lib.pack.grade.hand_ins.notebook_file import courses
 
 SETS = 12  # a case with 128 forms occurs twice in so many sets in two of five runs
 # Functions without arguments: there is one question only, and the task is to find its answer.

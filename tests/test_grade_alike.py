@@ -8,9 +8,16 @@ import pytest
 from course_copy import ROOT
 from hostile.build import book
 
-from course_lib.pack.grade import alike
-from course_lib.pack.grade.alike import Work, alike_page, copies, earlier_works, pairs, write_alike
-from course_lib.pack.grade.collect import find
+from course_lib.pack.grade.hand_ins.collect import find
+from course_lib.pack.grade.marks import alike
+from course_lib.pack.grade.marks.alike import (
+    Work,
+    alike_page,
+    copies,
+    earlier_works,
+    pairs,
+    write_alike,
+)
 
 NOTEBOOK = "01_rotations"
 OWN = """

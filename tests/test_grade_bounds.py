@@ -11,13 +11,15 @@ import time
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, points
 
-from course_lib.pack.grade import judging, notebook_file, run, runner, sandbox
 from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
-from course_lib.pack.grade.notebook_file import UNREADABLE, code, defines, read
-from course_lib.pack.grade.result import row_of
-from course_lib.pack.grade.run import Run
-from course_lib.pack.grade.student import Student
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, code, defines, read
+from course_lib.pack.grade.jail import runner, sandbox
+from course_lib.pack.grade.verdicts import judging, progress
+from course_lib.pack.grade.verdicts.progress import Run
+from course_lib.pack.grade.verdicts.result import row_of
+from course_lib.pack.grade.verdicts.student_process import Student
+from course_lib.pack.grade.verdicts.submission import grade
 
 # ---- a process of its own ----
 
@@ -238,7 +240,7 @@ def nearest_so(M, given=flood()):
 
 def test_a_flood_of_the_pipe_costs_the_grader_a_bounded_time(few, monkeypatch):
     monkeypatch.setattr(sandbox, "READING_SECONDS", 0.5)
-    monkeypatch.setattr(run, "MAX_READING_SECONDS", 1)
+    monkeypatch.setattr(progress, "MAX_READING_SECONDS", 1)
     begin = time.process_time()
     result = grade(book(few[0], FLOOD), NAME, SEED, SHORT)
     assert points(result) == 0

@@ -10,10 +10,10 @@ import pytest
 from grade_stand_in import grade, hand_in
 from hostile.build import answers, book, cell
 
-from course_lib.pack.grade import notebook_file
 from course_lib.pack.grade.__main__ import _duration, main
-from course_lib.pack.grade.by_hand import MAX_SHOWN, Entry, GradedClass, text
-from course_lib.pack.grade.class_page import class_page
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.marks.by_hand import MAX_SHOWN, Entry, GradedClass, text
+from course_lib.pack.grade.marks.class_page import class_page
 from course_lib.pack.grade.options import parser, settings
 
 

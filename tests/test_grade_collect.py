@@ -18,12 +18,12 @@ from datetime import UTC, datetime
 import pytest
 from grade_stand_in import grade, hand_in
 
-from course_lib.pack.grade import collect, zips
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import Refused, Submission, find, read
 from course_lib.pack.grade.csv_text import printable
-from course_lib.pack.grade.names import file_names, split
-from course_lib.pack.grade.roster import Roster
+from course_lib.pack.grade.hand_ins import collect, zips
+from course_lib.pack.grade.hand_ins.collect import Refused, Submission, find, read
+from course_lib.pack.grade.hand_ins.names import file_names, split
+from course_lib.pack.grade.hand_ins.roster import Roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 

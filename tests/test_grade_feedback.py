@@ -15,13 +15,13 @@ from scipy.stats import pearsonr
 from site_visits import CONTRAST, Visit
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
-from course_lib.pack.grade.class_page import BLUE, class_page
-from course_lib.pack.grade.collect import Submission
-from course_lib.pack.grade.feedback import feedback_page, write_feedback
+from course_lib.pack.grade.hand_ins.collect import Submission
+from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE
 from course_lib.pack.grade.jobs import ungraded_result
-from course_lib.pack.grade.marks import key
-from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import graded_files
+from course_lib.pack.grade.marks.class_page import BLUE, class_page
+from course_lib.pack.grade.marks.feedback import feedback_page, write_feedback
+from course_lib.pack.grade.marks.marks_table import key
+from course_lib.pack.grade.marks.tables import graded_files
 
 EVIL = (
     "</pre><script>alert(1)</script><img src=x onerror=alert(1)>\"' &amp; $\\frac$ \ud800\x1b[31m "

@@ -12,11 +12,11 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.deadline import DAY, Deadline, begun_days, read_deadline
-from course_lib.pack.grade.gradebook import gradebook_text
-from course_lib.pack.grade.platforms import platforms
-from course_lib.pack.grade.roster import Roster, read_roster
-from course_lib.pack.grade.tables import Totals
+from course_lib.pack.grade.hand_ins.platforms import platforms
+from course_lib.pack.grade.hand_ins.roster import Roster, read_roster
+from course_lib.pack.grade.marks.deadline import DAY, Deadline, begun_days, read_deadline
+from course_lib.pack.grade.marks.gradebook import gradebook_text
+from course_lib.pack.grade.marks.tables import Totals
 
 POINTS = Totals(
     of={"01_rotations": 12, "02_rigid_motion": 15},

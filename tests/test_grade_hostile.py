@@ -8,7 +8,7 @@ import pytest
 from hostile import build
 from hostile.build import NAMES, OTHERS, PROJECT, SEED, SHORT, book, said, sources
 
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.verdicts.submission import grade
 
 
 @pytest.fixture

@@ -22,10 +22,11 @@ from hostile.build import (
     processes,
 )
 
-from course_lib.pack.grade import claims, isolation
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.sandbox import TooSlow, Watch
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.jail import isolation
+from course_lib.pack.grade.jail.sandbox import TooSlow, Watch
+from course_lib.pack.grade.verdicts import claims
+from course_lib.pack.grade.verdicts.submission import grade
 
 ROOT = Path(__file__).parents[1]
 # What a student's function finds, as the message of an exception: its message comes back.
@@ -141,7 +142,8 @@ def test_a_submission_that_is_not_root_can_start_threads_and_processes(found):
 
 GRADE = """
 from pathlib import Path
-from course_lib.pack.grade import isolation, submission
+from course_lib.pack.grade.jail import isolation
+from course_lib.pack.grade.verdicts import submission
 root = Path({root!r})
 assert Path(submission.__file__).is_relative_to(root), submission.__file__
 result = submission.grade(Path({book!r}).read_bytes(), "01_rotations", 1, hidden=(root / "in", root / "out"))

@@ -16,9 +16,9 @@ import pytest
 from grade_stand_in import TABLES, grade, hand_in, wait_for
 
 from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE
 from course_lib.pack.grade.jobs import stored
-from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.results import NotAResult, Offered, validated
+from course_lib.pack.grade.verdicts.received_results import NotAResult, Offered, validated
 
 ROOT = Path(__file__).parents[1]
 

@@ -6,7 +6,7 @@ import re
 import pytest
 from hostile.build import NAME, SEED, book
 
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.verdicts.submission import grade
 
 pytestmark = pytest.mark.filterwarnings("ignore:.make_tokens_by_line")
 SPREAD = """

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 from hostile.build import NAME, SEED, SHORT, answers, book, few_exercises
 
-from course_lib.pack.grade import notebook_file
-from course_lib.pack.grade.notebook_file import courses
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import courses
+from course_lib.pack.grade.verdicts.submission import grade
 
 ATTACKED = ("nearest_so", "is_valid", "matrix_to_quaternion")
 # Every function is made by exec, so that only a run of the whole notebook has it. Each writes down

@@ -14,14 +14,14 @@ import pytest
 from course_copy import ROOT
 from grade_stand_in import grade, hand_in
 
-from course_lib.pack.grade import platforms as package
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import find, platform_of
-from course_lib.pack.grade.deadline import read_deadline
-from course_lib.pack.grade.gradebook import gradebook_text
-from course_lib.pack.grade.platforms import Platform, named, platforms
-from course_lib.pack.grade.roster import _fields, read_roster
-from course_lib.pack.grade.tables import Totals
+from course_lib.pack.grade.hand_ins import platforms as package
+from course_lib.pack.grade.hand_ins.collect import find, platform_of
+from course_lib.pack.grade.hand_ins.platforms import Platform, named, platforms
+from course_lib.pack.grade.hand_ins.roster import _fields, read_roster
+from course_lib.pack.grade.marks.deadline import read_deadline
+from course_lib.pack.grade.marks.gradebook import gradebook_text
+from course_lib.pack.grade.marks.tables import Totals
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion"]
 EVENING = datetime(2026, 11, 30, 18, 5)

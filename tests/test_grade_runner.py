@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from course_lib.pack.grade import runner
+from course_lib.pack.grade.jail import runner
 
 
 def test_a_process_is_made_once_killed_ones_have_ended(monkeypatch):

@@ -10,12 +10,13 @@ from toy_exercises import NEAREST_SO
 
 from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, review
 from course_lib.checks.messages import describe
-from course_lib.pack.grade import judging, notebook_file, right_functions, submission
-from course_lib.pack.grade.judging import ask
-from course_lib.pack.grade.notebook_file import courses
-from course_lib.pack.grade.run import Run
-from course_lib.pack.grade.sandbox import Limits
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import courses
+from course_lib.pack.grade.jail.sandbox import Limits
+from course_lib.pack.grade.verdicts import judging, right_functions, submission
+from course_lib.pack.grade.verdicts.judging import ask
+from course_lib.pack.grade.verdicts.progress import Run
+from course_lib.pack.grade.verdicts.submission import grade
 
 # ---- several sets of cases ----
 

@@ -15,14 +15,15 @@ from grade_stand_in import grade, hand_in
 from hypothesis import given
 from hypothesis import strategies as st
 
-from course_lib.pack.grade import GradingStopped, names
+from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
-from course_lib.pack.grade.collect import find
 from course_lib.pack.grade.csv_text import printable
-from course_lib.pack.grade.identity import Identity, Relation, relation, tell_apart
-from course_lib.pack.grade.names import file_names
-from course_lib.pack.grade.platforms.gradescope import read_list
-from course_lib.pack.grade.roster import Roster, read_roster
+from course_lib.pack.grade.hand_ins import names
+from course_lib.pack.grade.hand_ins.collect import find
+from course_lib.pack.grade.hand_ins.identity import Identity, Relation, relation, tell_apart
+from course_lib.pack.grade.hand_ins.names import file_names
+from course_lib.pack.grade.hand_ins.platforms.gradescope import read_list
+from course_lib.pack.grade.hand_ins.roster import Roster, read_roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
 CANVAS = "Student,ID,SIS User ID,SIS Login ID,Section\n"

@@ -11,10 +11,11 @@ import nbformat
 import pytest
 from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
-from course_lib.pack.grade import attempt, notebook_file, submission
-from course_lib.pack.grade.attempt import sandbox_files
-from course_lib.pack.grade.notebook_file import NOTEBOOKS, UNREADABLE, courses
-from course_lib.pack.grade.submission import grade
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import NOTEBOOKS, UNREADABLE, courses
+from course_lib.pack.grade.verdicts import attempt, submission
+from course_lib.pack.grade.verdicts.attempt import sandbox_files
+from course_lib.pack.grade.verdicts.submission import grade
 from course_lib.pack.release.stubs import students_copy
 
 pytestmark = pytest.mark.usefixtures("isolated")

@@ -11,11 +11,12 @@ import pytest
 from grade_stand_in import result
 
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.collect import Submission
 from course_lib.pack.grade.csv_text import cell, cell_text
-from course_lib.pack.grade.deadline import Deadline
+from course_lib.pack.grade.hand_ins.collect import Submission
+from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE
 from course_lib.pack.grade.jobs import ungraded_result
-from course_lib.pack.grade.marks import (
+from course_lib.pack.grade.marks.deadline import Deadline
+from course_lib.pack.grade.marks.marks_table import (
     COLUMNS,
     OLDER,
     READ,
@@ -25,8 +26,13 @@ from course_lib.pack.grade.marks import (
     marks_text,
     read_marks,
 )
-from course_lib.pack.grade.notebook_file import UNREADABLE
-from course_lib.pack.grade.tables import GRADES, graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.marks.tables import (
+    GRADES,
+    graded_files,
+    grades_text,
+    totals,
+    totals_text,
+)
 from course_lib.pack.release import PROMPT
 
 

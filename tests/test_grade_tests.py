@@ -15,8 +15,9 @@ from toy_exercises import DOUBLE, TEST_LOG
 from course_lib import rotations
 from course_lib.checks.exercise import ERROR, RIGHT, LocalFunction, judge
 from course_lib.checks.messages import describe
-from course_lib.pack.grade import notebook_file, student, submission
-from course_lib.pack.grade.notebook_file import Course
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import Course
+from course_lib.pack.grade.verdicts import student_process, submission
 
 pytestmark = pytest.mark.usefixtures("isolated")
 BEGIN = (
@@ -100,7 +101,7 @@ def test_the_notebook_and_grading_agree_for_every_number_of_calls(graded):
 
 
 def test_the_calls_of_all_versions_together_are_not_bounded(graded, monkeypatch):
-    monkeypatch.setattr(student, "MAX_CALLS", 8)
+    monkeypatch.setattr(student_process, "MAX_CALLS", 8)
     rows = graded({"three calls of each": THOROUGH}, TEST_LOG.versions[:4])
     assert rows["three calls of each"]["state"] == RIGHT, rows
 
@@ -122,13 +123,13 @@ def test_a_test_has_the_time_of_an_exercise_for_each_version(graded):
 
 
 def test_a_test_without_an_end_has_that_time_for_one_version_only(graded, monkeypatch):
-    asked, about_one = [], student.Student.about_one
+    asked, about_one = [], student_process.Student.about_one
 
     def counted(self, questions, number, *more):
         asked.append(number)
         return about_one(self, questions, number, *more)
 
-    monkeypatch.setattr(student.Student, "about_one", counted)
+    monkeypatch.setattr(student_process.Student, "about_one", counted)
     endless = "def test_log(log):\n    while True:\n        pass"
     rows = graded({"endless": endless}, cpu_seconds=1)
     assert rows["endless"]["state"] == ERROR
@@ -339,7 +340,9 @@ def test_log(log):
 def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(
     graded, monkeypatch
 ):
-    monkeypatch.setattr(student, "MAX_CALLS", 1000)  # so that calls without an end do not take long
+    monkeypatch.setattr(
+        student_process, "MAX_CALLS", 1000
+    )  # so that calls without an end do not take long
     rows = graded(ATTACKS)
     assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}
     assert {name: row for name, row in rows.items() if row["points"] > 1} == {}, (

@@ -10,11 +10,12 @@ from course_copy import ROOT, copied, made
 from grade_stand_in import TABLES
 from hostile.build import FULL, answers, book, cell
 
-from course_lib.pack.grade import alike, collect
-from course_lib.pack.grade.deadline import read_deadline
-from course_lib.pack.grade.marks import read_marks
-from course_lib.pack.grade.roster import Roster, read_roster
-from course_lib.pack.grade.sandbox import MIN_PROGRESS, Limits
+from course_lib.pack.grade.hand_ins import collect
+from course_lib.pack.grade.hand_ins.roster import Roster, read_roster
+from course_lib.pack.grade.jail.sandbox import MIN_PROGRESS, Limits
+from course_lib.pack.grade.marks import alike
+from course_lib.pack.grade.marks.deadline import read_deadline
+from course_lib.pack.grade.marks.marks_table import read_marks
 
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test

@@ -16,7 +16,7 @@ from PIL import Image, ImageSequence
 
 from course_lib.lessons.rotations import check
 from course_lib.pack.authors import pictures
-from course_lib.pack.grade import isolation
+from course_lib.pack.grade.jail import isolation
 from course_lib.pack.photograph import INSTALL_BROWSER
 from course_lib.pack.site.gather import PAGE, hours_in_words, sittings
 

@@ -14,9 +14,9 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from course_lib.pack.grade import notebook_file
-from course_lib.pack.grade.notebook_file import courses
-from course_lib.pack.grade.sandbox import Limits
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.hand_ins.notebook_file import courses
+from course_lib.pack.grade.jail.sandbox import Limits
 
 HERE = Path(__file__).parent
 PROJECT = HERE.parent.parent

@@ -13,28 +13,11 @@ from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
 from course_lib.pack.grade import KEPT, GradingStopped
-from course_lib.pack.grade.alike import write_alike
-from course_lib.pack.grade.by_hand import GradedClass, remaining, text
-from course_lib.pack.grade.class_page import class_page
-from course_lib.pack.grade.collect import Submission, find
 from course_lib.pack.grade.csv_text import count_noun, listing
-from course_lib.pack.grade.deadline import FILES, Deadline, read_deadline, summary
-from course_lib.pack.grade.feedback import write_feedback
-from course_lib.pack.grade.gradebook import absent, gradebook_text, unmatched
-from course_lib.pack.grade.graded_file import GradedFile
-from course_lib.pack.grade.jobs import (
-    ROOT,
-    Processes,
-    grade_all,
-    number_of_notebooks,
-    number_to_grade,
-)
-from course_lib.pack.grade.marking_page import marking_page
-from course_lib.pack.grade.marks import marks_table, marks_text, read_marks
-from course_lib.pack.grade.names import can_be_written
-from course_lib.pack.grade.notebook_file import courses
-from course_lib.pack.grade.options import SHORT, parser, settings
-from course_lib.pack.grade.platforms import (
+from course_lib.pack.grade.hand_ins.collect import Submission, find
+from course_lib.pack.grade.hand_ins.names import can_be_written
+from course_lib.pack.grade.hand_ins.notebook_file import courses
+from course_lib.pack.grade.hand_ins.platforms import (
     OWN_NAMES,
     Platform,
     fitting,
@@ -42,11 +25,28 @@ from course_lib.pack.grade.platforms import (
     named,
     platforms,
 )
-from course_lib.pack.grade.results import points_offered
-from course_lib.pack.grade.roster import Roster, Row, read_roster
-from course_lib.pack.grade.sandbox import remove_old_folders
-from course_lib.pack.grade.submission import Grader
-from course_lib.pack.grade.tables import graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.hand_ins.roster import Roster, Row, read_roster
+from course_lib.pack.grade.jail.sandbox import remove_old_folders
+from course_lib.pack.grade.jobs import (
+    ROOT,
+    Processes,
+    grade_all,
+    number_of_notebooks,
+    number_to_grade,
+)
+from course_lib.pack.grade.marks.alike import write_alike
+from course_lib.pack.grade.marks.by_hand import GradedClass, remaining, text
+from course_lib.pack.grade.marks.class_page import class_page
+from course_lib.pack.grade.marks.deadline import FILES, Deadline, read_deadline, summary
+from course_lib.pack.grade.marks.feedback import write_feedback
+from course_lib.pack.grade.marks.gradebook import absent, gradebook_text, unmatched
+from course_lib.pack.grade.marks.graded_file import GradedFile
+from course_lib.pack.grade.marks.marking_page import marking_page
+from course_lib.pack.grade.marks.marks_table import marks_table, marks_text, read_marks
+from course_lib.pack.grade.marks.tables import graded_files, grades_text, totals, totals_text
+from course_lib.pack.grade.options import SHORT, parser, settings
+from course_lib.pack.grade.verdicts.received_results import points_offered
+from course_lib.pack.grade.verdicts.submission import Grader
 
 MAX_ASKED = 5  # files about which a question is shown before grading begins
 # Seconds of processor time that a notebook takes, the sandboxes' processes included, between those

@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterator
 from multiprocessing.connection import Connection
 
 from course_lib.checks.clock import cpu_clock
-from course_lib.pack.grade.confine import die_with_parent
+from course_lib.pack.grade.jail.confine import die_with_parent
 
 # Of the grader's own process, for all of a submission; a right one takes about three.
 CPU_SECONDS = 300

@@ -31,10 +31,10 @@ from tqdm import tqdm
 
 from course_lib.pack.grade import KEPT, GradingStopped
 from course_lib.pack.grade.bounded import Bounded
-from course_lib.pack.grade.confine import die_with_parent
+from course_lib.pack.grade.jail.confine import die_with_parent
 from course_lib.pack.grade.jobs import course_hash, outcome
-from course_lib.pack.grade.results import NotAResult, quoted, read_json, validated
-from course_lib.pack.grade.submission import Grader
+from course_lib.pack.grade.verdicts.received_results import NotAResult, quoted, read_json, validated
+from course_lib.pack.grade.verdicts.submission import Grader
 
 MAX_ENDED = 3  # workers that ended while they graded a submission, which then is given up
 MAX_BAD = 3  # unusable results of one worker, which then gets no more submissions

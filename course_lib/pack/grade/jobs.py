@@ -14,8 +14,13 @@ from tqdm import tqdm
 
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.bounded import Bounded, OutOfBounds
-from course_lib.pack.grade.collect import Refused, Submission, read
-from course_lib.pack.grade.results import NotAResult, Offered, read_stored, validated
+from course_lib.pack.grade.hand_ins.collect import Refused, Submission, read
+from course_lib.pack.grade.verdicts.received_results import (
+    NotAResult,
+    Offered,
+    read_stored,
+    validated,
+)
 
 ROOT = Path(__file__).parents[3]
 MAX_BAD_RESULTS = 2  # of one submission, which then is given up

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from course_lib.pack.grade import GradingStopped
-from course_lib.pack.grade.holders import read_pattern
-from course_lib.pack.grade.isolation import NONE
-from course_lib.pack.grade.platforms import OWN_NAMES, platforms
+from course_lib.pack.grade.hand_ins.holders import read_pattern
+from course_lib.pack.grade.hand_ins.platforms import OWN_NAMES, platforms
+from course_lib.pack.grade.jail.isolation import NONE
 
 SHORT = """\
 make grade SUBMISSIONS=folder grades what students handed in, and writes build/grades/.

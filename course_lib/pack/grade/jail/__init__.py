@@ -1,0 +1,1 @@
+"""Where submissions run: a sandbox that sees as little of the machine as possible."""

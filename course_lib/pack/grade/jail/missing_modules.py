@@ -1,0 +1,53 @@
+"""Modules that a notebook imports and that are neither installed nor handed in with it."""
+
+import re
+from dataclasses import replace
+
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, Verdict
+from course_lib.pack.grade.hand_ins import notebook_file
+from course_lib.pack.grade.jail.statements import no_python
+from course_lib.pack.grade.verdicts.progress import Outcome, Run
+
+NOT_HANDED_IN = (
+    "It imports {}, which is not installed here and was not handed in with it. What needs it was "
+    "not graded: ask the student for a notebook that holds all of its own code."
+)
+MISSES_SOMETHING = re.compile(r"NameError|ImportError|ModuleNotFoundError")
+
+
+def note_missing(run: Run, name: str) -> None:
+    """Note the name of a module that an import did not find, if the notebook imports it."""
+    if re.fullmatch(r"[A-Za-z_]\w{0,60}", name) is None:
+        return
+    imported = re.compile(rf"\b(import|from)\s+[\w., ]*\b{name}\b")
+    if any(map(imported.search, run.sources)):
+        run.missing.add(name)
+
+
+def modules_missing(run: Run) -> list[str]:
+    """Return the modules that the notebook needs and that are not there, without those of installed
+    names."""
+    written = re.compile(r"^\s*%run\s+(?:-\S+\s+)*['\"]?([\w./-]+)", re.MULTILINE)
+    files = {name for source in run.sources for name in written.findall(source)}
+    made = re.compile(r"^\s*%%(?:writefile|file)\s+(?:-a\s+)?(\S+)", re.MULTILINE)
+    files -= {name for source in run.sources for name in made.findall(source)}
+    return sorted({*run.missing, *files})
+
+
+def explain_missing(run: Run, outcomes: dict[str, Outcome]) -> None:
+    """Say of each function that is not there, or misses something, why that is so."""
+    missing = ", ".join(modules_missing(run))
+    for name, outcome in outcomes.items():
+        verdict = outcome.verdict
+        if verdict.state == NOT_ATTEMPTED:
+            why = no_python(run.sources, name)
+            if not why and missing and not notebook_file.defines(run.sources, name):
+                why = (
+                    f"{name} is not in the notebook, which imports {missing}. That is not handed "
+                    f"in with it: only what stands in the notebook is graded."
+                )
+            if why:
+                outcomes[name] = Outcome(Verdict(verdict.exercise, ERROR, why))
+        elif verdict.state == ERROR and missing and MISSES_SOMETHING.search(verdict.reason):
+            remark = f"The notebook imports {missing}, which is not handed in with it."
+            outcomes[name] = replace(outcome, remark=remark)

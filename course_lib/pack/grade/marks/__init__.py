@@ -1,0 +1,1 @@
+"""Marks, tables for gradebooks, and the pages that students and instructors read."""

@@ -1,0 +1,1 @@
+"""Questions to a submission, and the verdicts on its answers."""

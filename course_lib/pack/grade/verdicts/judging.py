@@ -1,0 +1,148 @@
+"""Put the questions of an exercise to a student's function, and judge the answers within bounds.
+
+A right answer is right for the sets of cases that the notebook asks, which hold everything that is
+hard, and for cases with other numbers. So what the notebook refuses is refused here, and an answer
+that is looked up in a table fails.
+"""
+
+import hashlib
+from dataclasses import replace
+
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    WRONG,
+    Exercise,
+    Verdict,
+    judged,
+    questions_of,
+)
+from course_lib.checks.wire import write
+from course_lib.checks.write_test import WriteTest
+from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
+from course_lib.pack.grade.verdicts.progress import Outcome, Run, Seed
+from course_lib.pack.grade.verdicts.result import message_of
+from course_lib.pack.grade.verdicts.student_process import UNREADABLE_REPLY, Student
+
+# Of the grader's own processor time for one exercise; a right answer takes less than one.
+JUDGING_SECONDS = 60
+# Of that time for a test that a student writes. The grader also computes what twenty versions
+# answer to 5,000 calls each, which takes 15 to 70 seconds for the exercises of the course.
+JUDGING_SECONDS_OF_TEST = 120
+
+
+def ask(
+    run: Run,
+    student: Student,
+    left_out: dict,
+    at: int = 0,
+    seed: Seed | None = None,
+    times: int = 0,
+) -> Outcome:
+    """Return the Outcome of an exercise: put its questions to the student's function, and judge.
+
+    left_out: {(cell, line): why it was left out}. at: the number of its check in the notebook, 0
+    after all cells. seed: of the cases; without it, several sets of cases are asked. times: how
+    often the sandbox was asked for this exercise before; each time it is asked other cases, because
+    it may have kept those that it knows.
+    """
+    exercise = student.exercise
+    if run.over():
+        return run.not_graded(exercise)
+    first, *others = [seed] if seed is not None else _seeds(run, exercise, times)
+    if exercise.name in run.unwritten:
+        asked, verdict, known = first, Verdict(exercise, NOT_ATTEMPTED), True
+    else:
+        asked, (verdict, known) = first, judge_within_bounds(run, student, first)
+    for other in others:
+        if verdict.state != RIGHT or student.ended or student.candidates or run.over():
+            break
+        note = verdict.note
+        asked, (verdict, known) = other, judge_within_bounds(run, student, other)
+        verdict = replace(verdict, note=note)
+    if student.ended:
+        verdict = Verdict(exercise, ERROR, student.ended)
+        return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
+    if verdict.case is not None and verdict.state in (WRONG, ERROR) and not known:
+        verdict = _without_what_varies(verdict, judge_within_bounds(run, student, asked)[0])
+    for (cell, _), how in left_out.items():
+        is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
+        if verdict.state == ERROR or is_missing:
+            reason = f"{verdict.reason}\nA cell that it may need was left out: {how}.".strip()
+            verdict, student.hindered = replace(verdict, state=ERROR, reason=reason), True
+            break
+    hindered = student.hindered and verdict.state != RIGHT
+    return Outcome(
+        verdict,
+        hindered,
+        is_test=student.candidates,
+        at=at,
+        called=student.called,
+        too_late=student.too_late,
+    )
+
+
+def _seeds(run: Run, exercise: Exercise, times: int = 0) -> list[Seed]:
+    """Return the seeds of the sets of cases: those of the notebook, and a secret one.
+
+    The numbers of the candidates of a test depend on the seed, so these are secret.
+
+    times: how often the sandbox was asked before. It has not seen the secret cases that follow.
+    """
+    secret = (run.seed, 1 + times) if times else run.seed  # asking candidates apart has the first
+    if isinstance(exercise, WriteTest):
+        return [secret]
+    return [*exercise.public_seeds, secret]
+
+
+def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
+    """Return a verdict, without what it quotes if the same questions were answered otherwise.
+
+    A random answer, or one that depends on the time, would give other feedback with each run.
+    """
+    if message_of(verdict) == message_of(again):
+        return verdict
+    texts = (wanted.text for wanted in verdict.exercise.properties)
+    broken = next((text for text in texts if verdict.reason.startswith(text)), "")
+    if not broken:
+        broken = "called a second time with the same arguments, it gives the same result"
+    reason = f"{broken}. Your answers to the same questions differ from one time to the next."
+    credit = min(verdict.points, again.points)
+    return Verdict(verdict.exercise, WRONG, reason, credit=credit)
+
+
+def _seconds_for(exercise: Exercise) -> float:
+    return JUDGING_SECONDS_OF_TEST if isinstance(exercise, WriteTest) else JUDGING_SECONDS
+
+
+def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict, bool]:
+    """Return the Verdict on a student's answers to one set of cases, formed within bounds, and
+    whether the same answers came before.
+
+    What the grader computes for a set of cases, and the verdict on equal answers to it, are
+    computed once for all runs of a submission.
+    """
+    exercise, known = student.exercise, False
+    try:
+        with cpu_deadline(_seconds_for(exercise)):
+            asked = exercise.name, seed
+            if asked not in run.questions:
+                run.questions[asked] = questions_of(exercise, seed, run.limits.cpu_seconds)
+            cases, questions, consult = run.questions[asked]
+            reply = student.reply(write(questions), consult)
+            key = (*asked, hashlib.sha256(reply.encode()).digest())
+            known = key in run.verdicts
+            if not known:
+                verdict = judged(exercise, student, cases, questions, reply)
+                message_of(verdict)  # showing an answer of any size may take long too, or fail
+                run.verdicts[key] = verdict
+            verdict = run.verdicts[key]
+    except CpuDeadline as deadline:
+        verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
+    except Exception as error:
+        why = f"Its answers cannot be judged: {type(error).__name__}."
+        verdict = Verdict(exercise, ERROR, why)
+    if verdict.reason.startswith(UNREADABLE_REPLY):  # the rest is a text of the student's process
+        verdict = replace(verdict, reason=f"{UNREADABLE_REPLY}.")
+    return verdict, known

@@ -1,0 +1,185 @@
+"""A submission while it is graded, and the outcomes of its exercises so far."""
+
+import functools
+import re
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from course_lib.checks.exercise import (
+    ERROR,
+    NOT_ATTEMPTED,
+    RIGHT,
+    UNCHANGED,
+    WRONG,
+    Exercise,
+    Verdict,
+)
+from course_lib.pack.grade.bounded import CPU_SECONDS
+from course_lib.pack.grade.jail.sandbox import READING_SECONDS, Limits, Sandbox
+from course_lib.pack.grade.jail.statements import Statement, as_sent, needed, statements, stubs_only
+
+Place = tuple[int, int]  # (cell, line) of a statement
+Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
+Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets of one file apart
+# Of the grader's own processor time, after which it asks for no further exercise. It would be ended
+# after CPU_SECONDS, and every exercise would be lost.
+MAX_JUDGING_SECONDS = CPU_SECONDS // 2
+MAX_READING_SECONDS = 2 * READING_SECONDS  # of that time, to read what all sandboxes write
+# What differs from one set of cases to another in the reason of a verdict: numbers, and which
+# versions a list of some of them names.
+OF_A_SET = re.compile(r"[-+]?\d[\d.]*(e[-+]?\d+)?|\(one [^)]*\)")
+WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
+
+
+@dataclass
+class Outcome:
+    """The outcome of one exercise.
+
+    Parameters
+    ----------
+    verdict : Verdict
+    hindered : bool
+        Whether the run may have prevented a better one, which a process of its own may give.
+    answered : bool
+        False if no answer came.
+    is_test : bool
+        Whether it is a test, which must be asked about each candidate in a sandbox of its own.
+    at : int
+        The number of the notebook's check at which it was asked, 0 after all cells.
+    whole : bool
+        Whether the whole notebook was run.
+    called : tuple of str
+        The names of the functions that it called and that were replaced by right functions.
+    instead : tuple of str
+        The same, if the verdict that counts was formed so.
+    remark : str
+        A sentence that stands before the message.
+    too_late : bool
+        Whether it called a right function after that one's cases were known in the process, and
+        got no answer.
+    """
+
+    verdict: Verdict
+    hindered: bool = False
+    answered: bool = True
+    is_test: bool = False
+    at: int = 0
+    whole: bool = False
+    called: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    remark: str = ""
+    too_late: bool = False
+
+    def better(self, later: "Outcome") -> "Outcome":
+        """Return the better one of this and a later outcome.
+
+        Of equal ones the later, if its reason is another, and not only its numbers are.
+        """
+        mine, other = self._rank(), later._rank()
+        if other != mine:
+            return later if other > mine else self
+        reasons = (OF_A_SET.sub("", outcome.verdict.reason) for outcome in (self, later))
+        return self if len(set(reasons)) == 1 else later
+
+    def _rank(self) -> tuple:
+        verdict = self.verdict
+        return verdict.points, self.answered, WORST_FIRST.index(verdict.state), bool(verdict.reason)
+
+
+@dataclass
+class Run:
+    """A submission while it is graded.
+
+    Parameters
+    ----------
+    sources : list of str
+        Of its code cells.
+    limits : Limits
+    seed : int
+        Of the cases.
+    exercises : tuple of Exercise
+    start : callable
+        Returns a Sandbox, called with its files.
+    left_out : dict
+        {number of a cell that ended or blocked the process: how it did}.
+    untouched : set of str
+        The names of the exercises that the student has not worked on.
+    too_slow : list
+        Statements as (cell, line) that no later run executes again.
+    sandboxes : list
+        All so far.
+    missing : set of str
+        Modules that the notebook imports and that are not there.
+    questions : dict
+        {(exercise's name, seed): what questions_of returns}.
+    verdicts : dict
+        {(exercise's name, seed, hash of a reply): Verdict}.
+    """
+
+    sources: list[str]
+    limits: Limits
+    seed: int
+    exercises: tuple[Exercise, ...]
+    start: Callable
+    untouched: set[str] = field(default_factory=set)
+    left_out: dict = field(default_factory=dict)
+    too_slow: list = field(default_factory=list)
+    sandboxes: list = field(default_factory=list)
+    missing: set[str] = field(default_factory=set)
+    questions: dict = field(default_factory=dict)
+    verdicts: dict = field(default_factory=dict)
+    begin: float = field(default_factory=time.process_time)
+
+    def sandbox(self, files: dict[str, bytes]) -> Sandbox:
+        """Return a Sandbox that is not yet started."""
+        self.sandboxes.append(self.start(files))
+        return self.sandboxes[-1]
+
+    @functools.cached_property
+    def statements(self) -> list[Statement]:
+        """The statements of its code cells."""
+        return statements(self.sources)
+
+    @functools.cached_property
+    def unwritten(self) -> set[str]:
+        """The names of the exercises that are not worth asking, because nothing defines their
+        functions but what students are given to begin with, which raises NotImplementedError."""
+        bound = {name for statement in self.statements for name in statement.binds}
+        if "*" in bound:
+            return set()
+        return (stubs_only(self.statements) | ({e.name for e in self.exercises} - bound)) & (
+            self.untouched
+        )
+
+    def needed(self, names: Iterable[str]) -> list:
+        """Return what the runner needs to know of the statements that functions need."""
+        return as_sent(needed(self.statements, [*names]), self.sources)
+
+    def over(self) -> bool:
+        """Return whether the submission has used all its time."""
+        judged = time.process_time() - self.begin
+        computed = sum(sandbox.computed for sandbox in self.sandboxes) + judged
+        asleep = sum(sandbox.asleep for sandbox in self.sandboxes)
+        limits = self.limits
+        reading = sum(sandbox.reading for sandbox in self.sandboxes)
+        too_long = asleep > limits.submission_seconds or computed > limits.submission_cpu_seconds
+        too_long = too_long or reading > MAX_READING_SECONDS
+        return too_long or judged > MAX_JUDGING_SECONDS
+
+    def exercise(self, name: object) -> Exercise | None:
+        """Return the exercise of this name, or None."""
+        return next((exercise for exercise in self.exercises if exercise.name == name), None)
+
+    def not_graded(self, exercise: Exercise) -> Outcome:
+        """Return the Outcome of an exercise for which no time is left."""
+        return Outcome(Verdict(exercise, ERROR, time_is_up(self.limits)), answered=False)
+
+
+def time_is_up(limits: Limits) -> str:
+    """Return why an exercise was not graded for which no time was left."""
+    computing, waiting = limits.submission_cpu_seconds, limits.submission_seconds
+    return (
+        f"It was not graded: everything before it took {computing} seconds of computing, or "
+        f"{waiting} of waiting, or {MAX_JUDGING_SECONDS} of judging."
+    )
