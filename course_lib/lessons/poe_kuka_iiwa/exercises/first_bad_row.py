@@ -5,43 +5,51 @@ import itertools
 import numpy as np
 
 from course_lib.arms import iiwa14
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 
-LIMITS = iiwa14().limits
-_ALL_ROWS = Mistake(
-    "all rows are returned, or True and False for each row",
-    "The task asks for one number, that of the first bad row.",
-)
+LIMITS = iiwa14().limits * [0.9, 1]  # the lowest angle is not minus the highest
 
 
 def _motion(rng, n, joints=7):
     t = np.cumsum(rng.uniform(0.01, 0.1, n))
-    limits = LIMITS[np.arange(joints) % 7] * [0.9, 1]  # the lowest angle is not minus the highest
-    q = (
-        0.8
-        * limits[:, 1]
-        * np.sin(np.outer(t, rng.uniform(0.5, 2, joints)) + rng.uniform(0, 6, joints))
-    )
-    return t, q, limits
+    limits = LIMITS[:joints]
+    phases = np.outer(t, rng.uniform(0.5, 2, joints)) + rng.uniform(0, 6, joints)
+    return t, 0.8 * limits[:, 1] * np.sin(phases), limits
 
 
-_FAULTS = {  # of a row: change(t, q, limits, row)
-    "time not finite": lambda t, q, limits, row: t.__setitem__(row, np.nan),
-    "angle not finite": lambda t, q, limits, row: q.__setitem__((row, 2), np.inf),
-    "time": lambda t, q, limits, row: t.__setitem__(row, t[row - 1]),
-    "below": lambda t, q, limits, row: q.__setitem__((row, 4), limits[4, 0] - 0.1),
-    "above": lambda t, q, limits, row: q.__setitem__((row, 1), limits[1, 1] + 0.1),
-}
+_FAULTS = (  # of a row: (joint, or None for the time, value(t, limits, row))
+    (None, lambda t, limits, row: np.nan),
+    (2, lambda t, limits, row: np.inf),
+    (None, lambda t, limits, row: t[row - 1]),
+    (4, lambda t, limits, row: limits[4, 0] - 0.1),
+    (1, lambda t, limits, row: limits[1, 1] + 0.1),
+)
+_MORE = (  # (row, fault)
+    (5, (None, lambda t, limits, row: t[row - 2])),
+    (7, (None, lambda t, limits, row: np.inf)),
+    (0, (None, lambda t, limits, row: -np.inf)),
+    (4, (2, lambda t, limits, row: np.nan)),
+    (1, (0, lambda t, limits, row: -np.inf)),
+    (0, (6, lambda t, limits, row: np.nan)),
+    (2, (5, lambda t, limits, row: limits[5, 0] - 0.01)),
+    (0, (3, lambda t, limits, row: limits[3, 0] - 0.5)),
+    (7, (3, lambda t, limits, row: limits[3, 1] + 1e-6)),
+    (6, (2, lambda t, limits, row: limits[:, 1].max() + 1)),
+    (4, (1, lambda t, limits, row: limits[:2, 1].mean())),  # joint 1 may, and joint 2 may not
+)
 
 
-def _two_faults(rng, first, second):
-    """Return a case whose rows 2 and 5 have these faults; the order of the rules must not "
-    "matter."""
-    t, q, limits = _motion(rng, 8)
-    _FAULTS[first](t, q, limits, 2)
-    _FAULTS[second](t, q, limits, 5)
+def _spoilt(rng, *faults, n=8, joints=7):
+    """Return a motion with faults: (row, fault)."""
+    t, q, limits = _motion(rng, n, joints)
+    for row, (joint, value) in faults:
+        if joint is None:
+            t[row] = value(t, limits, row)
+        else:
+            q[row, joint] = value(t, limits, row)
     return t, q, limits
 
 
@@ -63,40 +71,18 @@ def _beside_the_time_before(rng, gap):
 
 
 def _cases(rng):
-    def spoilt(*changes, n=8, joints=7):
-        t, q, limits = _motion(rng, n, joints)
-        for where, value in changes:
-            (q if isinstance(where, tuple) else t)[where] = (
-                value(t, limits) if callable(value) else value
-            )
-        return t, q, limits
-
     at_the_limit, shifted = _motion(rng, 4), _motion(rng, 5)
     at_the_limit[1][2], at_the_limit[1][3] = at_the_limit[2].T
     return [
-        spoilt(((4, 2), np.nan)),
-        spoilt((5, lambda t, limits: t[3])),
-        spoilt(((3, 1), lambda t, limits: limits[1, 1] + 0.2)),
-        spoilt(((2, 5), lambda t, limits: limits[5, 0] - 0.01)),
-        spoilt(((6, 2), lambda t, limits: limits[:, 1].max() + 1)),
-        spoilt(),
-        spoilt((2, lambda t, limits: t[1])),
-        spoilt((6, np.nan)),
-        spoilt((7, np.inf)),
-        spoilt(((1, 0), -np.inf)),
-        spoilt(((0, 6), np.nan)),
-        spoilt(((7, 3), lambda t, limits: limits[3, 1] + 1e-6)),
-        spoilt(((0, 3), lambda t, limits: limits[3, 0] - 0.5)),
-        spoilt((0, -np.inf)),
-        spoilt(((4, 1), lambda t, limits: (limits[0, 1] + limits[1, 1]) / 2)),
-        spoilt(((6, 1), np.nan), (3, lambda t, limits: t[2])),
-        spoilt(((5, 0), lambda t, limits: 2 * limits[0, 1]), ((2, 6), np.inf)),
-        spoilt(((3, 1), lambda t, limits: limits[1, 1] + 0.2), n=5, joints=2),
+        *(_spoilt(rng, (row, fault)) for row in (3, 6) for fault in _FAULTS),
+        _motion(rng, 8),
+        *(_spoilt(rng, fault) for fault in _MORE),
+        _spoilt(rng, (3, _FAULTS[-1]), n=5, joints=2),
         at_the_limit,
         (shifted[0] - 3.0, *shifted[1:]),
         _motion(rng, 1),
-        spoilt(((0, 6), np.nan), n=1),
-        *(_two_faults(rng, *pair) for pair in itertools.permutations(_FAULTS, 2)),
+        _spoilt(rng, (0, (6, lambda t, limits, row: np.nan)), n=1),
+        *(_spoilt(rng, (2, a), (5, b)) for a, b in itertools.permutations(_FAULTS, 2)),
         (np.array([0, 1, 1]), np.zeros((3, 2), int), np.array([[-1, 1], [-1, 1]])),
     ]
 
@@ -119,8 +105,8 @@ def _first(bad):
 
 
 def _orders_of_the_rules():
-    """Return the orders in which somebody may test the rules, in groups, one group after "
-    "another."""
+    """Return the orders in which somebody may test the rules, in groups, one group after
+    another."""
     groups = ("t", "q"), ("time",), ("low", "high")
     orders = list(itertools.permutations(groups))
     for group in groups:
@@ -148,138 +134,50 @@ def _why(t, q, limits, row):
     return f"the first bad row is row {row}; joint {joint + 1} is {beyond:.2g} rad beyond a limit"
 
 
-EXERCISE = Exercise(
-    name="first_bad_row",
-    points=2,
-    arguments=("t", "q", "limits"),
-    cases=_cases,
-    returns=numbers(lambda *case: ()),
-    library=_right,
-    sweeps=(
-        Sweep("an angle beside its lower limit", _beside_a_limit(0), ON_BOTH_SIDES),
-        Sweep("an angle beside its upper limit", _beside_a_limit(1), ON_BOTH_SIDES),
-        Sweep("a time beside that of the row before", _beside_the_time_before, ON_BOTH_SIDES),
-    ),
-    properties=(
-        Property(
-            "the answer is the first row that is bad for any reason, counted from 0, or -1 if "
-            "there is none",
-            lambda row, *case: row == _right(*case),
-            says=lambda row, *case: (
-                f"Here {_why(*case, _right(*case))}. Your answer is {float(row):g}."
-            ),
-        ),
-    ),
-    hints=(
-        (
-            "Make an array of True and False, one for each row, for each of the three reasons; then"
-            " combine them with |."
-        ),
-        (
-            "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no"
-            " time before it."
-        ),
-        (
-            "np.argmax of an array of True and False is the position of the first True; ask first "
-            "whether there is any."
-        ),
-    ),
-    forbidden=("course_lib.trajectory.loading.load",),
-)
-
-EXERCISE.mistake(_ALL_ROWS, form=lambda array, t, *rest: array.size > 1)
+def _found(row, *case):
+    return f"Here {_why(*case, _right(*case))}. Your answer is {float(row):g}."
 
 
-@EXERCISE.mistake(
-    "row 0 is not tested",
-    "Row 0 has no time before it. What else can be bad in row 0?",
-)
-def first_row_not_asked(t, q, limits):
-    return _first(_bad(t, q, limits) & (np.arange(len(t)) > 0))
+def _ignoring(*ignored, **changed):
+    return lambda *case: _first(_bad(*case, ignored, **changed))
 
 
-@EXERCISE.mistake(
-    "0 or the number of rows is returned for a trajectory without a fault",
-    "Which answer does a trajectory with a fault in row 0 get, then?",
-    number=(lambda t: 0, len),
-)
-def number_for_none(t, q, limits, number):
-    row = _right(t, q, limits)
-    return number(t) if row < 0 else row
+def _not_nan(x):
+    return ~np.isnan(x)
 
 
-@EXERCISE.mistake(
-    "numbers that are not finite go unnoticed",
-    "What is nan < 1 in Python, and what is np.isnan(np.inf)? Can t hold such numbers too?",
-    ignored=(("t",), ("q",), ("t", "q"), ("inf",), ("inf", "q")),
-)
-def not_finite(t, q, limits, ignored):
-    return _first(
-        _bad(t, q, limits, ignored, (lambda x: ~np.isnan(x)) if "inf" in ignored else np.isfinite)
-    )
+def _none_is(number):
+    """Return the answer with number(t) for a trajectory without a fault."""
+
+    def answer(t, q, limits):
+        row = _right(t, q, limits)
+        return number(t) if row < 0 else row
+
+    return answer
 
 
-@EXERCISE.mistake(
-    "a time that does not increase goes unnoticed",
-    "What must hold between the times of two neighbouring rows?",
-    ignored=(("time",), ()),
-)
-def time_not_asked(t, q, limits, ignored):
-    return _first(_bad(t, q, limits, ignored, late=np.less))
+def _rule_by_rule(groups):
+    """Return the answer that tests the rules in groups, one group in all rows after another."""
+    rules = [rule for group in groups for rule in group]
+
+    def answer(*case):
+        others = [[rule for rule in rules if rule not in group] for group in groups]
+        rows = [_first(_bad(*case, ignored)) for ignored in others]
+        return next((row for row in rows if row >= 0), -1)
+
+    return answer
 
 
-@EXERCISE.mistake(
-    "an angle is not compared with both of its limits",
-    "What do the two columns of limits hold?",
-    ignored=(("low",), ("high",), ("low", "high")),
-)
-def limit_not_asked(t, q, limits, ignored):
-    return _first(_bad(t, q, limits, ignored))
+def _also(bad_too, *ignored):
+    """Return the answer for which rows are bad, too, where bad_too(t)."""
+    return lambda t, q, limits: _first(_bad(t, q, limits, ignored) | bad_too(t))
 
 
-@EXERCISE.mistake(
-    "the lowest angle is taken for minus the highest",
-    "Must the limits of a joint be symmetric?",
-)
-def limits_taken_for_symmetric(t, q, limits):
-    return _right(t, q, limits[:, [1]] * [-1, 1])
+def _first_time_is(late):
+    return lambda t: np.append(late(t[:1], 0), np.zeros(len(t) - 1, bool))
 
 
-@EXERCISE.mistake(
-    "an angle exactly at its limit counts as bad",
-    "What does the task say of a joint at its limit?",
-)
-def refused_at_the_limit(t, q, limits):
-    return _first(_bad(t, q, limits, beyond=np.greater_equal))
-
-
-@EXERCISE.mistake(
-    "one reason is tested in all rows before the next reason is tested",
-    "A row is bad for any of the reasons. Which row is the first with any of them?",
-    rules=_orders_of_the_rules(),
-)
-def rule_by_rule(t, q, limits, rules):
-    every = [rule for group in rules for rule in group]
-    ignored = [[rule for rule in every if rule not in group] for group in rules]
-    rows = [_first(_bad(t, q, limits, others)) for others in ignored]
-    return next((row for row in rows if row >= 0), -1)
-
-
-@EXERCISE.mistake(
-    "the time of row 0 is compared with 0",
-    "Must a trajectory begin at a positive time?",
-    late=(np.less_equal, np.less),
-)
-def first_time_compared_with_0(t, q, limits, late):
-    return _first(_bad(t, q, limits) | np.append(late(t[:1], 0), np.zeros(len(t) - 1, bool)))
-
-
-@EXERCISE.mistake(
-    "a tolerance is granted at the limits, or between two times",
-    "Does the task allow for any angle beyond a limit, however small the distance is?",
-    recognises=True,
-)
-def tolerance_granted(row, t, q, limits):
+def _is_within_a_tolerance(row, t, q, limits):
     beyond = np.maximum(limits[:, 0] - q, q - limits[:, 1])
     slightly = np.isfinite(beyond).all() and 0 < beyond.max() < 0.05
     late = np.diff(t)
@@ -287,18 +185,103 @@ def tolerance_granted(row, t, q, limits):
     return row == -1 and (slightly or hardly)
 
 
-@EXERCISE.mistake(
-    "rows are counted from 1",
-    "Which index does the first row of an array have?",
+EXERCISE = declared(
+    "first_bad_row",
+    points=2,
+    arguments={"t": OWN_CASES, "q": OWN_CASES, "limits": OWN_CASES},
+    cases=_cases,
+    library=_right,
+    says="the answer is the first row that is bad for any reason, counted from 0, or -1 if there "
+    "is none",
+    found=_found,
+    sweeps=(
+        Sweep("an angle beside its lower limit", _beside_a_limit(0), ON_BOTH_SIDES),
+        Sweep("an angle beside its upper limit", _beside_a_limit(1), ON_BOTH_SIDES),
+        Sweep("a time beside that of the row before", _beside_the_time_before, ON_BOTH_SIDES),
+    ),
+    hints=(
+        "Make an array of True and False, one for each row, for each of the three reasons; then "
+        "combine them with |.",
+        "np.diff(t) is one shorter than t: its entry i is about row i + 1. The first row has no "
+        "time before it.",
+        "np.argmax of an array of True and False is the position of the first True; ask first "
+        "whether there is any.",
+    ),
+    forbidden=("course_lib.trajectory.loading.load",),
+    mistakes=(
+        Mistake(
+            "all rows are returned, or True and False for each row",
+            "The task asks for one number, that of the first bad row.",
+            form=lambda array, *case: array.size > 1,
+        ),
+        Mistake(
+            "row 0 is not tested",
+            "Row 0 has no time before it. What else can be bad in row 0?",
+            lambda *case: _first(_bad(*case) & (np.arange(len(case[0])) > 0)),
+        ),
+        Mistake(
+            "0 or the number of rows is returned for a trajectory without a fault",
+            "Which answer does a trajectory with a fault in row 0 get, then?",
+            _none_is(lambda t: 0),
+            _none_is(len),
+        ),
+        Mistake(
+            "numbers that are not finite go unnoticed",
+            "What is nan < 1 in Python, and what is np.isnan(np.inf)? Can t hold such numbers too?",
+            _ignoring("t"),
+            _ignoring("q"),
+            _ignoring("t", "q"),
+            _ignoring(finite=_not_nan),
+            _ignoring("q", finite=_not_nan),
+        ),
+        Mistake(
+            "a time that does not increase goes unnoticed",
+            "What must hold between the times of two neighbouring rows?",
+            _ignoring("time"),
+            _ignoring(late=np.less),
+        ),
+        Mistake(
+            "an angle is not compared with both of its limits",
+            "What do the two columns of limits hold?",
+            _ignoring("low"),
+            _ignoring("high"),
+            _ignoring("low", "high"),
+        ),
+        Mistake(
+            "the lowest angle is taken for minus the highest",
+            "Must the limits of a joint be symmetric?",
+            lambda t, q, limits: _right(t, q, limits[:, [1]] * [-1, 1]),
+        ),
+        Mistake(
+            "an angle exactly at its limit counts as bad",
+            "What does the task say of a joint at its limit?",
+            _ignoring(beyond=np.greater_equal),
+        ),
+        Mistake(
+            "one reason is tested in all rows before the next reason is tested",
+            "A row is bad for any of the reasons. Which row is the first with any of them?",
+            *map(_rule_by_rule, _orders_of_the_rules()),
+        ),
+        Mistake(
+            "the time of row 0 is compared with 0",
+            "Must a trajectory begin at a positive time?",
+            _also(_first_time_is(np.less_equal)),
+            _also(_first_time_is(np.less)),
+        ),
+        Mistake(
+            "a tolerance is granted at the limits, or between two times",
+            "Does the task allow for any angle beyond a limit, however small the distance is?",
+            seen=_is_within_a_tolerance,
+        ),
+        Mistake(
+            "rows are counted from 1",
+            "Which index does the first row of an array have?",
+            lambda *case: _right(*case) + (_right(*case) >= 0),
+        ),
+        Mistake(
+            "the row before the fault is returned where the time does not increase",
+            "From the times of which two rows is np.diff(t)[i] computed?",
+            _also(lambda t: np.append(np.diff(t) <= 0, False), "time"),
+        ),
+    ),
 )
-def counted_from_1(t, q, limits):
-    row = _right(t, q, limits)
-    return row + 1 if row >= 0 else row
-
-
-@EXERCISE.mistake(
-    "the row before the fault is returned where the time does not increase",
-    "From the times of which two rows is np.diff(t)[i] computed?",
-)
-def row_before(t, q, limits):
-    return _first(_bad(t, q, limits, ("time",)) | np.append(np.diff(t) <= 0, False))
