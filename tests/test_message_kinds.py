@@ -299,7 +299,7 @@ def test_a_rotation_by_another_angle_is_told_both_angles():
         )
 
     hint = judged(ROTATION_ABOUT, LocalFunction(in_degrees)).mistake.hint
-    assert hint.startswith("theta is -20 rad, but your R rotates by -0.3491 rad.")
+    assert hint.startswith("theta is 6.9 rad, but your R rotates by 0.1204 rad.")
 
 
 def test_rows_that_are_missing_are_not_told_that_there_are_too_many():
