@@ -2,58 +2,70 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.kinds import Kind
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, first_off, unit
+from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, away_from_zero, first_off, unit
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
 from course_lib.rigid import exp_se3
-from course_lib.rotations import exp_so3, hat, length
+from course_lib.rotations import exp_so3, length
 
-_NO_ANGLE, _GIVEN, _SMALL = 1e-100, 1e-5, 1e-3  # below _GIVEN the cell has the series
+_GIVEN = 1e-5  # rad: below it the cell has the series
 # Where somebody uses the series too far, or a formula that loses its digits, the error shows at one
 # of these angles.
 _SMALL_ANGLES = (*BESIDE, 9e-4, 4e-4, 1.1e-5, 1e-100, 1e-170)
-
-
-def _cases(rng):
-    still, quarter = np.zeros(3), np.pi / 2
-    named = [
-        (quarter * Z, X),
-        (quarter * Z, Y),
-        (quarter * Z, Z),
-        (-quarter * X, Z),
-        (Z, np.array([1.0, 2, 3])),
-    ]
-    named += [(quarter * axis, still) for axis in (X, Y, Z)]
-    named += [(quarter * axis, other) for axis, other in ((X, Y), (Y, Z), (-Z, Y))]
-    named += [_rotating(rng, angle) for angle in (0.5, 2.0, 5.0, 20.0, np.pi)]
-    # v is so large that the error of the series, a^2 / 6 of v, shows from 2.9e-4 rad on.
-    named += [(2.9e-4 * X, 1000 * Y), (2 * unit(rng), 50 * rng.normal(size=3)), (1e-9 * Z, X)]
-    named += [(still, X), (still, np.array([1.0, 2, 3])), (still, still)]
-    whole = [np.array([0, 0, 1, 1, 2, 3]), np.array([-2, 1, 0, 0, 3, 1])]
-    return [(twist,) for twist in (*map(np.concatenate, named), *whole)]
+_QUARTER, _STILL = np.pi / 2, np.zeros(3)
 
 
 def _rotating(rng, angle):
-    """Return omega with this length, and v with parts along omega and across."""
+    """Return a twist with this angle, and v with parts along omega and across."""
     n, along = unit(rng), rng.uniform(0.5, 1)
     across = np.cross(n, unit(rng) + 2 * np.eye(3)[np.argmin(np.abs(n))])
-    return angle * n, across / np.linalg.norm(across) + along * n
+    return np.append(angle * n, across / np.linalg.norm(across) + along * n)
 
 
-def _sweep(what, angle, values=BESIDE):
-    return Sweep(what, lambda rng, x: (np.concatenate(_rotating(rng, angle(x))),), values)
+def _named(rng):
+    pairs = [
+        *((_QUARTER * Z, v) for v in (X, Y, Z)),
+        (-_QUARTER * X, Z),
+        (Z, np.array([1.0, 2, 3])),
+        *((_QUARTER * axis, _STILL) for axis in (X, Y, Z)),
+        (_QUARTER * X, Y),
+        (_QUARTER * Y, Z),
+        (-_QUARTER * Z, Y),
+        # v is so large that the error of the series, a^2 / 6 of v, shows from 2.9e-4 rad on.
+        (2.9e-4 * X, 1000 * Y),
+        (2 * unit(rng), 50 * rng.normal(size=3)),
+        (1e-9 * Z, X),
+        *((_STILL, v) for v in (X, np.array([1.0, 2, 3]), _STILL)),
+    ]
+    whole = [np.array([0, 0, 1, 1, 2, 3]), np.array([-2, 1, 0, 0, 3, 1])]
+    rotating = [_rotating(rng, angle) for angle in (0.5, 2.0, 5.0, 20.0, np.pi)]
+    return [*map(np.concatenate, pairs), *rotating, *whole]
+
+
+TWIST = Kind(
+    drawn=lambda rng: _rotating(rng, rng.uniform(0.5, 2.5)),
+    named=_named,
+    beside=(
+        ("a small rotation", _rotating, _SMALL_ANGLES),
+        ("nearly half a revolution", lambda rng, gap: _rotating(rng, np.pi - gap), BESIDE),
+        ("nearly a revolution", lambda rng, gap: _rotating(rng, 2 * np.pi - gap), BESIDE),
+        (
+            "a small v",
+            lambda rng, size: np.append(2 * unit(rng), size * away_from_zero(rng, 3)),
+            SMALL_NUMBERS,
+        ),
+    ),
+)
 
 
 def _angle(twist):
     return float(length(twist[:3]))
-
-
-def _is_small(twist):
-    return _NO_ANGLE < _angle(twist) < _SMALL
 
 
 def _is_across(twist):
@@ -62,54 +74,84 @@ def _is_across(twist):
     return _angle(twist) >= _GIVEN and twist[3:].any() and along < 1e-12
 
 
-def _p_is_right(T, twist):
-    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max() <= 10 * EXACT * max(
-        1.0, np.abs(twist[3:]).max()
-    )
+def _off(T, twist):
+    return np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max()
 
 
-def _p_off(T, twist):
-    right = exp_se3(twist)[COLUMN]
+def _found(T, twist):
+    right, yours = format_tuple(exp_se3(twist)[COLUMN]), format_tuple(T[COLUMN])
     return (
-        f"|omega| is {_angle(twist):.4g}. p should be {format_tuple(right)}; yours is "
-        f"{format_tuple(T[COLUMN])}, off "
-        f"by {np.abs(T[COLUMN] - right).max():.2g}."
+        f"|omega| is {_angle(twist):.4g}. p should be {right}; yours is {yours}, off by "
+        f"{_off(T, twist):.2g}."
     )
 
 
-def _keeps_digits(T, twist):
-    """Return whether the part of p along omega x v, which the rotation alone brings about, is right
-    to two digits."""
-    aside, right = np.cross(twist[:3] / _angle(twist), twist[3:]), exp_se3(twist)[COLUMN]
-    allowed = 0.02 * abs(right @ aside) + 2e-15 * np.abs(twist[3:]).max() * np.linalg.norm(aside)
-    return abs((T[COLUMN] - right) @ aside) <= allowed
+def _otherwise(T, twist):
+    """Return the Mistake of a p that no known mistake explains: none if p is nearly right."""
+    if _off(T, twist) <= 0.01 * np.abs(twist[3:]).max():
+        return None
+    return Mistake(
+        "p is not where the origin arrives",
+        "Compute the three terms of p for the twist below by hand: the part of v along omega, the "
+        "step along the arc, and the step to its side. Which of them differs from yours?",
+    )
 
 
-def _p_mistake(T, twist):
-    """Return what is said of a p that no known mistake explains: nothing if p is nearly right."""
-    off = np.abs(T[COLUMN] - exp_se3(twist)[COLUMN]).max()
-    return _NOT_THERE if off > 0.01 * np.abs(twist[3:]).max() else None
+def _p(along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), bent=lambda v, part: v - part):
+    """Return p with other factors; it raises for twists that the given lines answer."""
+
+    def answer(twist):
+        a, v = _students_angle(twist), twist[3:]
+        n = twist[:3] / a
+        part = (n @ v) * n
+        return along * part + (forward(a) * bent(v, part) + sideways(a) * np.cross(n, v)) / a
+
+    return answer
 
 
-_NOT_THERE = Mistake(
-    "p is not where the origin arrives",
-    "Compute the three terms of p for the twist below by hand: the part of v along omega, the step "
-    "along the arc, and the step to its side. Which of them differs from yours?",
-)
+def _students_angle(twist):
+    a = _angle(twist)
+    if a < _GIVEN:
+        raise ValueError("so small an angle is not the student's")
+    return a
 
-EXERCISE = Exercise(
-    name="exp_se3",
+
+def _number_for_the_part_along_n(twist):
+    a, v = _students_angle(twist), twist[3:]
+    n = twist[:3] / a
+    part = n @ v
+    return part + (np.sin(a) * (v - part) + (1 - np.cos(a)) * np.cross(n, v)) / a
+
+
+def _wrapped(wrap):
+    def answer(twist):
+        a = _angle(twist)
+        if a < 2 * np.pi:
+            return None
+        return _p()(np.append(wrap(a) * twist[:3] / a, twist[3:]))
+
+    return answer
+
+
+def _series_below(bound):
+    def answer(twist):
+        if _students_angle(twist) >= bound:
+            raise ValueError("this angle is answered by the formula")
+        return twist[3:] + np.cross(twist[:3], twist[3:]) / 2
+
+    return answer
+
+
+EXERCISE = declared(
+    "exp_se3",
     points=3,
-    arguments=("twist",),
-    cases=_cases,
-    returns=numbers(lambda twist: (4, 4)),
-    library=exp_se3,
+    arguments={"twist": TWIST},
     tolerance=10 * EXACT,
-    sweeps=(
-        _sweep("a small rotation", lambda size: size, _SMALL_ANGLES),
-        _sweep("nearly half a revolution", lambda gap: np.pi - gap),
-        _sweep("nearly a revolution", lambda gap: 2 * np.pi - gap),
-    ),
+    library=exp_se3,
+    scale=lambda twist: np.abs(twist[3:]).max(),
+    says="p is where the origin arrives after unit time with the constant twist, T' = [V] T",
+    found=_found,
+    otherwise=_otherwise,
     properties=(
         LAST_ROW,
         Property(
@@ -119,31 +161,11 @@ EXERCISE = Exercise(
         ),
         Property(
             "p is at the end of an arc if v is perpendicular to omega",
-            _p_is_right,
-            says=_p_off,
+            lambda T, twist: _off(T, twist) <= 10 * EXACT * max(1.0, np.abs(twist[3:]).max()),
+            says=_found,
             where=_is_across,
-            mistake=_p_mistake,
+            mistake=_otherwise,
             points=1,
-        ),
-        Property(
-            "p is where the origin arrives after unit time with the constant twist, T' = [V] T",
-            _p_is_right,
-            says=_p_off,
-            mistake=_p_mistake,
-        ),
-        Property(
-            "a tiny rotation is a rotation too: R - I is [omega], to two digits",
-            lambda T, twist: (
-                np.abs(T[BLOCK] - np.eye(3) - hat(twist[:3])).max() <= 0.02 * _angle(twist)
-            ),
-            says=lambda T, twist: f"|omega| is {_angle(twist):.3g}.",
-            where=_is_small,
-        ),
-        Property(
-            "the part of p along omega x v, small as it is, is right to two digits",
-            _keeps_digits,
-            says=_p_off,
-            where=_is_small,
         ),
     ),
     hints=(
@@ -155,120 +177,70 @@ EXERCISE = Exercise(
         "np.cross(n, v).",
     ),
     forbidden=("course_lib.rigid.exp_se3",),
-)
-
-
-def _p(
-    twist, along=1.0, forward=np.sin, sideways=lambda a: 1 - np.cos(a), across=True, number=False
-):
-    """Return p with other factors; raises for twists that the given lines answer."""
-    a, v = _angle(twist), twist[3:]
-    if a < _GIVEN:
-        raise ValueError("so small an angle is not the student's")
-    n = twist[:3] / a
-    part = n @ v if number else (n @ v) * n
-    return along * part + (forward(a) * (v - across * part) + sideways(a) * np.cross(n, v)) / a
-
-
-@EXERCISE.mistake(
-    "p is v, or R v",
-    "This is the velocity at the beginning, or at the end, of the motion. Which velocity does the "
-    "origin have in between?",
-    part=COLUMN,
-    rotated=(0, 1, -1),
-)
-def p_is_v(twist, rotated):
-    return exp_so3(rotated * twist[:3]) @ twist[3:]
-
-
-@EXERCISE.mistake(
-    "the number n @ v stands for the part of v along n",
-    "Which vector along n has this length?",
-    part=COLUMN,
-)
-def number_for_the_part_along_the_axis(twist):
-    return _p(twist, number=True)
-
-
-@EXERCISE.mistake(
-    "the part of v along n is bent into the arc as well",
-    "Which part of v moves the origin straight along the axis?",
-    part=COLUMN,
-)
-def all_of_v_on_the_arc(twist):
-    return _p(twist, across=False)
-
-
-@EXERCISE.mistake(
-    "omega stands for n in the part of p along n x v, or this part has another factor",
-    "How long is n?",
-    part=COLUMN,
-)
-def omega_for_n(twist):
-    return _p(twist, sideways=lambda a: a * (1 - np.cos(a)))
-
-
-@EXERCISE.mistake(
-    "a factor in the formula of p is wrong, or a term is missing",
-    "Compute the three terms of p on paper for a = pi / 2. Which of them differs from yours?",
-    part=COLUMN,
-    factors=(
-        {"forward": lambda a: a * np.sin(a)},
-        {"forward": lambda a: a * np.sin(a), "sideways": lambda a: a * (1 - np.cos(a))},
-        {"along": 0},
-        {"forward": lambda a: 0},
-        {"forward": lambda a: 1 - np.cos(a), "sideways": np.sin},
+    mistakes=(
+        Mistake(
+            "p is v, or R v",
+            "This is the velocity at the beginning, or at the end, of the motion. Which velocity "
+            "does the origin have in between?",
+            *(lambda twist, k=k: exp_so3(k * twist[:3]) @ twist[3:] for k in (0, 1, -1)),
+            part=COLUMN,
+        ),
+        Mistake(
+            "the number n @ v stands for the part of v along n",
+            "Which vector along n has this length?",
+            _number_for_the_part_along_n,
+            part=COLUMN,
+        ),
+        Mistake(
+            "the part of v along n is bent into the arc as well",
+            "Which part of v moves the origin straight along the axis?",
+            _p(bent=lambda v, part: v),
+            part=COLUMN,
+        ),
+        Mistake(
+            "omega stands for n in the part of p along n x v, or this part has another factor",
+            "How long is n?",
+            _p(sideways=lambda a: a * (1 - np.cos(a))),
+            part=COLUMN,
+        ),
+        Mistake(
+            "a factor in the formula of p is wrong, or a term is missing",
+            "Compute the three terms of p on paper for a = pi / 2. Which of them differs from "
+            "yours?",
+            _p(forward=lambda a: a * np.sin(a)),
+            _p(forward=lambda a: a * np.sin(a), sideways=lambda a: a * (1 - np.cos(a))),
+            _p(along=0),
+            _p(forward=lambda a: 0),
+            _p(forward=lambda a: 1 - np.cos(a), sideways=np.sin),
+            part=COLUMN,
+        ),
+        Mistake(
+            "the step sideways, along n x v, is missing or has another sign",
+            "To which side of v does a rotation about n bend the path of the origin?",
+            _p(sideways=lambda a: 0),
+            _p(sideways=lambda a: np.cos(a) - 1),
+            _p(sideways=lambda a: 1 + np.cos(a)),
+            part=COLUMN,
+        ),
+        Mistake(
+            "p is left at zero",
+            "The given lines fill in the rotation: where do you fill in p?",
+            lambda twist: 0.0 * twist[3:] * _students_angle(twist),
+            part=COLUMN,
+        ),
+        Mistake(
+            "an angle beyond one revolution is wrapped, and v belongs to the whole angle",
+            "How often does the origin go round its circle while omega rotates by 20 rad?",
+            _wrapped(lambda a: a % (2 * np.pi)),
+            _wrapped(lambda a: np.angle(np.exp(1j * a))),
+            part=COLUMN,
+        ),
+        Mistake(
+            "the first terms of the series stand for angles that are too large",
+            "Up to which angle is the error of these terms less than the task allows, and with "
+            "which number do the given lines compare a?",
+            *map(_series_below, (5e-4, 2e-3, 2e-2, 0.2, 0.4)),
+            part=COLUMN,
+        ),
     ),
 )
-def factor_of_p(twist, factors):
-    return _p(twist, **factors)
-
-
-@EXERCISE.mistake(
-    "the step sideways, along n x v, is missing or has another sign",
-    "To which side of v does a rotation about n bend the path of the origin?",
-    part=COLUMN,
-    sideways=(lambda a: 0, lambda a: np.cos(a) - 1, lambda a: 1 + np.cos(a)),
-)
-def sideways_term(twist, sideways):
-    return _p(twist, sideways=sideways)
-
-
-@EXERCISE.mistake(
-    "p is left at zero",
-    "The given lines fill in the rotation: where do you fill in p?",
-    part=COLUMN,
-)
-def p_not_written(twist):
-    if _angle(twist) < _GIVEN:
-        raise ValueError("so small an angle is not the student's")
-    return np.zeros(3)
-
-
-@EXERCISE.mistake(
-    "an angle beyond one revolution is wrapped, and v belongs to the whole angle",
-    "How often does the origin go round its circle while omega rotates by 20 rad?",
-    part=COLUMN,
-    wrap=(lambda a: a % (2 * np.pi), lambda a: np.angle(np.exp(1j * a))),
-)
-def angle_wrapped(twist, wrap):
-    a = _angle(twist)
-    if a < 2 * np.pi:
-        return None
-    wrapped = abs(float(wrap(a)))
-    n = np.sign(wrap(a)) * twist[:3] / a
-    return _p(np.concatenate([wrapped * n, twist[3:]]))
-
-
-@EXERCISE.mistake(
-    "the first terms of the series stand for angles that are too large",
-    "Up to which angle is the error of these terms less than the task allows, and with which "
-    "number "
-    "do the given lines compare a?",
-    part=COLUMN,
-    below=(5e-4, 2e-3, 2e-2, 0.2, 0.4),
-)
-def series_too_far(twist, below):
-    if not _GIVEN <= _angle(twist) < below:
-        raise ValueError("this angle is answered by the formula, or by the given lines")
-    return twist[3:] + np.cross(twist[:3], twist[3:]) / 2
