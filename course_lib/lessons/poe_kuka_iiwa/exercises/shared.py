@@ -137,4 +137,5 @@ read_jacobian = numbers(lambda screws, *rest: (6, len(screws)))
 ONE_COLUMN = Mistake(
     "one column is returned, not a matrix of shape (6, n)",
     "Where does your loop collect the columns?",
+    form=(6,),
 )
