@@ -2,95 +2,83 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import Kind
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import LAST_ROW, is_rotation, pose
+from course_lib.checks.vocabulary import LAST_ROW, any_pose, any_rotation, is_rotation, near, pose
 from course_lib.lessons.rotations.exercises import shared
-from course_lib.lessons.rotations.exercises.shared import (
-    NOT_NEAREST,
-    damaged_rotations,
-    distances,
-    nearly_diagonal,
-    nearly_rotation,
-)
 from course_lib.rigid import nearest_se
-from course_lib.rotations import random_rotations
 
 
 def _damaged_pose(M, p):
     return pose(M, p[: len(M)], *(0.1 * np.arange(1, len(M) + 2)))
 
 
-def _cases(rng):
-    p, slightly = rng.normal(size=3), random_rotations(1, rng)[0] @ np.diag([1.003, 0.999, 1])
-    good = [pose(random_rotations(1, rng)[0], p), np.eye(3), np.eye(4)]
+def _damaged_poses(rng):
+    p = rng.normal(size=3)
+    slightly = any_rotation(rng) @ np.diag([1.003, 0.999, 1])
     whole = pose(shared.SINGULAR, [1.0, 2.0, 3.0], 4.0, 3.0, 2.0, 1.0)
-    good.append(whole)
-    return [(T,) for T in [_damaged_pose(M, p) for M in [*damaged_rotations(rng), slightly]] + good]
+    damaged = [_damaged_pose(M, p) for M in (*shared.damaged_rotations(rng), slightly)]
+    return [*damaged, any_pose(rng), np.eye(3), np.eye(4), whole]
 
 
-def _small(rng, size):
-    """A pose that is nearly the identity, and damaged."""
-    return (pose(nearly_diagonal(rng, size), size * rng.uniform(-0.9, 0.9, 3), *[0.1] * 4),)
+def _nearly_the_identity(rng, size):
+    block = shared.nearly_diagonal(rng, size)
+    return pose(block, size * rng.uniform(-0.9, 0.9, 3), *[0.1] * 4)
 
 
-def _nearly(rng, gap):
-    """A pose but for small errors in its block and in its last row."""
+def _nearly_a_pose(rng, gap):
+    """Return a pose but for small errors in its block and in its last row."""
     row = np.array([0, 0, 0, 1]) + gap * rng.uniform(-0.9, 0.9, 4)
-    return (pose(nearly_rotation(rng, gap), rng.normal(size=3), *row),)
+    return pose(shared.nearly_rotation(rng, gap), rng.normal(size=3), *row)
 
 
-def _is_pose(T):
-    return is_rotation(T[:-1, :-1]) and np.array_equal(T[-1], np.eye(len(T))[-1])
+DAMAGED = Kind(
+    drawn=lambda rng: _damaged_pose(any_rotation(rng) @ np.diag([2.0, 1, 0.5]), rng.normal(size=3)),
+    named=_damaged_poses,
+    beside=(
+        ("small entries", _nearly_the_identity, SMALL_NUMBERS),
+        ("nearly a pose", _nearly_a_pose, SMALL),
+    ),
+)
 
 
-EXERCISE = Exercise(
-    name="nearest_se",
+def _found(X, T):
+    block = X[:-1, :-1]
+    return shared.distances(block, T[:-1, :-1]) if is_rotation(block) else ""
+
+
+def _otherwise(X, T):
+    if not near(X[-1], np.eye(len(T))[-1]):
+        return LAST_ROW.mistake
+    if not near(X[:-1, -1], T[:-1, -1]):
+        return Mistake("the translation is changed", "Only the block and the last row need repair.")
+    if is_rotation(X[:-1, :-1]):
+        return shared.NOT_NEAREST
+    return Mistake(
+        "the block is not a rotation", "Which of your functions makes a rotation of a matrix?"
+    )
+
+
+EXERCISE = declared(
+    "nearest_se",
     points=2,
-    arguments=("T",),
+    arguments={"T": DAMAGED},
     tolerance=EXACT,
-    cases=_cases,
-    sweeps=(
-        Sweep("small entries", _small, SMALL_NUMBERS),
-        Sweep("nearly a pose", _nearly, SMALL),
-    ),
-    returns=numbers(np.shape),
     library=nearest_se,
-    properties=(
-        LAST_ROW,
-        Property(
-            "the translation (the last column) stays as it is",
-            lambda X, T: np.abs(X[:-1, -1] - T[:-1, -1]).max() < EXACT,
-            mistake=Mistake(
-                "the translation is changed", "Only the block and the last row need repair."
-            ),
-        ),
-        Property(
-            "the block is a rotation",
-            lambda X, T: is_rotation(X[:-1, :-1]),
-            mistake=Mistake(
-                "the block is not a rotation",
-                "Which of your functions makes a rotation of a matrix?",
-            ),
-        ),
-        Property(
-            "a pose comes back unchanged", lambda X, T: np.abs(X - T).max() < EXACT, where=_is_pose
-        ),
-        Property(
-            "the block is the rotation nearest to that of T",
-            lambda X, T: np.linalg.norm(X - nearest_se(T)) < EXACT,
-            says=lambda X, T: distances(X[:-1, :-1], T[:-1, :-1]),
-            mistake=NOT_NEAREST,
-        ),
-    ),
+    says="the block is the rotation nearest to that of T, the translation (the last column) stays "
+    "as it is, and the last row is (0, ..., 0, 1)",
+    found=_found,
+    otherwise=_otherwise,
     hints=(
         "Three parts: the block T[:-1, :-1], the translation T[:-1, -1], the last row. Which of "
         "them need repair?",
         "With n = len(T) - 1 the same lines serve SE(2) and SE(3).",
         "Start from np.eye(len(T)); put nearest_so of the block and the translation into it.",
     ),
+    mistakes=(),
     forbidden=("course_lib.rigid.nearest_se", "course_lib.rotations.nearest_so"),
     builds_on=("nearest_so",),
 )
