@@ -1,15 +1,18 @@
 """matrix_to_quaternion: from a rotation matrix to a unit quaternion, near 180 degrees too."""
 
-from itertools import permutations, product
+from itertools import permutations
 
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.special_cases import Sweep
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import ROTATION, half_turn
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import SIX_DIGITS
 from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
+
+_SMALL = 1e-2
 
 
 def _leaning_axis(rng, largest):
@@ -24,136 +27,61 @@ def _leaning_axis(rng, largest):
 
 
 def _cases(rng):
-    quarter = [exp_so3(np.pi / 2 * e) for e in np.eye(3)]
-    half = [np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]), np.diag([-1.0, -1, 1])]
-    half.append(np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, -1]]))
-    random = rng.normal(size=(2, 3))
-    generic = [exp_so3(a * n / np.linalg.norm(n)) for a, n in zip([0.5, 2.0], random, strict=True)]
-    # about axes of which x, y, z is the largest entry one after another: w smaller than it, nearly
-    # 0, and 0
-    leaning = [_leaning_axis(rng, k) for k in range(3)]
-    near = [
-        exp_so3(a * n) for a in (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9) for n in leaning
+    x, y, z = np.eye(3)
+    leaning = [_leaning_axis(rng, largest) for largest in range(3)]
+    # in the coordinate planes, so that one of x, y, z is 0
+    flat = [
+        sign * np.cos(slope) * i + np.sin(slope) * j
+        for i, j in permutations((x, y, z), 2)
+        for sign, slope in ((1, rng.uniform(0.55, 0.68)), (-1, rng.uniform(0.55, 0.68)))
     ]
-    # about axes in the coordinate planes, for which one of x, y, z is 0
-    flat = []
-    for (i, j), sign in product(permutations(range(3), 2), (1, -1)):
-        slope = rng.uniform(0.55, 0.68)
-        flat.append(sign * np.cos(slope) * np.eye(3)[i] + np.sin(slope) * np.eye(3)[j])
-    exact = [2 * np.outer(n, n) - np.eye(3) for n in [*leaning, *flat]]
-    middling = [exp_so3(2.1 * n) for n in flat]
-    wide = [exp_so3(3.0 * e) for e in np.eye(3)]  # w is small, and two other entries are 0
-    return [(R,) for R in [*quarter, *generic, np.eye(3), *wide, *middling, *near, *half, *exact]]
+    nearly_half = (2.5, np.pi - 3.1e-4, np.pi - 1e-6, np.pi - 1e-9)
+    rotations = [
+        *(exp_so3(np.pi / 2 * axis) for axis in (x, y, z)),
+        *(exp_so3(3.0 * axis) for axis in (x, y, z)),  # w is small, and two other entries are 0
+        *(exp_so3(2.1 * axis) for axis in flat),
+        *(exp_so3(angle * axis) for angle in nearly_half for axis in leaning),
+        *map(half_turn, (*leaning, *flat)),
+    ]
+    return [(R,) for R in rotations]
 
 
-def _nearly_half(largest):
-    """Rotations by nearly pi about an axis of which this entry is the largest, of any signs."""
-
-    def case(rng, gap):
-        return (exp_so3((np.pi - gap) * _leaning_axis(rng, largest)),)
-
-    return Sweep("an angle just below pi", case)
-
-
-def _tiny(rng, angle):
-    return (exp_so3(angle * _leaning_axis(rng, 0)),)
+def _found(q, R):
+    trace = np.trace(R)
+    return (
+        f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {trace:.6g}, so w^2 = (1 + trace) / 4 "
+        f"is {(1 + trace) / 4:.2g}."
+    )
 
 
-def _right_up_to_sign(q, R):
-    return distance_up_to_sign(q, matrix_to_quaternion(R)) < SIX_DIGITS
-
-
-def _near_half_turn(R):
-    return np.trace(R) < -1 + 1e-6
-
-
-EXERCISE = Exercise(
-    name="matrix_to_quaternion",
-    points=3,
-    arguments=("R",),
-    tolerance=SIX_DIGITS,
-    cases=_cases,
-    small=("R",),
-    sweeps=(Sweep("a small angle", _tiny), *(_nearly_half(k) for k in range(3))),
-    returns=numbers(lambda R: (4,), gaps=True),
-    library=matrix_to_quaternion,
-    alike=same_up_to_sign,
-    distance=distance_up_to_sign,
-    properties=(
-        Property(
-            "q, or -q, is the quaternion of R",
-            _right_up_to_sign,
-            says=lambda q, R: (
-                f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {np.trace(R):.6g}, so w^2 = (1 "
-                f"+ trace) / 4 is "
-                f"{(1 + np.trace(R)) / 4:.2g}."
-            ),
-            where=lambda R: not _near_half_turn(R),
-        ),
-        Property(
-            "q, or -q, is the quaternion of R, near 180 degrees too",
-            _right_up_to_sign,
-            says=lambda q, R: f"w^2 = (1 + trace) / 4 is {(1 + np.trace(R)) / 4:.2g} here.",
-        ),
-    ),
-    hints=(
-        "The diagonal of R gives the four squares. At least one of them is 1/4 or more.",
-        "Take the root of the largest square; the three products that contain this entry give the "
-        "others.",
-        "For example, if x is the largest: x = sqrt(1 + R00 - R11 - R22) / 2, w = (R21 - R12) / (4 "
-        "x), "
-        "y = (R10 + R01) / (4 x), z = (R02 + R20) / (4 x).",
-    ),
-    forbidden=(
-        "course_lib.rotations.matrix_to_quaternion",
-        "course_lib.rotations.log_so3",
-        "scipy.spatial.transform.Rotation",
-    ),
-)
-
-
-def _vector_over_w(R):
+def _skew_part(R):
     return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
 
 
-def _is_divided_by_little(q, R):
-    """Whether q is nan, or near 180 degrees its vector part has the direction of R - R^T, which may
-    be 0, and not the right length."""
-    if np.isfinite(q).all() and distance_up_to_sign(q, matrix_to_quaternion(R)) < 1e-4:
-        return False
-    if not np.isfinite(q).all() or not _near_half_turn(R):
-        return not np.isfinite(q).all()
-    along = _vector_over_w(R)
-    parallel = np.abs(np.cross(q[1:], along)).max() < 1e-6 * np.linalg.norm(q[1:]) * np.linalg.norm(
-        along
-    )
-    return bool(parallel if along.any() else 0 < np.linalg.norm(q) < 1e-3)
-
-
-@EXERCISE.mistake(
-    "something that is nearly 0 serves as the divisor",
-    "Any of w, x, y, z, or the sine, can be small, but not all of w, x, y, z at once. Which one "
-    "is a safe divisor?",
-    seen=_is_divided_by_little,
-)
-def divided_by_w(R):
+def _divided_by_w(R):
     w = np.sqrt(max(1 + np.trace(R), 0)) / 2
-    return np.array([w, *(_vector_over_w(R) / (4 * w))])
+    return np.array([w, *(_skew_part(R) / (4 * w))])
 
 
-@EXERCISE.mistake(
-    "the answer is the quaternion of the inverse rotation",
-    "R[2, 1] - R[1, 2] is 4 w x: for a rotation by a small angle about x, which of the two entries "
-    "is positive?",
-)
-def of_the_inverse(R):
-    return matrix_to_quaternion(R.T)
+def _is_divided_by_little(q, R):
+    """Return whether q is not of length one, although 4 w times its vector part is that of R - R^T:
+    w was the divisor. Where R - R^T is 0, q is nan, or nearly 0."""
+    if not np.isfinite(q).all():
+        return True
+    along, length = _skew_part(R), np.linalg.norm(q)
+    if not along.any():
+        return 0 < length < 1e-3
+    off = np.linalg.norm(4 * q[0] * q[1:] - along)
+    return abs(length - 1) > 1e-6 and off < 1e-6 * np.linalg.norm(along)
 
 
-_SMALL = 1e-2
+def _by_four_roots(R):
+    """Return the right signs times four roots, none of them guarded against rounding."""
+    squares = 1 + np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) @ np.diag(R)
+    return np.sign(matrix_to_quaternion(R)) * np.sqrt(squares) / 2
 
 
-def _right_but_for_signs(q, R):
+def _is_right_but_for_signs(q, R):
     if not np.isfinite(q).all():
         return False
     right = np.abs(matrix_to_quaternion(R))
@@ -163,20 +91,63 @@ def _right_but_for_signs(q, R):
     return np.allclose(np.abs(q) * (q != 0), right * (q != 0), atol=1e-6)
 
 
-@EXERCISE.mistake(
-    "the signs of w, x, y, z do not fit together, or 0 is taken for a sign",
-    "The diagonal gives squares only. Which entries of R hold the product of two of the four, and "
-    "which of them are not 0 if one of w, x, y, z is 0?",
-    seen=_right_but_for_signs,
+EXERCISE = declared(
+    "matrix_to_quaternion",
+    points=3,
+    arguments={"R": ROTATION},
+    tolerance=SIX_DIGITS,
+    cases=_cases,
+    reads=numbers(lambda R: (4,), gaps=True),
+    library=matrix_to_quaternion,
+    alike=same_up_to_sign,
+    distance=distance_up_to_sign,
+    says="q, or -q, is the quaternion of R, near 180 degrees too",
+    found=_found,
+    hints=(
+        "The diagonal of R gives the four squares. At least one of them is 1/4 or more.",
+        "Take the root of the largest square; the three products that contain this entry give the "
+        "others.",
+        "For example, if x is the largest: x = sqrt(1 + R00 - R11 - R22) / 2, w = (R21 - R12) / (4 "
+        "x), y = (R10 + R01) / (4 x), z = (R02 + R20) / (4 x).",
+    ),
+    forbidden=(
+        "course_lib.rotations.matrix_to_quaternion",
+        "course_lib.rotations.log_so3",
+        "scipy.spatial.transform.Rotation",
+    ),
+    mistakes=(
+        Mistake(
+            "something is divided by 0, or the root of a negative number is taken",
+            "Rounding may take a square that should be 0 just below 0, and each of w, x, y, z is 0 "
+            "for some rotations. For this R, which of your lines gives the first nan or inf?",
+            _by_four_roots,
+            seen=lambda q, R: not np.isfinite(q).all(),
+        ),
+        Mistake(
+            "something that is nearly 0 serves as the divisor",
+            "Any of w, x, y, z, or the sine, can be small, but not all of w, x, y, z at once. "
+            "Which one is a safe divisor?",
+            _divided_by_w,
+            seen=_is_divided_by_little,
+        ),
+        Mistake(
+            "the answer is the quaternion of the inverse rotation",
+            "R[2, 1] - R[1, 2] is 4 w x: for a rotation by a small angle about x, which of the two "
+            "entries is positive?",
+            lambda R: matrix_to_quaternion(R.T),
+        ),
+        Mistake(
+            "the signs of w, x, y, z do not fit together, or 0 is taken for a sign",
+            "The diagonal gives squares only. Which entries of R hold the product of two of the "
+            "four, and which of them are not 0 if one of w, x, y, z is 0?",
+            lambda R: np.abs(matrix_to_quaternion(R)),
+            seen=_is_right_but_for_signs,
+        ),
+        Mistake(
+            "q has not length one",
+            "Divide the products of two entries by 4 times the entry that is known, and check |q|.",
+            lambda R: 2 * matrix_to_quaternion(R),
+            seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3,
+        ),
+    ),
 )
-def signs_lost(R):
-    return np.abs(matrix_to_quaternion(R))
-
-
-@EXERCISE.mistake(
-    "q has not length one",
-    "Divide the products of two entries by 4 times the entry that is known, and check |q|.",
-    seen=lambda q, R: abs(np.linalg.norm(q) - 1) > 1e-3,
-)
-def not_of_length_one(R):
-    return 2 * matrix_to_quaternion(R)
