@@ -3,7 +3,6 @@ adjoints."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
@@ -133,7 +132,6 @@ def in_blocks(T, form):
     return np.block(form(T[BLOCK], hat(T[COLUMN]), np.zeros((3, 3))))
 
 
-read_jacobian = numbers(lambda screws, *rest: (6, len(screws)))
 ONE_COLUMN = Mistake(
     "one column is returned, not a matrix of shape (6, n)",
     "Where does your loop collect the columns?",
