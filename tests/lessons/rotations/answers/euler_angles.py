@@ -58,3 +58,13 @@ def wrong_lock_within_three_millionths(R):
     if np.hypot(R[0, 0], R[1, 0]) < 3e-6:
         return np.array([0.0, np.copysign(np.pi / 2, -R[2, 0]), np.arctan2(-R[0, 1], R[1, 1])])
     return right_two_branches(R)
+
+
+def wrong_arcsin_and_the_lock_from_1e_6(R):
+    """near gimbal lock the formula for the exact lock is used too soon"""
+    sine = np.clip(-R[2, 0], -1, 1)
+    if abs(sine) > 1 - 1e-6:
+        return np.array([0.0, np.arcsin(sine), np.arctan2(-R[0, 1], R[1, 1])])
+    return np.array(
+        [np.arctan2(R[2, 1], R[2, 2]), np.arcsin(sine), np.arctan2(R[1, 0], R[0, 0])],
+    )
