@@ -3,12 +3,17 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property, same
+from course_lib.checks.kinds import QUATERNION, number
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign, unit
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
 from course_lib.rotations import nearest_quaternion, random_quaternions
+
+_NEARLY_EQUAL = 1e-3  # rad
 
 
 def _power(q, t):
@@ -43,25 +48,19 @@ def _apart(rng, angle, sign=1):
 
 
 def _cases(rng):
-    x, z = np.eye(3)[0], np.eye(3)[2]
-    pairs = [(_about(z, 0), _about(z, np.pi / 2), 0.5), (_about(x, 0.2), _about(x, 1.4), 0.25)]
-    pairs += [
-        (*_apart(rng, angle), t)
-        for angle, t in ((1.0, 0.3), (2.5, 0.8), (2.0, 0.0), (2.0, 1.0), (0.05, 0.3), (0.02, 0.2))
-    ]
-    pairs += [(*_apart(rng, angle, -1), t) for angle, t in ((1.0, 0.3), (2.5, 0.7))]
-    pairs += [
-        (*_apart(rng, angle), t)
-        for angle, t in ((1.2e-3, 0.4), (1e-5, 0.4), (1e-6, 0.4), (1e-9, 0.5))
-    ]
-    pairs += [
-        (np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 1e-8, 0]), 0.5)
-    ]  # of which the cosine is 1
-    pairs += [
-        (_about(x, 3.0), _about(x, 3.6), 0.5)
-    ]  # the shorter arc is between scalars of opposite sign
+    x, z = np.eye(3)[[0, 2]]
+    pairs = ((1.0, 1), (2.5, 1), (1.0, -1), (2.5, -1), (0.05, 1), (0.02, 1), (1.2e-3, 1))
+    pairs += ((1e-5, 1), (1e-6, 1), (1e-9, 1))
     q = max(random_quaternions(50, rng), key=lambda q: q @ q)  # by rounding, q . q is just above 1
-    return [*pairs, (q, q, 0.3), (q, -q, 0.3)]
+    return [
+        (_about(z, 0), _about(z, np.pi / 2), 0.5),
+        (_about(x, 0.2), _about(x, 1.4), 0.25),
+        *((*_apart(rng, *pair), 0.3) for pair in pairs),
+        (_about(x, 0), np.array([1.0, 0, 1e-8, 0]), 0.5),  # of which the cosine is 1
+        (_about(x, 3.0), _about(x, 3.6), 0.5),  # the shorter arc: scalars of opposite sign
+        (q, q, 0.3),
+        (q, -q, 0.3),
+    ]
 
 
 def _nearly_equal(sign):
@@ -82,17 +81,62 @@ def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
 
-def _is_right(q, q0, q1, t):
-    return distance_up_to_sign(q, slerp(q0, q1, t)) < EXACT
+def _found(q, q0, q1, t):
+    length = np.linalg.norm(q)
+    if not abs(length - 1) < EXACT:
+        return f"The answer has length one. The length of yours is {length:.6g}."
+    return (
+        f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is "
+        f"{_angle_of(q0, q):.7g} rad from q0. q0 . q1 is {q0 @ q1:.4g}."
+    )
 
 
-EXERCISE = Exercise(
-    name="slerp",
+def _is_on_the_longer_arc(q, q0, q1, t):
+    """Return whether q lies at t on the longer arc.
+
+    Between rotations that are nearly equal that arc is nearly half of a circle, of which formulas
+    lose the direction.
+    """
+    return q0 @ q1 < 0 and same_up_to_sign(q, _along(q0, q1, t))
+
+
+def _exactly(q, predicted, *case):
+    return any(same(q, sign * predicted, tolerance=1e-11) for sign in (1, -1))
+
+
+def _chord(size, end=_shorter):
+    """Return the answer on the straight line, made of length one or not."""
+    return lambda q0, q1, t: size((1 - t) * q0 + t * end(q0, q1))
+
+
+def _as_it_is(q):
+    return q
+
+
+def _is_on_the_chord(q, *case):
+    """Return whether q lies at t on the straight line, and may have been divided by its length."""
+    return any(_exactly(q, _chord(size)(*case)) for size in (_as_it_is, nearest_quaternion))
+
+
+def _chord_below(size, bound):
+    def answer(q0, q1, t):
+        near = _angle_of(q0, q1) < 2 * bound
+        return _chord(size)(q0, q1, t) if near else slerp(q0, q1, t)
+
+    return answer
+
+
+EXERCISE = declared(
+    "slerp",
     points=2,
-    arguments=("q0", "q1", "t"),
+    arguments={
+        "q0": QUATERNION.but(beside=()),
+        "q1": QUATERNION.but(beside=()),
+        "t": number(0, 1, 0.3, 0.0, 1.0, 0.999),
+    },
     tolerance=EXACT,
     cases=_cases,
-    returns=numbers(lambda q0, q1, t: (4,), gaps=True),
+    reads=numbers(lambda q0, q1, t: (4,), gaps=True),
     library=slerp,
     alike=same_up_to_sign,
     distance=distance_up_to_sign,
@@ -103,95 +147,51 @@ EXERCISE = Exercise(
     ),
     properties=(
         Property(
-            "the answer has length one",
-            lambda q, q0, q1, t: abs(np.linalg.norm(q) - 1) < EXACT,
-            says=lambda q, q0, q1, t: f"Its length is {np.linalg.norm(q):.6g}.",
-            where=lambda q0, q1, t: _angle_of(q0, q1) > 1e-3,
-        ),
-        Property(
             "the angle from q0 is t times the angle from q0 to q1, along the shorter arc",
-            _is_right,
-            says=lambda q, q0, q1, t: (
-                f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is "
-                f"{_angle_of(q0, q):.7g} rad "
-                f"from q0. q0 . q1 is {q0 @ q1:.4g}."
-            ),
-            where=lambda q0, q1, t: _angle_of(q0, q1) > 1e-3,
+            lambda q, *case: distance_up_to_sign(q, slerp(*case)) < EXACT,
+            says=_found,
+            where=lambda q0, q1, t: _angle_of(q0, q1) > _NEARLY_EQUAL,
         ),
-        Property(
-            "two nearly equal or equal rotations are no exception",
-            _is_right,
-            says=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
-            mistake=Mistake(
-                "digits are lost, or all of them, where two rotations are nearly equal",
-                "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0"
-                " is a bad divisor. For nearly equal quaternions the arc is nearly straight: which"
-                " simpler formula is good enough there, and from which angle on?",
-            ),
-        ),
+    ),
+    says="two nearly equal or equal rotations are no exception",
+    found=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
+    otherwise=Mistake(
+        "digits are lost, or all of them, where two rotations are nearly equal",
+        "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0 is a "
+        "bad divisor. For nearly equal quaternions the arc is nearly straight: which simpler "
+        "formula is good enough there, and from which angle on?",
     ),
     hints=(
         "Draw the arc on the unit sphere. How long is it, and which of q1 and -q1 is nearer to q0?",
-        (
-            "The arc phi has the cosine q0 . q1. The weights are sin((1 - t) phi) and sin(t phi), "
-            "divided by sin(phi)."
-        ),
+        "The arc phi has the cosine q0 . q1. The weights are sin((1 - t) phi) and sin(t phi), "
+        "divided by sin(phi).",
         "If phi is below about 1e-6, (1 - t) q0 + t q1 is accurate enough.",
     ),
     forbidden=("scipy.spatial.transform.Slerp", "scipy.spatial.transform.Rotation"),
+    mistakes=(
+        Mistake(
+            "the longer arc is taken",
+            "q1 and -q1 are the same rotation: which of them is nearer to q0?",
+            _along,
+            seen=_is_on_the_longer_arc,
+        ),
+        Mistake(
+            "the quaternions are mixed on the straight line between them",
+            "The points are evenly spaced on the chord, not on the arc: near its middle the "
+            "rotation is faster.",
+            _chord(nearest_quaternion),
+            _chord(_as_it_is),
+            _chord(nearest_quaternion, lambda q0, q1: q1),
+            _chord(_as_it_is, lambda q0, q1: q1),
+        ),
+        Mistake(
+            "the straight line is taken at angles where it differs from the arc",
+            "From which angle on does your function take it, and how many digits are right there?",
+            _chord_below(nearest_quaternion, 0.03),
+            _chord_below(_as_it_is, 0.03),
+            _chord_below(_as_it_is, 1e-3),
+            alike=_exactly,
+            seen=_is_on_the_chord,
+        ),
+    ),
 )
-
-
-def _on_the_longer_arc(q, q0, q1, t):
-    """Return whether q lies at t on the longer arc.
-
-    Between rotations that are nearly equal that arc is nearly half of a circle, of which formulas
-    lose the direction.
-    """
-    return q0 @ q1 < 0 and same_up_to_sign(q, _along(q0, q1, t))
-
-
-@EXERCISE.mistake(
-    "the longer arc is taken",
-    "q1 and -q1 are the same rotation: which of them is nearer to q0?",
-    seen=_on_the_longer_arc,
-)
-def longer_arc(q0, q1, t):
-    return _along(q0, q1, t)
-
-
-@EXERCISE.mistake(
-    "the quaternions are mixed on the straight line between them",
-    "The points are evenly spaced on the chord, not on the arc: near its middle the rotation is "
-    "faster.",
-    end=(_shorter, lambda q0, q1: q1),
-    size=(nearest_quaternion, lambda q: q),
-)
-def straight_chord(q0, q1, t, end, size):
-    return size((1 - t) * q0 + t * end(q0, q1))
-
-
-def _exactly(q, predicted, *case):
-    return any(same(q, sign * predicted, tolerance=1e-11) for sign in (1, -1))
-
-
-def _on_the_chord(q, q0, q1, t):
-    """Return whether q lies at t on the straight line, and may have been divided by its length."""
-    chord = (1 - t) * q0 + t * _shorter(q0, q1)
-    return _exactly(q, chord) or _exactly(q, nearest_quaternion(chord))
-
-
-@EXERCISE.mistake(
-    "the straight line is taken at angles where it differs from the arc",
-    "From which angle on does your function take it, and how many digits are right there?",
-    of=((nearest_quaternion, 0.03), (lambda q: q, 0.03), (lambda q: q, 1e-3)),
-    alike=_exactly,
-    seen=_on_the_chord,
-)
-def chord_too_early(q0, q1, t, of):
-    size, below = of
-    return (
-        size((1 - t) * q0 + t * _shorter(q0, q1))
-        if _angle_of(q0, q1) < 2 * below
-        else slerp(q0, q1, t)
-    )
