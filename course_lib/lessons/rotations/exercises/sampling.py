@@ -2,20 +2,24 @@
 
 import numpy as np
 
+from course_lib.checks.comparisons import attempt
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import Seed
 
 LEVEL = 1e-6  # each test rejects a right sampler for one seed in a million
 MANY = 20_000
+SEVERAL = 2_000  # of two seeds, which are compared
 CIRCLE = (-np.pi, np.pi)
 _EDGES = range(0, 181, 30)  # degrees: of the intervals in which messages count rotation angles
 
 
 def cases(rng):
-    """Return the arguments of a sampler: a few draws, the same again, others, and many."""
-    first, second, third = (Seed(int(s)) for s in rng.integers(2**31, size=3))
-    return [(3, first), (3, first), (3, second), (1, first), (MANY, third)]
+    """Return the arguments of a sampler: a few draws, the same again, others, many, and several of
+    two seeds."""
+    first, second, third, *two = (Seed(int(s)) for s in rng.integers(2**31, size=5))
+    few = [(3, first), (3, first), (3, second), (1, first)]
+    return [*few, (MANY, third), *((SEVERAL, seed) for seed in two)]
 
 
 def many(n, rng):
@@ -26,6 +30,14 @@ def many(n, rng):
 def of_many(seen):
     """Return a Mistake's seen(value, n, rng) that looks at the case of many draws only."""
     return lambda value, n, rng: n == MANY and bool(seen(value))
+
+
+def _has_a_common_draw(values, cases):
+    """Return the position of the other seed if one of its draws, or its negative, is that of the
+    first seed."""
+    pairs = zip(values[0], values[2], strict=True)
+    common = [np.allclose(a, b) or np.allclose(a, -b) for a, b in pairs]
+    return 2 if any(common) else None
 
 
 DRAWS = (
@@ -45,6 +57,15 @@ DRAWS = (
         across=True,
         mistake=Mistake(
             "a generator is made inside the function", "Use the rng that is passed in."
+        ),
+    ),
+    Property(
+        "with another seed each of the n draws is another one",
+        _has_a_common_draw,
+        across=True,
+        mistake=Mistake(
+            "a draw is the same for every seed",
+            "Which of the n is it? Each of them needs numbers from the rng that is passed in.",
         ),
     ),
     Property(
@@ -214,6 +235,26 @@ _CROWDED = Mistake(
 )
 
 
+def _p_value_between(one, other):
+    """Return the least p-value of the rotations from draws to others, which are uniform, too, if
+    the draws are independent."""
+    back = np.swapaxes(one, 1, 2)
+    between = back @ other, other @ back
+    images = [axis_p_value(R, axis) for R in between for axis in range(3)]
+    return min(angle_p_value(between[0]), *images)
+
+
+def _depends_on_the_other_seed(matrices):
+    """Return the holds(values, cases) of draws of two seeds that are independent."""
+
+    def position(values, cases):
+        one, other = (attempt(matrices, value) for value in values[-2:])
+        p_value = attempt(_p_value_between, one, other)  # None for what are no rotations
+        return len(values) - 1 if p_value is not None and p_value <= LEVEL else None
+
+    return position
+
+
 def uniform_rotations(matrices):
     """Return the properties of uniform rotations; matrices(value): the rotations of an answer."""
     return (
@@ -244,6 +285,16 @@ def uniform_rotations(matrices):
             "where e_z lands is independent of the rotation about it",
             lambda value, n, rng: cells_p_value(arvo(matrices(value)), ARVO_RANGES, 6) > LEVEL,
             where=many,
+        ),
+        Property(
+            "draws of two seeds are independent",
+            _depends_on_the_other_seed(matrices),
+            across=True,
+            mistake=Mistake(
+                "some of the numbers do not come from rng",
+                "Does another generator, or a number that is always the same, decide a part of "
+                "each rotation? Every random number comes from the rng passed in.",
+            ),
         ),
     )
 

@@ -34,3 +34,30 @@ def wrong_yield(n, rng):
 def wrong_float32(n, rng):
     """the seven digits of float32"""
     return right_normal_numbers(n, rng).astype(np.float32)
+
+
+def wrong_first_is_the_identity(n, rng):
+    """a draw is the same for every seed"""
+    q = right_normal_numbers(n, rng)
+    q[0] = rng.choice([-1, 1]), 0, 0, 0
+    return q
+
+
+def wrong_lengths_from_a_generator_of_its_own(n, rng):
+    """some of the numbers do not come from rng"""
+    s, (x1, x2) = np.random.default_rng(1).random(n), rng.random((2, n))
+    near, far = np.sqrt(1 - s), np.sqrt(s)
+    one, two = 2 * np.pi * x1, 2 * np.pi * x2
+    return np.stack(
+        [np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1
+    )
+
+
+def wrong_an_angle_from_a_generator_of_its_own(n, rng):
+    """some of the numbers do not come from rng"""
+    (s, x1), x2 = rng.random((2, n)), np.random.default_rng(1).random(n)
+    near, far = np.sqrt(1 - s), np.sqrt(s)
+    one, two = 2 * np.pi * x1, 2 * np.pi * x2
+    return np.stack(
+        [np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1
+    )

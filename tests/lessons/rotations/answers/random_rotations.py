@@ -30,3 +30,26 @@ def wrong_nearest_to_even_entries(n, rng):
     U, _, Vt = np.linalg.svd(rng.random((n, 3, 3)))
     U[:, :, -1] *= np.linalg.det(U @ Vt)[:, None]
     return U @ Vt
+
+
+def wrong_first_is_the_identity(n, rng):
+    """a draw is the same for every seed"""
+    R = right_qr_of_normal_numbers(n, rng)
+    R[0] = np.eye(3)
+    return R
+
+
+def wrong_poles_from_a_generator_of_its_own(n, rng):
+    """some of the numbers do not come from rng"""
+    x2, x3 = np.random.default_rng(1).random((2, n))
+    phi, z = 2 * np.pi * x2, x3
+    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
+    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(2 * np.pi * rng.random(n))
+
+
+def wrong_angles_from_a_generator_of_its_own(n, rng):
+    """some of the numbers do not come from rng"""
+    phi, z = 2 * np.pi * rng.random(n), rng.random(n)
+    V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
+    own = np.random.default_rng(1).random(n)
+    return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(2 * np.pi * own)
