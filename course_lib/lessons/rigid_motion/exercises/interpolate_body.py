@@ -44,6 +44,7 @@ def rotating_cases(rng):
         *beyond.reshape(2, 2),
         (0.3, 1.2 + 2 * shared.REVOLUTION),
         (-0.5, -1.8 - 3 * shared.REVOLUTION),
+        (0.3, 1.2 + 16 * shared.REVOLUTION),
     ]
     directions += [
         (4.0, 5.2 - shared.REVOLUTION),
