@@ -69,3 +69,9 @@ def wrong_small_rotations_taken_for_none(R):
     """unnamed"""
     q = right_four_branches(R)
     return q if np.linalg.norm(q[1:]) > 4e-6 else np.array([1.0, 0, 0, 0])
+
+
+def wrong_axis_of_length_two_near_180_degrees(R):
+    """q has not length one"""
+    q = np.array(right_four_branches(R))
+    return 2 * q if np.trace(R) < -1 + 1e-6 else q
