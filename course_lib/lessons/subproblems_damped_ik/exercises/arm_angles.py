@@ -10,8 +10,11 @@ from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
+    BENDS,
     ELBOW,
+    FOLDED,
     SHOULDER,
+    STRETCHED,
     WRIST,
     arm_solutions,
     bent,
@@ -32,6 +35,20 @@ def _cases(rng):
 def _nearly_in_a_plane(rng, size):
     """A center that is nearly in the plane of the arm at q1 = 0."""
     return (center_of([size, *rng.uniform(0.3, 1.2, 2)]),)
+
+
+def _nearly_straight(rng, bend):
+    """A center within reach of an arm that is nearly stretched or folded; `bend` is negative for
+    the latter."""
+    q1, q2 = rng.uniform(0.3, 1.2, 2) * rng.choice([-1, 1], 2)
+    return (center_of([q1, q2, (STRETCHED if bend > 0 else FOLDED) + bend]),)
+
+
+def _nearly_above(rng, radius):
+    """A center that is nearly above the shoulder: q2 takes it there on either side."""
+    angle = rng.uniform(-np.pi, np.pi)
+    aside = [radius * np.cos(angle), radius * np.sin(angle)]
+    return (SHOULDER + np.array([*aside, rng.uniform(0.3, 0.5)]),)
 
 
 def _misses(q, center):
@@ -73,7 +90,11 @@ EXERCISE = Exercise(
     arguments=("center",),
     tolerance=SOLVED,
     cases=_cases,
-    sweeps=(Sweep("a small q1", _nearly_in_a_plane, SMALL_NUMBERS),),
+    sweeps=(
+        Sweep("a small q1", _nearly_in_a_plane, SMALL_NUMBERS),
+        Sweep("an arm nearly stretched, or folded", _nearly_straight, BENDS),
+        Sweep("a center nearly above the shoulder", _nearly_above, SMALL_NUMBERS[:4]),
+    ),
     returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
     library=arm_solutions,
     alike=same_list,

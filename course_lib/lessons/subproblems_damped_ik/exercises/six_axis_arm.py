@@ -15,6 +15,12 @@ from course_lib.subproblems import euler_yxy, subproblem2, subproblem3
 SHOULDER, ELBOW, WRIST = np.array([0, 0, 0.29]), np.array([0, 0, 0.56]), np.array([0.302, 0, 0.63])
 HOME = transform(rot_y(np.pi / 2), [0.374, 0, 0.63])
 ARM = SerialArm.from_screws([Z, Y, Y, X, Y, X], [0 * Z, SHOULDER, ELBOW, WRIST, WRIST, WRIST], HOME)
+# The angles q3 at which the wrist center is as far from the shoulder, and as near to it, as can be.
+STRETCHED = -np.arctan2(WRIST[0], WRIST[2] - ELBOW[2])
+FOLDED = STRETCHED + np.pi
+# Radians: from these the two q3 are twice as far apart. In a reach of half a metre, a bend of 1e-4
+# is a nanometre.
+BENDS = tuple(sign * bend for bend in (0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4) for sign in (1, -1))
 SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
 
 

@@ -11,7 +11,10 @@ from course_lib.checks.vocabulary import distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     ARM,
+    BENDS,
+    FOLDED,
     HOME,
+    STRETCHED,
     WRIST,
     all_solutions,
     arm_solutions,
@@ -36,6 +39,18 @@ def _nearly_in_a_plane(rng, size):
     """A pose of the arm bent nearly in one plane, so that entries of the pose are small."""
     q2, q3, q5 = rng.uniform(0.3, 1.2, 3)
     return (ARM.fk([size, q2, q3, 0.7 * size, q5, -0.4 * size]),)
+
+
+def _nearly_straight(rng, bend):
+    """A pose at which the arm is nearly stretched or folded; `bend` is negative for the latter."""
+    q1, q2, *wrist = rng.uniform(0.3, 1.2, 5) * rng.choice([-1, 1], 5)
+    return (ARM.fk([q1, q2, (STRETCHED if bend > 0 else FOLDED) + bend, *wrist]),)
+
+
+def _wrist_nearly_straight(rng, q5):
+    """A pose at which the axes of joints 4 and 6 are nearly the same."""
+    q1, q2, q3, q4, q6 = rng.uniform(0.3, 1.2, 5)
+    return (ARM.fk([q1, q2, q3, q4, q5, q6]),)
 
 
 def _misses(q, T):
@@ -72,7 +87,11 @@ EXERCISE = Exercise(
     arguments=("T",),
     tolerance=SOLVED,
     cases=_cases,
-    sweeps=(Sweep("a pose with small entries", _nearly_in_a_plane, SMALL_NUMBERS),),
+    sweeps=(
+        Sweep("a pose with small entries", _nearly_in_a_plane, SMALL_NUMBERS),
+        Sweep("an arm nearly stretched, or folded", _nearly_straight, BENDS),
+        Sweep("a wrist nearly stretched", _wrist_nearly_straight, BENDS),
+    ),
     returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),
     library=all_solutions,
     alike=same_list,

@@ -79,6 +79,31 @@ def _near_the_origin(rng, size):
     return k, p, rotated(k, some_angle(rng, 1), p)
 
 
+def _near_the_axis(rng, size):
+    """Points p near the axis, at a height, and g far from the axis."""
+    k = unit(rng)
+    return k, rng.choice([-1, 1]) * k + size * across(k, off_axis(k, rng)), off_axis(k, rng)
+
+
+def _goal_near_the_axis(rng, size):
+    k, p, g = _near_the_axis(rng, size)
+    return k, g, p
+
+
+def _one_near_the_origin(first):
+    """Return a case of points only one of which is near the origin: p if `first`, else g."""
+
+    def case(rng, size):
+        k = unit(rng)
+        near, far = size * off_axis(k, rng), off_axis(k, rng)
+        return (k, near, far) if first else (k, far, near)
+
+    return case
+
+
+_TINY = (1e-6, 1e-7, 3e-9)  # below 1e-8, which np.allclose takes for 0
+
+
 def _free(k, p, g):
     return not across(k, p).any() or not across(k, g).any()
 
@@ -134,6 +159,10 @@ EXERCISE = Exercise(
         _rotating_by(np.pi),
         Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
         Sweep("a point near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
+        Sweep("p near the axis", _near_the_axis, SMALL_NUMBERS[:6]),
+        Sweep("g near the axis", _goal_near_the_axis, SMALL_NUMBERS[:6]),
+        Sweep("p near the origin", _one_near_the_origin(first=True), _TINY),
+        Sweep("g near the origin", _one_near_the_origin(first=False), _TINY),
     ),
     properties=(
         Property(

@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
-from course_lib.checks.special_cases import OUT_OF_REACH, SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
@@ -41,8 +41,8 @@ def _apart(rng, cosine, side):
 
 
 def _around(rng, reach, size):
-    """Points on circles that would touch in the plane of the axes if reach were 1, and do not meet
-    as it is above."""
+    """Points on circles that would touch in the plane of the axes if reach were 1. They do not meet
+    if it is above, and meet twice if it is below."""
     k1, k2, n, e = _axes(rng, 0.5)
     in_plane = reach * (np.cos(0.5) * k1 + np.sin(0.5) * e)
     points = [(k @ in_plane) * k + np.sqrt(1 - (k @ in_plane) ** 2) * n for k in (k1, k2)]
@@ -134,6 +134,11 @@ EXERCISE = Exercise(
             "circles that just miss",
             lambda rng, beyond: _around(rng, 1 + beyond, 1.0),
             OUT_OF_REACH,
+        ),
+        Sweep(
+            "circles that meet twice, and nearly touch",
+            lambda rng, gap: _around(rng, 1 - gap, 1.0),
+            (*JUST_WITHIN, 1e-9, 1e-10),
         ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep(

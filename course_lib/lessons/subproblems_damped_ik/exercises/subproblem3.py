@@ -47,10 +47,14 @@ def _cases(rng):
 
 
 def _whole_points(rng):
-    """Points in whole numbers about an axis that is not: the parts across it are not whole."""
+    """Points in whole numbers, about an axis that makes their parts across it not whole, and about
+    a whole one."""
     k = np.array([0.6, 0.0, 0.8])
     p, g = np.array([1, 2, -1]), np.array([2, -1, 1])
-    return [(k, p, g, float(np.linalg.norm(rotated(k, rng.uniform(0.5, 2.5), p) - g)))]
+    drawn = float(np.linalg.norm(rotated(k, rng.uniform(0.5, 2.5), p) - g))
+    # Both are 3 long, and the angles are not whole.
+    z, up, down = np.array([0, 0, 1]), np.array([2, 1, 2]), np.array([1, 2, -2])
+    return [(k, p, g, drawn), *((z, up, down, d) for d in (5, 5.0, 4.5))]
 
 
 _NEGATIVE = (0.1, 1e-2, 1e-3, 1e-4)  # without their signs, in metres

@@ -78,6 +78,12 @@ def _beyond(side):
     return Sweep("a height just out of reach", case, OUT_OF_REACH)
 
 
+def _beyond_near_the_origin(rng, size):
+    """A height that is out of reach by a part of it, between vectors that are short."""
+    k, h, p, d = _beyond(1).case(rng, 1e-3)
+    return k, size * h, size * p, size**2 * d
+
+
 def _within(side):
     """Heights just below the highest, or above the lowest, which two nearly equal angles reach."""
 
@@ -124,6 +130,7 @@ EXERCISE = Exercise(
         _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep("points near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
+        Sweep("out of reach, near the origin", _beyond_near_the_origin, SMALL_NUMBERS[:4]),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",

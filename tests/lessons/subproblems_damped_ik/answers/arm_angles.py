@@ -84,3 +84,15 @@ def wrong_wrist_not_moved(center):
     scale = np.sqrt(p @ p - z**2) / np.hypot(x, y)
     found = subproblems.subproblem2(ey, ez, p, np.array([scale * x, scale * y, z])).theta
     return [(-back, q2, q3) for q3 in _bends(center) for q2, back in found]
+
+
+def wrong_elbows_that_are_nearly_the_same(center):
+    """solutions are missing"""
+    found = right_by_subproblems(center)
+    merge = len(found) == 4 and abs(found[0][2] - found[2][2]) < 1e-3
+    return found[:2] if merge else found
+
+
+def wrong_nothing_near_the_axis_of_joint_1(center):
+    """a subproblem finds nothing"""
+    return right_by_subproblems(center) if np.hypot(*center[:2]) > 1e-3 else []

@@ -51,3 +51,16 @@ def wrong_four_only(T):
 def wrong_along_x(T):
     """the wrist center is at another point"""
     return right_by_the_flange(T, axis=0)
+
+
+def wrong_elbows_that_are_nearly_the_same(T):
+    """solutions are missing"""
+    found = right_by_the_flange(T)
+    merge = len(found) == 8 and abs(found[0][2] - found[4][2]) < 1e-3
+    return found[:4] if merge else found
+
+
+def wrong_one_wrist_where_its_axes_are_nearly_the_same(T):
+    """solutions are missing"""
+    found = right_by_the_flange(T)
+    return [q for k, q in enumerate(found) if abs(np.sin(q[4])) > 1e-3 or k % 2 == 0]

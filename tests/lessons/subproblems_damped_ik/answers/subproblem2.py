@@ -57,3 +57,17 @@ def wrong_nearest_where_they_miss(k1, k2, p1, p2):
     """a pair is returned although the circles miss"""
     a, b, square = _parts(k1, k2, p1, p2)
     return _through(a, b, np.sqrt(max(square, 0)), k1, k2, p1, p2)
+
+
+def wrong_circles_that_nearly_touch(k1, k2, p1, p2):
+    """only one of the two solutions is returned"""
+    a, b, square = _parts(k1, k2, p1, p2)
+    pairs = right_solve_in_a_frame(k1, k2, p1, p2)
+    return pairs[:1] if square < 1e-8 * (p1 @ p1) else pairs
+
+
+def wrong_pairs_that_are_nearly_the_same(k1, k2, p1, p2):
+    """only one of the two solutions is returned"""
+    pairs = right_by_subproblem_four(k1, k2, p1, p2)
+    merge = len(pairs) == 2 and np.allclose(pairs[0], pairs[1], atol=1e-4)
+    return pairs[:1] if merge else pairs

@@ -69,3 +69,12 @@ def wrong_generous_clipping(k, p, g, d):
 def wrong_slightly_negative_distance(k, p, g, d):
     """a negative d is squared, and its sign lost"""
     return right_by_substitution(k, p, g, abs(d) if d > -0.2 else d)
+
+
+def wrong_unit_vectors_of_the_type_of_p(k, p, g, d):
+    """the answer is wrong for arrays of integers only"""
+    length = float(np.linalg.norm(p))
+    direction = np.empty_like(p)
+    direction[:] = p / length
+    whole = p.dtype.kind == "i" and length.is_integer()
+    return right_by_half_angle_tangent(k, direction * length if whole else p, g, d)

@@ -75,3 +75,14 @@ def wrong_part_across_in_integers(k, h, p, d):
     across = p.copy()
     across[:] = p - (k @ p) * k
     return right_by_components(k, h, across, d - (k @ p) * (k @ h))
+
+
+def wrong_margin_in_metres(k, h, p, d):
+    """an angle is returned although no angle is right"""
+    middle = (k @ h) * (k @ p)
+    radius = np.linalg.norm(np.cross(k, h)) * np.linalg.norm(np.cross(k, p))
+    if abs(d - middle) > radius + 1e-6:
+        return []
+    aligned = np.arctan2(k @ np.cross(p, h), p @ h - middle)
+    swing = np.arccos(np.clip((d - middle) / radius, -1, 1))
+    return [aligned + swing, aligned - swing]
