@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, part_is
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
@@ -39,6 +40,23 @@ def _cases(rng):
     # The last numbers have many digits, which simple fractions do not give.
     rows = [*drawn, large, sizes[0]]
     return whole + some + [tuple(float(number) for number in row) for row in rows]
+
+
+def _drawn(rng):
+    """Return a row of numbers far from all that is special."""
+    sizes = rng.uniform([0.2, 0.5, 0.2, 0.5], [0.8, 1.1, 0.8, 1.1])
+    return [float(number) for number in sizes * rng.choice([-1, 1], 4)]
+
+
+def _nearly_a_quarter(rng, gap):
+    """A row whose angles are nearly right angles: their cosines are small, and count."""
+    a, alpha, d, _ = _drawn(rng)
+    quarter = np.pi / 2
+    return a, float(np.copysign(quarter, alpha) + 0.7 * gap), d, float(quarter - 0.4 * gap)
+
+
+def _small(rng, size):
+    return tuple(size * number for number in _drawn(rng))
 
 
 def _factors(a, alpha, d, theta):
@@ -86,6 +104,10 @@ EXERCISE = Exercise(
     through="symbols",
     returns=numbers(lambda *case: (4, 4)),
     library=dh_symbolic,
+    sweeps=(
+        Sweep("angles of nearly a quarter of a revolution", _nearly_a_quarter, SMALL_NUMBERS),
+        Sweep("small numbers", _small, SMALL_NUMBERS),
+    ),
     properties=(
         LAST_ROW,
         part_is(

@@ -95,6 +95,16 @@ def _beside_the_bound(rng, gap):
     return J, v, fastest * (1 + gap), eps
 
 
+_EXACT_JACOBIAN = np.array([[1.2, -0.4, 0.3], [0.5, 0.9, -0.6], [-0.2, 0.7, 1.1]])
+
+
+def _small(rng, size):
+    """Return a case that is _EXACT_JACOBIAN's in smaller units: the answer is the same, although
+    eps is tiny. No joint is at its bound."""
+    v = _EXACT_JACOBIAN @ away_from_zero(rng, 3)
+    return size * _EXACT_JACOBIAN, size * v, 20.0, 0.05 * size**2
+
+
 def _excess(q_dot, *case):
     least = _cost(right(*case), *case)
     excess = _cost(q_dot, *case) - least
@@ -161,7 +171,10 @@ EXERCISE = Exercise(
     ),
     library=right,
     tolerance=FOUR_DIGITS,
-    sweeps=(Sweep("a joint nearly at its bound", _beside_the_bound, _GAPS),),
+    sweeps=(
+        Sweep("a joint nearly at its bound", _beside_the_bound, _GAPS),
+        Sweep("a small Jacobian and a tiny eps", _small, (0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4)),
+    ),
     alike=_alike,
 )
 

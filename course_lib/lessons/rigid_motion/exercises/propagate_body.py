@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.planar import propagate_body
@@ -60,6 +61,12 @@ def body_cases(rng):
         (1.1, 0.1),
         (2.1, 0.3),
     )  # a hair above or below a multiple
+    # A pair in which the body stands still has its rows, wherever it stands in the plan.
+    pause = [
+        ([1, 2, 3], [(ORIGIN, 0.5)], 0.25),
+        (np.array([1.0, 2.0, 0.5]), [(ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25),
+        (np.array([1.0, 2.0, 0.5]), [((1.0, 0.5, 1.0), 0.5), (ORIGIN, 0.35)], 0.25),
+    ]
     sums = [(origin, [(AHEAD, duration)], dt) for duration, dt in rounding]
     several = [
         (origin, [(AHEAD, 0.25), (LEFT, 0.1)], 0.1),
@@ -68,8 +75,22 @@ def body_cases(rng):
     ]
     start, plan, dt = drawn_case(rng)
     several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
-    return [*simple, *sums, *several, *(drawn_case(rng) for _ in range(4))]
+    return [*simple, *sums, *several, *pause, *(drawn_case(rng) for _ in range(4))]
 
+
+def _nearly_a_multiple(rng, gap):
+    """Return a case in which the last step of a pair is tiny, or, with a negative gap, nearly as
+    long as the others."""
+    start, (first, *others), dt = drawn_case(rng)
+    return start, [(first[0], dt * (2 + gap)), *others], dt
+
+
+# A step shorter than 1e-9 s is none for step_lengths.
+LAST_STEPS = Sweep(
+    "a duration that is nearly a multiple of dt",
+    _nearly_a_multiple,
+    tuple(sign * gap for gap in (0.1, 1e-2, 1e-3, 1e-4, 1e-5) for sign in (1, -1)),
+)
 
 THETA = shared.each_step(
     "theta grows by omega times the length of the step",
@@ -98,7 +119,7 @@ EXERCISE = Exercise(
     points=3,
     arguments=("start", "plan", "dt"),
     tolerance=EXACT,
-    sweeps=(shared.slow_motions(3),),
+    sweeps=(shared.slow_motions(3), LAST_STEPS),
     cases=body_cases,
     returns=read_poses,
     properties=(

@@ -44,3 +44,27 @@ def wrong_simple_fractions(a, alpha, d, theta):
     """the numbers in the matrix are rounded, or replaced by simple fractions"""
     a, d = (sp.nsimplify(x, rational=True, tolerance=0.005) for x in (a, d))
     return right_entry_by_entry(a, alpha, d, theta)
+
+
+def _without_small_numbers(matrix, threshold):
+    return matrix.applyfunc(lambda x: 0 if x.is_number and abs(x) < threshold else x)
+
+
+def wrong_small_cosines(a, alpha, d, theta):
+    """the numbers in the matrix are rounded, or replaced by simple fractions"""
+    return _without_small_numbers(right_entry_by_entry(a, alpha, d, theta), 1e-6)
+
+
+def wrong_numbers_up_to_rounding(a, alpha, d, theta):
+    """the numbers in the matrix are rounded, or replaced by simple fractions"""
+    return _without_small_numbers(right_entry_by_entry(a, alpha, d, theta), 5e-9)
+
+
+def wrong_nsimplify(a, alpha, d, theta):
+    """the numbers in the matrix are rounded, or replaced by simple fractions"""
+    numbers = (sp.nsimplify(x, rational=True, tolerance=1e-6) for x in (a, alpha, d, theta))
+    return right_entry_by_entry(*numbers)
+
+
+def right_exact_fractions(a, alpha, d, theta):
+    return right_entry_by_entry(*(sp.nsimplify(x, rational=True) for x in (a, alpha, d, theta)))

@@ -33,3 +33,18 @@ def wrong_projected_gradients_of_too_few_steps(J, v, bound, eps):
     for _ in range(1000):
         x = np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
     return x
+
+
+def wrong_eps_raised(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    return right_by_lsq_linear(J, v, bound, max(eps, 1e-5))
+
+
+def wrong_eps_raised_a_little(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    return right_by_lsq_linear(J, v, bound, max(eps, 1e-8))
+
+
+def right_with_the_solver_s_own_tolerance(J, v, bound, eps):
+    A = np.vstack([J, np.sqrt(eps) * np.eye(J.shape[1])])
+    return lsq_linear(A, np.append(v, np.zeros(J.shape[1])), bounds=(-bound, bound)).x

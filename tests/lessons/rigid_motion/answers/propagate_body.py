@@ -76,3 +76,22 @@ def wrong_time_since_the_beginning(start, plan, dt):
             c, s = np.cos(poses[-1][2]), np.sin(poses[-1][2])
             poses.append(poses[-1] + t * np.array([c * vx - s * vy, s * vx + c * vy, omega]))
     return np.array(poses)
+
+
+def wrong_no_rows_for_a_pause(start, plan, dt):
+    """a step has no row"""
+    return right_components(start, [pair for pair in plan if any(pair[0])], dt)
+
+
+def wrong_tiny_last_step_joined(start, plan, dt):
+    """a step has no row"""
+    x, y, theta = start
+    poses = [[x, y, theta]]
+    for (vx, vy, omega), duration in plan:
+        steps = max(1, math.ceil(duration / dt - 1e-3))
+        for h in [dt] * (steps - 1) + [duration - (steps - 1) * dt]:
+            c, s = np.cos(theta), np.sin(theta)
+            x, y = x + (c * vx - s * vy) * h, y + (s * vx + c * vy) * h
+            theta = theta + omega * h
+            poses.append([x, y, theta])
+    return poses

@@ -45,3 +45,15 @@ def right_chord_at_the_middle_angle(start, plan, dt):
             theta = np.angle(np.exp(1j * (theta + omega * h)))
             poses.append([z.real, z.imag, theta])
     return np.array(poses)
+
+
+def wrong_no_rows_for_a_pause(start, plan, dt):
+    """a step has no row"""
+    moves = [pair for pair in plan if any(pair[0])]
+    return right_from_the_beginning_of_each_pair(start, moves, dt)
+
+
+def wrong_tiny_last_step_joined(start, plan, dt):
+    """a step has no row"""
+    whole = [(v, dt * round(t / dt) if abs(t / dt - round(t / dt)) < 1e-3 else t) for v, t in plan]
+    return right_from_the_beginning_of_each_pair(start, whole, dt)
