@@ -301,8 +301,8 @@ class Naming:
         between = largest_gap(predicted, right)
         rounding = 1e-13 * max(1, largest_gap(right, 0))
         if between <= rounding:
-            return True if largest_gap(value, predicted) <= rounding else None
-        return same(value, predicted) and bool(largest_gap(value, predicted) <= 0.1 * between)
+            return True if difference(value, predicted) <= rounding else None
+        return same(value, predicted) and bool(difference(value, predicted) <= 0.1 * between)
 
 
 def _has_integers(case):

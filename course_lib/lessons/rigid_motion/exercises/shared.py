@@ -321,9 +321,17 @@ def _number_of_rows(rows, start, plan, dt):
                 f"step_lengths({duration:.6g}, {dt:.6g})?"
             )
             return Mistake("a step has no row", hint)
+    name = "a step has no row" if too_few else "there are more rows than steps"
+    if len(plan) > 1:  # the wrong pair need not be the first
+        numbers = ", ".join(str(len(lengths(duration, dt))) for _, duration in plan)
+        return Mistake(
+            name,
+            f"For the pairs of this plan, step_lengths returns {numbers} entries, in this order. "
+            "How many rows does your code append for each pair?",
+        )
     duration = plan[0][1]
     return Mistake(
-        "a step has no row" if too_few else "there are more rows than steps",
+        name,
         f"How many entries has step_lengths({duration:.6g}, {dt:.6g}), and how many rows does your "
         "code append for this pair?",
     )

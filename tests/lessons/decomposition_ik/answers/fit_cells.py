@@ -62,3 +62,15 @@ def wrong_no_samples_fitted(xy, q, cell, count):
 def wrong_count_not_used(xy, q, cell, count):
     """the number of models is not"""
     return right_linear_regression(xy, q, cell, cell.max() + 1)
+
+
+def wrong_model_of_cluster_1_for_any_number(xy, q, cell, count):
+    """a cluster of too few samples has a model"""
+    models = np.array(right_pseudo_inverse_in_lists(xy, q, cell, count))
+    for c in range(count):
+        labels = _split(q[cell == c])
+        own, n = cell == c, np.sum(labels == 1)
+        if 0 < n < 3:
+            positions, angles = xy[own][labels == 1], q[own][labels == 1]
+            models[c, 1] = (np.linalg.pinv(np.c_[positions, np.ones(n)]) @ angles).T
+    return models
