@@ -20,10 +20,14 @@ from course_lib.checks.exercise import (
     Property,
     Verdict,
     judge,
+    review,
 )
 from course_lib.checks.messages import describe
 from course_lib.checks.notebook import _HAND_IN, Check, Predict, Progress
 from course_lib.checks.prediction import Prediction
+from course_lib.lessons.decomposition_ik.exercises import ik_2r
+from course_lib.lessons.rigid_motion.exercises import interpolate_body_screw, two_link_angles
+from course_lib.planar import wrap_angle
 
 
 @pytest.fixture
@@ -439,3 +443,82 @@ DOUBLED = Exercise(
     (),
     library=lambda x: 2 * x,
 )
+
+
+def pasted(text, exercise):
+    """Return the arguments of the case in a message, numbers and rows of numbers, as they are
+    printed."""
+    return tuple(
+        _pasted(re.search(rf"\b{name} = (\[.*?\]|\S+)", text)[1]) for name in exercise.arguments
+    )
+
+
+def _pasted(printed):
+    entries = re.sub(r"[\[\],]", " ", printed).split()
+    numbers = [int(entry) if re.fullmatch(r"-?\d+", entry) else float(entry) for entry in entries]
+    return np.array(numbers) if printed.startswith("[") else numbers[0]
+
+
+def out_of_reach(answer, reach):
+    """Return an answer that is nan beyond this distance."""
+    return lambda xy: np.where(np.hypot(*xy) > reach, np.nan, answer(xy))
+
+
+def stretched(answer, short):
+    """Return an answer that stretches the arm towards tips in the last part of its reach."""
+
+    def wrong(tip):
+        direction = np.arctan2(tip[1], tip[0])
+        return np.array([[direction, 0.0]] * 2) if np.hypot(*tip) > 2 - short else answer(tip)
+
+    return wrong
+
+
+def straight_below(angle):
+    """Return the path of a screw that is straight if the rotation is smaller than this."""
+
+    def wrong(start, goal, n):
+        apart = np.subtract(goal, start)
+        s = 3 * np.linspace(0, 1, n) ** 2 - 2 * np.linspace(0, 1, n) ** 3
+        is_small = 0 < abs(wrap_angle(apart[2])) < angle
+        straight = np.array(start) + s[:, None] * apart
+        return straight if is_small else interpolate_body_screw.EXERCISE.library(start, goal, n)
+
+    return wrong
+
+
+def cut_off(answer):
+    """Return an answer whose digits after the point are lost in arrays of whole numbers."""
+
+    def wrong(tip):
+        return np.trunc(answer(tip)) if tip.dtype.kind == "i" else answer(tip)
+
+    return wrong
+
+
+def below_the_axis_at_minus_zero(xy):
+    x, y = xy
+    return ik_2r.EXERCISE.library([x, -1e-3 if y == 0 and np.signbit(y) else y])
+
+
+WRONG_BESIDE = [
+    (ik_2r, out_of_reach(ik_2r.EXERCISE.library, 2)),
+    (ik_2r, stretched(ik_2r.EXERCISE.library, 1e-4)),
+    (ik_2r, cut_off(ik_2r.EXERCISE.library)),
+    (ik_2r, below_the_axis_at_minus_zero),
+    (two_link_angles, out_of_reach(two_link_angles.EXERCISE.library, 2)),
+    (two_link_angles, stretched(two_link_angles.EXERCISE.library, 1e-6)),
+    (two_link_angles, cut_off(two_link_angles.EXERCISE.library)),
+    (interpolate_body_screw, straight_below(1e-2)),
+    (interpolate_body_screw, straight_below(1e-4)),
+]
+
+
+@pytest.mark.parametrize(("module", "wrong"), WRONG_BESIDE)
+def test_a_case_pasted_from_an_exercise_s_message_fails_again(module, wrong):
+    exercise = replace(module.EXERCISE, forbidden=())
+    verdict = review(exercise, LocalFunction(wrong))
+    assert verdict.state == WRONG
+    case = pasted(describe(verdict), exercise)
+    alone = replace(exercise, cases=lambda rng: [case])
+    assert judge(alone, LocalFunction(wrong), seed=1).state == WRONG

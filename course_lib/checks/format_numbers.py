@@ -60,17 +60,24 @@ def format_array(numbers, digits=4):
 def digits_of(array, digits):
     """Return the function that writes an entry of an array of floats with so many digits.
 
-    With the fewest digits, rounding errors beside larger entries are written as 0.
+    With the fewest digits, rounding errors beside larger entries are written as 0. With more, the
+    zero with a minus sign is written as a float, because Python reads -0 as 0.
     """
     if digits >= ALL_DIGITS:
-        return lambda x: repr(float(x)).removesuffix(".0")
+        return lambda x: repr(float(x)) if _is_minus_zero(x) else repr(float(x)).removesuffix(".0")
     largest = np.abs(array[np.isfinite(array)]).max(initial=0)
     noise = 1e-13 * largest if digits == SHOWN_DIGITS[0] else 0
 
     def written(x):
+        if digits > SHOWN_DIGITS[0] and _is_minus_zero(x):
+            return "-0.0"
         return "0" if abs(x) <= noise else f"{x:.{digits}g}"
 
     return written
+
+
+def _is_minus_zero(x):
+    return x == 0 and bool(np.signbit(x))
 
 
 def as_shown(case, digits):
