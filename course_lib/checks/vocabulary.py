@@ -314,10 +314,12 @@ def compared(expected, answer, verb="is"):
 
 def _first_otherwise(values, cases):
     """The position of the first case that was asked before and answered otherwise."""
-    for (i, earlier), (j, later) in itertools.combinations(enumerate(cases), 2):
+    first = {}
+    for k, case in enumerate(cases):
         # The same to the type: an answer that is wrong for whole numbers only keeps nothing.
-        if write(list(earlier)) == write(list(later)) and not near(values[j], values[i]):
-            return j
+        earlier = first.setdefault(write(list(case)), k)
+        if earlier != k and not near(values[k], values[earlier]):
+            return k
     return None
 
 
