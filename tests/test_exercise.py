@@ -427,6 +427,12 @@ def test_an_answer_that_is_the_argument_itself_is_accepted():
     assert review(exercise, LocalFunction(lambda x: x)).state == RIGHT
 
 
+def test_a_form_that_raises_recognises_nothing():
+    exercise = replace(DOUBLE, mistakes=type(DOUBLE.mistakes)())
+    exercise.mistake("the third row is taken", "Which row?", form=lambda y, x: y[2] == 0)(abs)
+    assert judge(exercise, LocalFunction(lambda x: x[:1])).state == WRONG
+
+
 def test_nothing_there_is_not_attempted():
     assert judge(NEAREST_SO, LocalFunction(None)).state == NOT_ATTEMPTED
 

@@ -284,7 +284,7 @@ class Exercise:
         does."""
         own = self.mistakes
         if other_kind.array is not None:
-            of_form = (known.of_form(other_kind.array, case) for known in own)
+            of_form = (attempt(known.of_form, other_kind.array, case) for known in own)
             return next((known for known in of_form if known is not None), None)
         if other_kind.not_a_number:
             named = (known for known in own if known.nan is not None and attempt(known.nan, *case))

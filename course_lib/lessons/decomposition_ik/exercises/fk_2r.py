@@ -27,7 +27,7 @@ def _cases(rng):
     named = [[0.0, 0], [quarter, 0], [0, quarter], [0, -quarter], [quarter, quarter], [0.0, np.pi]]
     drawn = np.round(np.array([[0.4, 0.7], [1.9, -1.2]]) + rng.uniform(-0.2, 0.2, (2, 2)), 2)
     low, high = np.deg2rad([0, -90]), np.deg2rad([170, 90])
-    batches = [rng.uniform(low, high, (*batch, 2)) for batch in [(5,), (2,), (2, 3), (2, 0)]]
+    batches = [rng.uniform(low, high, (*batch, 2)) for batch in [(5,), (2,), (2, 3), (2, 0), (1,)]]
     return [
         (q,)
         for q in [

@@ -72,7 +72,7 @@ def _cases(rng):
     src, dst, _ = noise[2]
     # Weights that are small beside the others, and still count.
     noise += [noisy(rng, np.array([1.0, 2, 0.009, 3, 1])), noisy(rng, np.array([4.0, 0.03, 3, 2]))]
-    scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250)]
+    scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250, 1e-9)]
     centred = moved(about_x @ any_pose(rng), src)
     centred = centred - four @ centred / four.sum()
     over = [reflecting(rng, weights) for weights in (np.ones(4), np.ones(5), four, five, many)]

@@ -23,7 +23,7 @@ def right_pair_by_pair_in_lists(q):
 
 
 def wrong_first_rows(q):
-    """taken for the two angles"""
+    """not enough values to unpack"""
     t1, t2 = np.asarray(q, float)[:2]
     return np.stack([np.cos(t1) + np.cos(t1 + t2), np.sin(t1) + np.sin(t1 + t2)], axis=-1)
 
@@ -50,3 +50,8 @@ def wrong_sine_of_q2_alone(q):
 def wrong_the_librarys(q):
     """course_lib.lessons.decomposition_ik.grid_ik.planar_forward is called"""
     return planar_forward(np.asarray(q, float))[0]
+
+
+def wrong_a_batch_of_one_without_its_axis(q):
+    """an axis of length 1 is lost"""
+    return np.squeeze(right_both_angles(q))

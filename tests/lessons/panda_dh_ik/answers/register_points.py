@@ -93,3 +93,8 @@ def wrong_scipys(src, dst, weights):
 def wrong_the_librarys(src, dst, weights):
     """course_lib.registration.register_points is called"""
     return registration.register_points(src, dst, weights)
+
+
+def wrong_small_weights_are_all_the_same(src, dst, weights):
+    """the weights do not count as in the sum that the task names"""
+    return right_kabsch(src, dst, weights if weights.sum() > 1e-6 else np.ones(len(src)))
