@@ -33,6 +33,11 @@ def _cases(rng):
     ]
 
 
+def _smaller(rng, size):
+    """Return the case of an arm in smaller units, whose limit is the same however tiny eps is."""
+    return size * rng.normal(size=(2, 4)), 0.5 * size**2
+
+
 def _factor(limit, J, eps):
     s = np.linalg.svd(J, compute_uv=False)
     factors = 1 - limit * s**2 / (s**2 + eps)
@@ -51,6 +56,7 @@ EXERCISE = Exercise(
     small=("J",),
     sweeps=(
         Sweep("little damping", lambda rng, eps: (rng.normal(size=(2, 4)), eps), SMALL_NUMBERS),
+        Sweep("an arm in smaller units", _smaller, SMALL_NUMBERS),
     ),
     returns=lambda value, *case: single(value, "one number"),
     library=_right,

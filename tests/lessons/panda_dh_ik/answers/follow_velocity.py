@@ -48,3 +48,8 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
         )
         path.append([a + dt * b for a, b in zip(path[-1], q_dot, strict=True)])
     return path
+
+
+def wrong_at_least_some_damping(q, v, dt, n, near, most):
+    """a step is not dt q_dot"""
+    return right_in_a_loop(q, v, dt, n, near, max(most, 1e-6))

@@ -32,3 +32,8 @@ def wrong_eigenvalues_of_a_square_J(J, eps):
 def wrong_little_damping_left_out(J, eps):
     """the smallest factor is not -1 at your limit"""
     return right_by_norm(J, eps if eps > 1e-6 else 0.0)
+
+
+def wrong_at_least_some_damping(J, eps):
+    """the smallest factor is not -1 at your limit"""
+    return right_by_norm(J, max(eps, 1e-8))
