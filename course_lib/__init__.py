@@ -8,4 +8,4 @@ argument, for one that is not as described: for a wrong shape, for entries that 
 numbers, or larger than 1e100.
 """
 
-__version__ = "1.2.0"
+__version__ = "1.3.0"
