@@ -10,6 +10,7 @@ import matplotlib.image
 import nbformat
 import numpy as np
 import pytest
+from nbconvert import ScriptExporter
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from course_lib.figures.stills import TOY
@@ -118,6 +119,13 @@ def test_only_what_every_author_shares_is_kept(write):
     assert after["cells"][0]["metadata"] == {"tags": ["setup"], "nbgrader": nbgrader}
     assert after["cells"][0]["id"] == "kept-id"
     assert after["cells"][1]["outputs"] == [], "of a cell that is empty now"
+
+
+def test_a_notebook_becomes_a_script_with_the_ending_of_python(write):
+    path = write(new_code_cell("1 + 1"))
+    notebooks.refresh(path)
+    _, resources = ScriptExporter().from_filename(str(path))
+    assert resources["output_extension"] == ".py"
 
 
 def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, monkeypatch):

@@ -39,7 +39,8 @@ NOTEBOOK_KEYS = ("course", "nbgrader")
 CELL_KEYS = ("course", "deletable", "editable", "jupyter", "nbgrader", "raw_mimetype", "tags")
 PYTHON = {
     "kernelspec": {"name": "python3", "display_name": "Python 3 (ipykernel)", "language": "python"},
-    "language_info": {"name": "python"},  # the version differs between authors
+    # `jupyter nbconvert --to script` needs the ending. The version differs between authors.
+    "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"},
 }
 
 Figure = dict
