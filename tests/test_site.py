@@ -202,7 +202,10 @@ def test_still_pictures_are_shown_without_scripts(site, browser):
         assert visit.page.locator(".toy-still").is_visible()
 
 
-PLAN = "A semester with the course"  # for instructors
+FOR_INSTRUCTORS = [
+    "For instructors: from the release to the gradebook",
+    "A semester with the course",
+]
 
 
 def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
@@ -213,7 +216,7 @@ def test_home_lists_assignments_and_the_search_leads_to_the_word(site, browser):
             "Rigid motion",
             "Plots",
             "Notation",
-            PLAN,
+            *FOR_INSTRUCTORS,
         ]
         links.nth(1).click()
         assert visit.page.locator("h1").first.inner_text().startswith("Rigid motion")
@@ -234,6 +237,11 @@ def test_cells_follow_their_tags_and_the_site_is_small(site):
     assert "removed_cell" not in page
     assert "hidden_input" in page.split("<summary", 1)[1]
     assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < 7e6
+
+
+def test_github_pages_keeps_the_folder_of_the_styles(site):
+    assert (site / ".nojekyll").is_file()
+    assert (site / "_static").is_dir()
 
 
 @pytest.mark.slow

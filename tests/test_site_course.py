@@ -23,7 +23,10 @@ NOTEBOOKS = [
 ]  # the second one first: pytest then tests the keyboard on it while it is open
 PAGES = {notebook.stem: notebook for notebook in NOTEBOOKS}
 PAGES |= dict.fromkeys(
-    ("index", "errata", "sources", "notation", "search", "reports", "places", "changes", "semester")
+    (
+        *("index", "ten_minutes", "errata", "sources", "notation", "search"),
+        *("reports", "places", "changes", "guide", "semester"),
+    )
 )
 PLAIN = ("index", "errata", "sources", "notation")
 PHONE, DESKTOP = 390, 1400

@@ -182,7 +182,7 @@ def test_the_home_page_says_how_to_cite_and_what_is_needed_first(pages):
     assert re.search(r"@misc\{\S+,\n  title = ", citation)
     assert "https://github.com/owner/name" in citation
     assert "Six notebooks" in [part.get_text().rstrip("#") for part in home.select("h2")]
-    assert home.select(".first-steps a[href='notation.html#what-you-need']")
+    assert home.select("p a[href='notation.html#what-you-need']")
 
 
 @pytest.mark.parametrize(

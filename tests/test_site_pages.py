@@ -1,4 +1,4 @@
-"""The pages that are compiled from the notebooks: home, errata, sources."""
+"""The pages that are compiled from the notebooks: home, ten minutes, errata, sources."""
 
 import re
 from functools import cache
@@ -46,8 +46,8 @@ def said(part):
 
 def test_the_home_page_states_each_question_and_duration(article):
     home, hours = article("index"), []
-    assert len(home.select(".first-steps a")) == 5
-    assert home.select(".first-steps a[href='notation.html#what-you-need']")
+    for page in ("notation.html#what-you-need", "reports.html", "errata.html"):
+        assert home.select(f"section > p a[href='{page}']"), page
     for notebook in NOTEBOOKS:
         title = re.match("# (.*)", first_cell(notebook))[1]
         (link,) = home.select(f"h3 a[href='{notebook.stem}.html']")
@@ -58,10 +58,41 @@ def test_the_home_page_states_each_question_and_duration(article):
         assert "?" in card
         hours.append(float(re.search(r"About ([\d.]+) hours\.", card)[1]))
     assert f"about {sum(hours):g} hours" in said(home)
-    assert "rotate_point not right yet" in words(said(home)), "what a check says"
     assert len(home.find_parent("html").select("meta[name=description]")) == 1
     for name in ("reports", "notation", "places", "changes", "errata", "sources"):
         assert home.select(f"li a[href='{name}.html']")
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (390, 844)])
+def test_the_first_screen_has_one_button_and_the_robot_to_drag(course, browser, width, height):
+    with Visit(browser, course / "index.html", width=width) as visit:
+        visit.page.set_viewport_size({"width": width, "height": height})
+        button = visit.page.locator(".first-step a")
+        expect(button).to_have_text("Try ten minutes")
+        expect(button).to_be_in_viewport(ratio=1)
+        expect(visit.page.locator(".toy-figure .handle").first).to_be_in_viewport(ratio=1)
+        button.click()
+        assert visit.page.url.endswith("/ten_minutes.html")
+        assert visit.complaints == []
+
+
+def test_ten_minutes_hold_a_prediction_a_toy_and_what_a_check_says(article):
+    page = article("ten_minutes")
+    assert len(page.select(".course-predict details")) == 3
+    assert len(page.select(".toy-figure")) == 1
+    (answer,) = page.select(".highlight-ipython3")
+    assert "R = np.array" in answer.get_text()
+    assert "rotate_point not right yet" in words(said(page)), "what a check says"
+    assert page.select(f"a[href='{NOTEBOOKS[0].stem}.html']")
+    assert page.select("a[href='index.html#run-it-yourself']")
+
+
+def test_commands_are_coloured_as_those_of_a_shell(article):
+    for page, count in (("index", 3), ("guide", 10)):
+        blocks = article(page).select("[class^=highlight-]:not([class*=python], [class*=bibtex])")
+        languages = [block["class"][0] for block in blocks]
+        assert len(languages) >= count
+        assert set(languages) <= {"highlight-sh", "highlight-powershell"}
 
 
 PICTURE = (

@@ -32,8 +32,8 @@ def site(tmp_path_factory):
 def test_notation_stands_before_the_notebooks(site):
     book = BeautifulSoup(pdf._book(site, {}), "html.parser")
     chapters = [chapter["id"] for chapter in book.select(".chapter")]
-    assert chapters == ["notation", "01_rotations", "02_rigid_motion", "semester"]
-    assert len(book.select(".book-contents li")) == 4
+    assert chapters == ["notation", "01_rotations", "02_rigid_motion", "guide", "semester"]
+    assert len(book.select(".book-contents li")) == 5
 
 
 # As Chromium writes them: pages in their order, whatever the numbers of the objects, and anchors.

@@ -16,7 +16,7 @@ from nbformat import NotebookNode
 
 from course_lib.figures.toys.toy import script, script_names
 from course_lib.pack.release.bundle import PAGES, release_date
-from course_lib.pack.site import SiteError, gather, icons, sections
+from course_lib.pack.site import SiteError, gather, icons, sections, ten_minutes
 from course_lib.pack.site.downloads import ZIP, offer, offered, students_zip
 from course_lib.pack.site.finish import finish
 from course_lib.pack.site.prepare import prepare
@@ -106,12 +106,15 @@ def _gather(
     notebooks = [gather.read(source, books[source.name], pages) for source in sources]
     others = _linked(books, pages)
     if solutions:  # instructors' pages
+        others.append(Path(shutil.copy(HERE.parent / "README.md", pages / gather.GUIDE)))
         others.append(Path(shutil.copy(HERE.parent / "semester.md", pages)))
     if others and others[0].name == PAGES[0]:
         text = gather.with_pictures(others[0].read_text(encoding="utf-8"), notebooks)
         others[0].write_text(text, encoding="utf-8")
-    for page in (pages / f"{name}.ipynb" for name in sections.PAGES):
-        if sections.write(books, page):
+    writers = dict.fromkeys(sections.PAGES, sections.write) | {ten_minutes.NAME: ten_minutes.write}
+    for name, write in writers.items():
+        page = pages / f"{name}.ipynb"
+        if write(books, page):
             prepare(page, pages, solutions)
             others.append(page)
     (pages / "index.md").write_text(

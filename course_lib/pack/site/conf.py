@@ -18,7 +18,8 @@ html_title = project  # it follows the title of each page
 html_favicon = "_static/icon.svg"
 language = "en"
 
-extensions = ["myst_nb", "sphinx_copybutton"]
+# The last one writes .nojekyll, without which GitHub Pages leaves out _static.
+extensions = ["myst_nb", "sphinx_copybutton", "sphinx.ext.githubpages"]
 copybutton_selector = ".bd-article div.highlight:not(.output div.highlight) pre"
 include_patterns = ["*.md", "*.ipynb"]
 
@@ -32,6 +33,10 @@ myst_heading_anchors = 4
 myst_heading_slug_func = "course_lib.pack.site.heading_anchor"
 myst_dmath_double_inline = True
 myst_dmath_allow_labels = False
+
+# The blocks of a text that name no language are commands, or tables, which are left as they are.
+highlight_language = "sh"
+suppress_warnings = ["misc.highlighting_failure"]
 
 html_math_renderer = "built"  # below
 

@@ -5,15 +5,12 @@ import re
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from unittest import mock
 
-import numpy as np
 from nbformat import NotebookNode
 
 from course_lib.figures.stills import TOY
-from course_lib.lessons.rotations import check
 from course_lib.pack.cover import cover_of
-from course_lib.pack.site import HOME
+from course_lib.pack.site import HOME, ten_minutes
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
 NUMBERS = [
@@ -47,20 +44,21 @@ myst:
 
 # Robot kinematics
 
-For students of engineering or computer science who know matrices and a little Python, and for
-those who teach them. In six notebooks you read a little, predict what will happen, move a robot,
-and write a few lines of code. Every answer is checked at once. Each notebook also reproduces the
-numbers of a published homework report, and shows where the report is wrong.{time}
+In six notebooks you move robots, predict what they will do, and write a few lines of code, which a
+check judges at once.
 
-{toy}
+<nav class="first-step" aria-label="First step">
 
-<nav class="first-steps" aria-label="First steps">
-
-{steps}
+{begin}
 
 </nav>
 
+{toy}
+
 ## Six notebooks
+
+The notebooks are for students of engineering or computer science who know matrices and a little
+Python.{need} Each notebook also reproduces the numbers of {report}, and shows {errata}.{time}
 
 <div class="cards">
 
@@ -75,49 +73,33 @@ numbers of a published homework report, and shows where the report is wrong.{tim
 {pages}
 ```
 
-## An exercise, and what its check says
-
-```python
-{answer}
-```
-
-{said}
-
 ## Run it yourself
 
 {zip}You need Python 3.11 to 3.14. In the course's folder, this command opens the notebooks in
 JupyterLab:
 
-```
+```sh
 make lab
 ```
 
 When you run it for the first time, it installs everything that the notebooks need. Without make,
-run these commands in the same folder on macOS and Linux:
+run these commands in the same folder, one after the other. On macOS and Linux:
 
-```
+```sh
 python3 -m venv .venv
-.venv/bin/pip install -r environment.txt -e . && .venv/bin/jupyter lab notebooks
+.venv/bin/pip install -r environment.txt -e .
+.venv/bin/jupyter lab notebooks
 ```
 
-On Windows, run these:
+On Windows, in PowerShell or in the Command Prompt:
 
-```
+```powershell
 py -m venv .venv
-.venv\\Scripts\\pip install -r environment.txt -e . && .venv\\Scripts\\jupyter lab notebooks
+.venv\\Scripts\\pip install -r environment.txt -e .
+.venv\\Scripts\\jupyter lab notebooks
 ```
 
-## Teach with it
-
-Run these commands in the project's folder:
-
-- `make student` writes the notebooks without solutions, as a zip for your students.
-- `make grade` grades what they hand in, and writes feedback for each student. Their code runs
-  isolated from your files.
-- `make html SOLUTIONS=no` writes these pages for your class, without solutions.
-- `make pdf` writes all pages as one file.
-
-The guide for instructors, `course_lib/pack/README.md`, explains them.
+{teach}
 
 {more}
 
@@ -130,11 +112,23 @@ that you used:
 {citation}
 ```
 """
+TEACH = """## Teach with it
+
+[The guide for instructors](guide.md) leads from the release to the gradebook. Run these commands in
+the project's folder:
+
+- `make student` writes the notebooks without solutions, as a zip for your students.
+- `make grade` grades what they hand in, and writes feedback for each student. Their code runs
+  isolated from your files.
+- `make html SOLUTIONS=no` writes these pages for your class, without solutions.
+- `make pdf` writes all pages as one file."""
 # Here no text stands before the toy that would say what to do.
 TRY_TOY = (
     "Drag the ring at the robot's flange, and inverse kinematics moves the arm. Drag next to the "
     "robot to look at it from another side."
 )
+GUIDE = "guide.md"
+NEED = " The page of notation says [what you need to know first](notation.md#What-you-need)."
 PREREQUISITES = "## What you need"  # the heading of the page of notation
 CITATION = """@misc{{robot-kinematics,
   title = {{Robot kinematics in six notebooks}},{more}
@@ -145,13 +139,6 @@ ABOUT = (
     "each answer is checked at once."
 )
 
-# What a student may write, for the home page, and the notebook whose check judges it.
-ANSWER = """def rotate_point(p, a):
-    c, s = np.cos(a), np.sin(a)
-    R = np.array([[c, s], [-s, c]])
-    return R @ p
-
-check.rotate_point(rotate_point)"""
 REFERENCE = """## Reference
 
 ```{{toctree}}
@@ -204,32 +191,40 @@ def home(
     address, or "".
     """
     hours = [notebook.hours for notebook in notebooks]
-    time = f" {CORE.format(sum(hours))}" if all(hours) else ""
-    steps = [
-        f"[Start with {notebooks[0].title}]({notebooks[0].name}.ipynb)",
-        "[Run it yourself](#Run-it-yourself)",
-    ]
-    pages = {page.name for page in others}
-    notation = next((page for page in others if page.name == "notation.md"), None)
-    if notation and PREREQUISITES in notation.read_text(encoding="utf-8").splitlines():
-        steps.insert(1, "[What you need to know first](notation.md#What-you-need)")
-    if "reports.md" in pages:
-        steps.append("[Each report, and its numbers next to ours](reports.md)")
-    if "errata.ipynb" in pages:
-        steps.append("[Errors in the published reports](errata.ipynb)")
+    names = [page.name for page in others]
+    taste = f"{ten_minutes.NAME}.ipynb"
+    pages = [notebook.name for notebook in notebooks]
+    begin = f"[Start with {notebooks[0].title}]({pages[0]}.ipynb)"
+    if taste in names:
+        pages.insert(0, ten_minutes.NAME)
+        begin = f"[Try ten minutes]({taste})"
+    reference = [page.stem for page in others if page.name != taste]
     return PAGE.format(
-        time=time,
+        begin=begin,
+        need=NEED if _says_what_is_needed(others) else "",
+        report=_link("a published homework report", "reports.md", names),
+        errata=_link("where the report is wrong", "errata.ipynb", names),
+        time=f" {CORE.format(sum(hours))}" if all(hours) else "",
         citation=_citation(year, repository),
         toy="".join(notebook.toy for notebook in notebooks),
         about=ABOUT,
-        answer=ANSWER,
-        said=_check_of(ANSWER),
         zip=f"{offered} and unpack it. " if offered else "",
-        steps="\n".join(steps),
+        teach=TEACH if GUIDE in names else "",
         notebooks="\n\n".join(map(_card, notebooks)),
-        more=REFERENCE.format("\n".join(page.stem for page in others)) if others else "",
-        pages="\n".join(notebook.name for notebook in notebooks),
+        more=REFERENCE.format("\n".join(reference)) if reference else "",
+        pages="\n".join(pages),
     )
+
+
+def _says_what_is_needed(others: list[Path]) -> bool:
+    """Return whether one of the pages is that of notation, with the section on prerequisites."""
+    notation = next((page for page in others if page.name == "notation.md"), None)
+    return bool(notation) and PREREQUISITES in notation.read_text(encoding="utf-8").splitlines()
+
+
+def _link(words: str, page: str, names: list[str]) -> str:
+    """Return words as a link to a page, or the words alone if it is not among the names."""
+    return f"[{words}]({page})" if page in names else words
 
 
 def _citation(year: int | None, repository: str) -> str:
@@ -238,15 +233,6 @@ def _citation(year: int | None, repository: str) -> str:
     if repository:
         more += f"\n  howpublished = {{\\url{{{repository}}}}},"
     return CITATION.format(version=version("course_lib"), more=more)
-
-
-def _check_of(answer: str) -> str:
-    """Return as HTML what the check says of an answer to an exercise of the first notebook."""
-    outputs = []
-    with mock.patch("IPython.display.display", lambda data, **options: outputs.append(data)):
-        exec(answer, {"np": np, "check": check})
-    # An empty line would end the HTML, and nothing changes here that would have to be read out.
-    return outputs[-1]["text/html"].replace("\n", "<br>").replace(' role="status"', "")
 
 
 def with_pictures(text: str, notebooks: list[Notebook]) -> str:

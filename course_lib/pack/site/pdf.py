@@ -14,7 +14,7 @@ from bs4 import BeautifulSoup
 from course_lib.pack.files import write_atomically
 from course_lib.pack.photograph import find_browser, headless
 from course_lib.pack.release.bundle import release_date
-from course_lib.pack.site import SiteError
+from course_lib.pack.site import SiteError, ten_minutes
 
 
 def check_browser() -> None:
@@ -98,7 +98,7 @@ def _book(site: Path, pages: dict[str, int]) -> str:
     names = [
         page.name
         for page in site.glob("*.html")
-        if page.stem not in ("index", "search", "genindex", "book")
+        if page.stem not in ("index", "search", "genindex", "book", ten_minutes.NAME)
     ]
     names.sort(key=lambda name: (name != "notation.html", not name[0].isdigit(), name))
     frame = _read(site / "index.html")

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup
 
+from course_lib.pack.site import ten_minutes
+
 INDEX = "searchindex.js"
 # What is not read as text: the figures' data, and the pictures of formulas, whose words are MathML.
 # They are nine tenths of a page, so they are taken out before it is parsed.
@@ -26,7 +28,7 @@ def write_index(site: Path) -> None:
     """Write the search's index of a site beside its pages, as a script that pages can load."""
     sections = []
     for page in sorted(site.glob("*.html")):
-        if page.stem != "search":
+        if page.stem not in ("search", ten_minutes.NAME):  # its words are those of a notebook
             sections += sections_of(page)
     data = json.dumps(sections, ensure_ascii=False, separators=(",", ":"))
     (site / INDEX).write_text(f"window.courseSections = {data};\n", encoding="utf-8")
