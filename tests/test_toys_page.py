@@ -180,6 +180,27 @@ def test_every_range_is_named_and_moves_the_picture_by_keyboard(visit, name):
         assert one.get_attribute("aria-valuetext") not in (words, None)
 
 
+# The drive starts again with an empty log, and its own tests begin there.
+@pytest.mark.parametrize("name", [name for name in TOYS if name != "drive"])
+def test_start_again_returns_to_the_first_picture(visit, name):
+    box = figure_of(visit, name)
+    again = box.get_by_role("button", name="Start again")
+    if not box.locator("input, button, .handle").count():
+        return  # nothing but the view changes
+    again.click()
+    first = picture(box)
+    control = box.locator("input, .handle").first
+    for part in box.locator("details:not([open]) > summary").all():
+        part.click()
+    control.focus()
+    for key in ("Home", "PageUp", "ArrowUp", "Space"):
+        visit.page.keyboard.press(key)
+    wait_for_another_picture(visit, box, first)
+    again.click()
+    wait_until(visit, f"(box, first) => ({PICTURE})(box) === first", box, first)
+    expect(again).to_be_focused()
+
+
 HANDLES = ["axis", "two_poses_toy", "planar_arm_toy", "cells_toy", "circles_toy", "reach", "fly"]
 HANDLES += ["table", "click", "gains", "step_map", "pose_errors"]
 FREE = (
@@ -659,8 +680,8 @@ def test_the_ranks_of_queries_fall_with_their_errors(visit):
 def test_the_dead_reckoning_follows_a_robot_that_keys_and_buttons_drive(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
-    put(box, "Step dt", -0.3)  # half a second
     box.get_by_role("button", name="Start again").click()
+    put(box, "Step dt", -0.3)  # half a second
     expect(status).to_contain_text("0.0 cm and 0° off")
     left, ahead = (box.get_by_role("button", name=name, exact=True) for name in ("Left", "Ahead"))
     ahead.press(
@@ -718,7 +739,7 @@ def test_a_range_of_the_drive_keeps_its_arrow_keys(visit):
 def test_a_click_that_is_5_mm_off_raises_the_residual(visit):
     box = figure_of(visit, "click")
     words = box.locator("p[role=status]")
-    box.get_by_role("button", name="Take the shipped clicks").click()
+    box.get_by_role("button", name="Start again").click()
     put(box, "Point to click, 0 to 6", 2)
 
     def said():

@@ -79,7 +79,7 @@
      * Another step size or damping is tried from the first configuration: an arm at its target
      * would not move.
      */
-    function startAgain() {
+    function putBack() {
       card.halt();
       state.q = [...meta.q];
       forget();
@@ -111,14 +111,14 @@
     const writeStep = (x) => x.toFixed(2);
     card.range("Step size", stepLimits, writeStep, (x) => {
       state.step = x;
-      startAgain();
+      putBack();
       run();
     });
     const dampingLimits = { min: -4, max: 1.5, step: 0.1, value: Math.log10(state.damping) };
     const writeDamping = (exponent) => String(Number((10 ** exponent).toPrecision(2)));
     card.range("Damping (m²)", dampingLimits, writeDamping, (exponent) => {
       state.damping = 10 ** exponent;
-      startAgain();
+      putBack();
       run();
     });
     card.button("One step", () => {
@@ -126,7 +126,7 @@
       step();
     });
     card.button("Run", run);
-    card.button("Start again", startAgain);
+    card.button("Arm to its start", putBack);
     card.checkbox("logarithmic error", state, "log");
     const words = card.words();
     if (!state.errors.length) run();

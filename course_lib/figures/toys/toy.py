@@ -59,7 +59,8 @@ ELSEWHERE = (
 _RENDER = """
 export default { render({ model, el }) {
   const meta = JSON.parse(JSON.stringify(model.get("meta")));
-  const answers = new Set(), { kinds, palette } = globalThis.course;
+  const { kinds, palette } = globalThis.course;
+  let act = () => {};  // of the toy that asked last
   // anywidget gives up on a model that takes longer than 2 s to start, and then hands it no
   // message: say what helps.
   const note = document.createElement("p");
@@ -72,13 +73,13 @@ export default { render({ model, el }) {
     note.remove();
     if (message.begun) return expect(1, "Your function is still computing this answer.");
     clearTimeout(late);
-    answers.forEach((act) => act(message));
+    act(message);
   });
   const ask = (question) => {
     expect(5, "The kernel does not answer. When it is idle, run this cell again.");
     model.send(question);
   };
-  const kernel = { ask, onAnswer: (act) => answers.add(act) };
+  const kernel = { ask, onAnswer: (take) => { act = take; } };
   el.setAttribute("aria-label", model.get("alt"));
   const start = () => {
     try {
@@ -90,7 +91,7 @@ export default { render({ model, el }) {
   };
   let stop = start();
   // What is in `meta` outlives the change to the colours of the other theme.
-  const leave = palette.onTheme(() => { stop(); answers.clear(); stop = start(); });
+  const leave = palette.onTheme(() => { stop(); stop = start(); });
   return () => { clearTimeout(late); leave(); stop(); };
 } };
 """

@@ -81,12 +81,12 @@
   FIGURES.click = (card, meta, ask) => {
     const { cameras, mugs, grasp, spots } = meta;
     const { vertices, faces } = S.unpack(meta.solid);
-    const shipped = () => ({
+    const state = card.state({
       clicks: structuredClone(meta.clicks),
       // Which ones the reader has clicked.
       own: meta.clicks.map((pixels) => pixels.map(() => false)),
+      chosen: 0,
     });
-    const state = card.state({ ...shipped(), chosen: 0 });
     const views = cameras.map((camera, i) =>
       cameraView({ K: meta.K, camera, mug: mugs[i], vertices, faces }),
     );
@@ -144,10 +144,6 @@
     const last = spots.length - 1;
     const limits = { min: 0, max: last, step: 1 };
     const slider = card.setting(`Point to click, 0 to ${last}`, state, "chosen", limits, String);
-    card.button("Take the shipped clicks", () => {
-      Object.assign(state, shipped());
-      moved();
-    });
     const numbers = card.numbers();
     const words = card.words();
     moved();

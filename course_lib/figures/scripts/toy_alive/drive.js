@@ -60,7 +60,7 @@
 
   FIGURES.drive = (card, meta, ask) => {
     const { half, centre, plan, exact, dock } = meta;
-    const state = card.state({ log: plan, dt: meta.dt, hidden: false });
+    const state = card.state({ log: plan, dt: meta.dt, hidden: false }, { log: [] });
     const plane = card.map({
       half: 1.12 * half,
       centre,
@@ -143,11 +143,6 @@
     // ---- controls ----
 
     for (const key of Object.keys(DIRECTIONS)) addButton(key);
-    card.button("Start again", () => {
-      state.log = [];
-      state.answer = null;
-      askNow();
-    });
     card.checkbox("Hide the robot", state, "hidden");
     const dtLimits = { min: -2, max: 0, step: 0.1, value: Math.log10(state.dt) };
     const writeDt = (exponent) => `${Number((10 ** exponent).toPrecision(2))} s`;

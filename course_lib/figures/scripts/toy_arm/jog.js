@@ -61,11 +61,6 @@
       card.checkbox("velocity ellipsoid (green)", state, "velocity");
       card.checkbox("force ellipsoid (orange)", state, "force");
     }
-    card.button("Start again", () => {
-      state.q = [...meta.q];
-      showJoints();
-      moved();
-    });
     const numbers = card.numbers();
     const words = card.words();
     const ask = card.asker(kernel);

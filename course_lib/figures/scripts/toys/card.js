@@ -17,16 +17,33 @@
   P.toy = (name, title, build) => {
     globalThis.course.kinds[`toy:${name}`] = (host, meta, kernel) => {
       const words = typeof title === "function" ? title(meta) : title;
-      let paint = () => {};
-      const draw = P.once(() => card.fit(paint));
-      const card = makeCard(host, meta, words, draw);
-      paint = build(card, meta, kernel);
-      card.fit(paint);
-      return card.end;
+      let card = null; // the one on the page
+      function begin(isAgain) {
+        let paint = () => {};
+        const draw = P.once(() => begun.fit(paint));
+        const begun = makeCard(host, meta, words, draw, isAgain);
+        paint = build(begun, meta, kernel);
+        if (begun.canChange()) addStartAgain(begun);
+        begun.fit(paint);
+        card = begun;
+      }
+      /** The button builds the toy anew, without what it kept, the view of a scene included. */
+      function addStartAgain(begun) {
+        const button = begun.lastButton("Start again", () => {
+          begun.end();
+          delete meta.state;
+          delete meta.camera;
+          begin(true);
+          host.querySelector("button.again").focus({ preventScroll: true });
+        });
+        button.classList.add("again");
+      }
+      begin(false);
+      return () => card.end();
     };
   };
 
-  function makeCard(host, meta, title, draw) {
+  function makeCard(host, meta, title, draw, isAgain) {
     P.useStyle();
     const root = P.element(
       "div",
@@ -96,11 +113,17 @@
       fields: [], // in which the toy writes
       draw,
       fit,
-      /** What the toy keeps while it is off the page: `initial`, or what it was when it left. */
-      state(initial) {
-        meta.state ??= initial;
+      /**
+       * What the toy keeps while it is off the page: `initial`, or what it was when it left. After
+       * *Start again* the keys of `again` have other values than in `initial`.
+       */
+      state(initial, again = {}) {
+        // A copy, because the model stays as it is.
+        meta.state ??= structuredClone(isAgain ? { ...initial, ...again } : initial);
         return meta.state;
       },
+      /** Whether a reader can change something other than the view of a scene. */
+      canChange: () => Boolean(root.querySelector("input, button, .handle")),
       /** A function that asks the kernel; its newest answer is `answer` of the state. */
       asker(kernel) {
         const ask = P.asker(kernel, (answer) => {

@@ -22,6 +22,16 @@
       buttonRow ??= P.element("div", { class: "buttons" }, controls);
       return buttonRow;
     }
+    /** The row of buttons, above what the toy writes where there was none. */
+    function lastButton(label, press) {
+      buttons();
+      const [firstField] = card.fields;
+      if (buttonRow === controls.lastChild) controls.insertBefore(buttonRow, firstField ?? null);
+      const node = P.element("button", { type: "button" }, buttonRow, label);
+      node.addEventListener("click", press);
+      P.keepKeys(node);
+      return node;
+    }
 
     /** Fold away the ranges that `fill` makes, below a line that opens them. */
     function fold(label, fill) {
@@ -143,6 +153,6 @@
       return P.element("p", { role: "status" }, room);
     }
 
-    return { fold, range, setting, angle, share, button, checkbox, numbers, words };
+    return { fold, range, setting, angle, share, button, lastButton, checkbox, numbers, words };
   };
 })();
