@@ -280,15 +280,27 @@ def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, brows
         expect(visit.page.locator("details details .highlighted")).to_be_in_viewport()
 
 
-def test_paper_shows_what_is_folded_but_imports(more_visit):
+def test_paper_shows_a_section_of_more_that_is_open_with_the_answers_in_it(more_visit):
     page = more_visit.page
+    section = page.locator("section.more > details").first
     page.emulate_media(media="print")
-    for words in ("Haar", "All digits agree"):
-        expect(page.get_by_text(words)).to_be_visible()
-    expect(page.get_by_text("gooseberry")).to_be_visible()
-    expect(page.locator(".tag_not-on-paper summary").first).not_to_be_visible()
-    page.emulate_media(media="null")
     expect(page.get_by_text("Haar")).not_to_be_visible()
+    expect(section.locator("summary.more")).to_be_visible()
+    section.evaluate("details => (details.open = true)")
+    for words in ("Haar", "gooseberry"):
+        expect(page.get_by_text(words)).to_be_visible()
+    expect(page.locator(".tag_not-on-paper summary").first).not_to_be_visible()
+    section.evaluate("details => (details.open = false)")
+    page.emulate_media(media="null")
+
+
+def test_paper_shows_the_replies_to_a_prediction(visit):
+    reply = visit.page.locator(".course-predict details")
+    height = "details => details.offsetHeight - details.querySelector('summary').offsetHeight"
+    visit.page.emulate_media(media="print")
+    assert reply.evaluate(height) > 10
+    visit.page.emulate_media(media="null")
+    assert reply.evaluate(height) < 2
 
 
 def test_the_first_screen_shows_the_figure_before_the_words(more_visit):

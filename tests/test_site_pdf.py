@@ -23,7 +23,9 @@ def site(tmp_path_factory):
     rows = "".join(f"| row {number} | a text |\n" for number in range(60))
     table = f"| number | text |\n| --- | --- |\n{rows}"
     text = f"# Rigid motion\n\n## {LONG_TITLE}\n\n## A table\n\n{table}"
-    write(folder, "02_rigid_motion.ipynb", new_markdown_cell(text))
+    more = new_markdown_cell("## More: screws\n\nAn axis.", metadata={"tags": ["more"]})
+    inside = new_markdown_cell("They have a pitch.")
+    write(folder, "02_rigid_motion.ipynb", new_markdown_cell(text), more, inside)
     (folder / "notation.md").write_text("# Notation\n\n$R$ is a rotation.\n", encoding="utf-8")
     build(folder, folder.parent / "html")
     return folder.parent / "html"
@@ -99,6 +101,11 @@ def test_a_table_longer_than_a_page_begins_below_its_heading(pages):
     (first,) = [page for page in pages if re.search("^ *A table$", page, re.MULTILINE)]
     assert "row 0 " in first
     assert "row 59" not in first
+
+
+@pytest.mark.tools("pdftotext")
+def test_the_sections_of_more_are_printed(pages):
+    assert any("They have a pitch." in page for page in pages)
 
 
 @pytest.mark.tools("pdftotext")

@@ -139,6 +139,8 @@ def _renamed(article, name: str, names: set[str]):
     """
     for part in article.select("script, .headerlink, #course-symbols"):
         part.decompose()
+    for section in article.select("section.more > details"):
+        section["open"] = ""  # else paper leaves it out
     for part in article.select("[id]:not([id^=MJX])"):
         part["id"] = f"{Path(name).stem}-{part['id']}"
     for link in article.select("a[href]"):
