@@ -16,7 +16,7 @@ import pytest
 from bs4 import BeautifulSoup
 from helpers import ALT, shown, unavailable
 from playwright.sync_api import expect
-from site_visits import Visit
+from site_visits import SETTLED, Visit
 
 from course_lib.figures import charts, show
 from course_lib.figures.charts import ColourScale
@@ -491,6 +491,23 @@ def test_charts_far_from_the_window_are_let_go(page, browser):
         visit.page.wait_for_function("box => !box.matches('.drawn')", arg=first)
         drawn(visit, 0)
         assert visit.complaints == []
+
+
+# A page whose reader scrolls on and on, until `busy` is cleared.
+SCROLLS_ON = "window.busy = setInterval(() => window.dispatchEvent(new Event('scroll')), 50);"
+
+
+@pytest.mark.tools("browser")
+def test_a_chart_is_drawn_when_the_reader_rests(page, browser):
+    with Visit(browser, None, has_touch=False) as visit:
+        visit.page.add_init_script(SCROLLS_ON)
+        visit.page.goto(page.as_uri())
+        visit.page.locator(".chart-figure").first.scroll_into_view_if_needed()
+        visit.page.wait_for_load_state()
+        visit.page.evaluate(SETTLED, 1000)
+        assert not [url for url in visit.requests if "plotly.min.js" in url]
+        visit.page.evaluate("clearInterval(window.busy)")
+        drawn(visit, 0)
 
 
 @pytest.mark.tools("browser")

@@ -3,9 +3,10 @@
 // far: a browser holds few WebGL contexts (16 on a desktop, 8 on a phone), and what is far costs
 // memory. Zoom and choice are there again when it comes back.
 //
-// plotly.js is much larger than a page. It comes from the site's own files when the first chart
-// comes near. Without scripts, and in print, the chart's picture is shown. Colours follow the
-// page's theme by a filter, in site.css.
+// plotly.js is much larger than a page, and starts in one piece that holds the page for a second or
+// more. It comes from the site's own files when the first chart is no longer far, and only while the
+// reader rests: whoever scrolls past sees the chart's picture, as do readers without scripts, and
+// print. Colours follow the page's theme by a filter, in site.css.
 (() => {
   "use strict";
   const NEAR = "800px 0px";
@@ -28,6 +29,30 @@
       document.head.append(script);
     });
     return plotly;
+  }
+
+  // ---- rest ----
+
+  const REST = 300; // milliseconds without input, after which a reader rests
+  const idle = window.requestIdleCallback || ((work) => setTimeout(work, 50));
+  let lastInput = -REST;
+  for (const kind of ["scroll", "wheel", "touchmove", "pointerdown", "keydown"]) {
+    const note = () => {
+      lastInput = performance.now();
+    };
+    window.addEventListener(kind, note, { capture: true, passive: true });
+  }
+  /** Wait until the page is loaded, the reader rests and the browser has nothing else to do. */
+  function rest() {
+    return new Promise((done) => {
+      function look() {
+        const wait = lastInput + REST - performance.now();
+        if (document.readyState !== "complete") window.addEventListener("load", look);
+        else if (wait > 0) setTimeout(look, wait);
+        else idle(() => done());
+      }
+      look();
+    });
   }
 
   let webgl = null; // asked once, for each question makes a context
@@ -138,6 +163,7 @@
     const live = box.querySelector(".chart-live");
     const figure = JSON.parse(box.querySelector("script").textContent);
     const layouts = new Map(); // wide and narrow: plotly keeps the zoom in the layout that it was given
+    let isNear = false; // the window
     let isDrawn = false;
     let isNarrow = false;
     let work = Promise.resolve();
@@ -161,7 +187,9 @@
       isDrawn = true;
       try {
         if (figure.data.some(needsWebGL) && !hasWebGL()) throw Error("this browser has no WebGL");
+        await rest();
         await loadPlotly();
+        if (!isNear) return letGo(); // the reader has scrolled past
         isNarrow = live.clientWidth < NARROW;
         const config = {
           ...figure.config,
@@ -199,7 +227,11 @@
       work = work.then(step);
       return work;
     };
-    return { draw: () => next(draw), letGo: () => next(letGo), fit: () => next(fit), figure };
+    function approach(isIntersecting) {
+      isNear = isIntersecting;
+      if (isNear) next(draw);
+    }
+    return { approach, letGo: () => next(letGo), fit: () => next(fit), figure };
   }
 
   const charts = new Map();
@@ -215,10 +247,14 @@
     for (const box of document.querySelectorAll(".chart-figure")) observer.observe(box);
   }
   observe(NEAR, ({ target, isIntersecting }) => {
-    if (isIntersecting) chartOf(target).draw();
+    if (isIntersecting || charts.has(target)) chartOf(target).approach(isIntersecting);
   });
   observe(FAR, ({ target, isIntersecting }) => {
-    if (!isIntersecting && charts.has(target)) chartOf(target).letGo();
+    if (isIntersecting)
+      rest()
+        .then(loadPlotly)
+        .catch(() => {}); // a chart that is drawn says why
+    else if (charts.has(target)) chartOf(target).letGo();
   });
   window.addEventListener("resize", () => {
     for (const { fit } of charts.values()) fit();
