@@ -34,8 +34,7 @@ myst_heading_slug_func = "course_lib.pack.site.heading_anchor"
 myst_dmath_double_inline = True
 myst_dmath_allow_labels = False
 
-# The blocks of a text that name no language are commands, or tables, which are left as they are.
-highlight_language = "sh"
+# A block of `colour_commands` that no shell would read keeps its plain letters.
 suppress_warnings = ["misc.highlighting_failure"]
 
 html_math_renderer = "built"  # below
@@ -124,6 +123,14 @@ def name_columns(app, pagename, templatename, context, doctree):
 
     pattern = r'<table class="[^"]*\bstacked-table\b.*?</table>'
     context["body"] = re.sub(pattern, with_names, context.get("body", ""), flags=re.DOTALL)
+
+
+def colour_commands(app, document):
+    """Let the indented blocks of a page of text be coloured as a shell's: they hold commands."""
+    if app.env.doc2path(app.env.docname).endswith(".md"):
+        for block in document.findall(nodes.literal_block):
+            if block.get("language") == "none":
+                block["language"] = "sh"
 
 
 def find_dollars(app, document):
@@ -307,6 +314,7 @@ def setup(app):
     app.connect("html-page-context", name_columns)
     app.connect("builder-inited", do_without_sphinx_search)
     app.connect("html-page-context", name_the_course_once)
+    app.connect("doctree-read", colour_commands)
     app.connect("doctree-read", find_dollars)
     app.connect("doctree-read", leave_unnumbered)
     app.connect("doctree-read", number_equations)
