@@ -125,6 +125,12 @@ def test_the_pages_are_those_of_this_build_alone(
     assert {page.name for page in site[False].glob("*.html")} == PAGES
 
 
+def test_only_the_instructors_pages_speak_of_teaching(site):
+    home = {solutions: (site[solutions] / "index.html").read_text("utf-8") for solutions in site}
+    assert 'href="guide.html"' in home[True]
+    assert "Teach with it" not in home[False]
+
+
 @pytest.fixture(scope="module")
 def visit(site, browser):
     """A visit to the page with answers; every test leaves them shut."""
