@@ -261,10 +261,10 @@ COMMANDS = (
     "release.exercises",
     "site",
     "notebooks",
-    "animations",
-    "pictures",
-    "bench",
-    "data",
+    "authors.animations",
+    "authors.pictures",
+    "authors.bench",
+    "authors.data",
 )
 
 
