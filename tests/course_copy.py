@@ -60,7 +60,7 @@ def run(folder, *command, **variables):
     outside = {
         key: value
         for key, value in os.environ.items()
-        if not key.startswith(("PYTEST", "MAKE", "ONLY"))
+        if not key.startswith(("PYTEST", "MAKE", "ONLY")) and key != "ALL"
     }
     return subprocess.run(
         command, cwd=folder, env=outside | variables, capture_output=True, text=True, timeout=3600

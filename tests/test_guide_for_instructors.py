@@ -102,6 +102,7 @@ def test_every_file_has_its_lines(copy, followed):
         "canvas.csv",
         "class.html",
         "feedback",
+        "questions.html",
         "results",
         "seed",
     }

@@ -199,7 +199,7 @@ def run(page, number, source=None):
 
 @pytest.mark.quick
 def test_a_notebook_runs_from_its_first_cell_to_its_last(server, browser, folder):
-    name = NOTEBOOKS[1]
+    name = NOTEBOOKS[0]  # another than the one that is kept open below, whose kernel it would use
     path = folder / f"{name}.ipynb"
     solved = code_cells(ROOT / "notebooks" / path.name)
     first_check = next(k for k, cell in enumerate(solved) if cell.source.startswith("check."))

@@ -25,7 +25,7 @@ FEWER = {
     "wrong-pairing": {"(1000, dice)": "(50, dice)"},
     "benchmark": {"reached(thousand,": "reached(thousand[:50],"},
     "restarts": {"arange(1000)": "arange(50)"},
-    "near-far": {"(500, 7)": "(25, 7)", "reached(thousand,": "reached(thousand[:50],"},
+    "near-far": {"(250, 7)": "(25, 7)", "reached(thousand,": "reached(thousand[:50],"},
     "register-run": {"(500, dice)": "(25, dice)"},
     "width-code": {", 36, 50, 70": ""},
     "compete-network": {"[:5000]": "[:500]"},

@@ -890,22 +890,6 @@ def test_fast_moves_leave_all_angles_within_half_a_revolution(visit):
     assert max(degrees) <= 180
 
 
-@pytest.mark.parametrize("name", ["eight", "circles_toy", "gains", "step_map"])
-def test_a_toy_starts_again_where_it_began(visit, name):
-    box = figure_of(visit, name)
-    start_again = box.get_by_role("button", name="Start again")
-    start_again.click()
-    visit.page.evaluate(SETTLED, 100)
-    before = box.inner_text()
-    lowest = "(e) => { e.value = e.min; e.dispatchEvent(new Event('input')); }"
-    box.locator("input[type=range]").first.evaluate(lowest)
-    visit.page.evaluate(SETTLED, 100)
-    assert box.inner_text() != before
-    start_again.click()
-    visit.page.evaluate(SETTLED, 100)
-    assert box.inner_text() == before
-
-
 def test_all_solutions_are_found_again_when_the_target_was_out_of_reach(visit):
     box = figure_of(visit, "eight")
     says = box.locator("p[role=status]")

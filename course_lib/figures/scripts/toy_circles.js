@@ -75,10 +75,6 @@
         },
       });
     });
-    card.button("Start again", () => {
-      Object.assign(state, meta.angles);
-      for (const [key] of RANGES) ranges[key].set(state[key]);
-    });
     const numbers = card.numbers();
     const words = card.words([freeComment(1, 2)]);
 

@@ -81,11 +81,7 @@
     });
     const limits = { min: -3, max: 1.3, step: 0.05 };
     const writeDamping = (exponent) => `${Number((10 ** exponent).toPrecision(2))} m²`;
-    const range = card.setting("Damping ε", state, "logDamping", limits, writeDamping);
-    card.button("Start again", () => {
-      Object.assign(state, initial());
-      range.set(state.logDamping);
-    });
+    card.setting("Damping ε", state, "logDamping", limits, writeDamping);
     addLegend(card.controls, meta.dampings);
     const numbers = card.numbers();
     const words = card.words([comment(0.123, 12.3)]);

@@ -84,11 +84,6 @@
     const writeStep = (k) => `${k} of ${steps}`;
     const step = card.setting("Steps", state, "step", { min: 0, max: steps, step: 1 }, writeStep);
     card.player("Play", step, 1 / steps);
-    card.button("Start again", () => {
-      card.halt();
-      Object.assign(state, initial());
-      step.set(state.step);
-    });
     const words = card.words([comment([0.02, 99], 1.23, 99, true)]);
     function isUnsettled() {
       const [alpha, eps] = state.at;

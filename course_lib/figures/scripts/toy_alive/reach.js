@@ -115,21 +115,14 @@
         moved();
       },
     });
-    const ranges = ["z", "y", "x"].map((axis, i) => {
+    for (const [i, axis] of ["z", "y", "x"].entries()) {
       const limits = { min: -180, max: 180, step: 1, value: state.rotated[i] };
-      return card.range(`Rotate about ${axis}`, limits, P.inDegrees, (angle) => {
+      card.range(`Rotate about ${axis}`, limits, P.inDegrees, (angle) => {
         state.rotated[i] = angle;
         moved();
       });
-    });
-    const solution = starts ? addSolutionRange(card, state, starts.length) : null;
-    card.button("Start again", () => {
-      card.halt();
-      Object.assign(state, initial());
-      for (const range of ranges) range.set(0);
-      solution?.set(state.chosen);
-      moved();
-    });
+    }
+    if (starts) addSolutionRange(card, state, starts.length);
     const numbers = card.numbers();
     const words = card.words([OUT_OF_REACH, WITHIN_REACH]);
     moved();
@@ -192,7 +185,6 @@
     };
     const solution = card.setting("Solution", state, "chosen", limits, write);
     card.player("From one to the next", solution, 0.0025);
-    return solution;
   }
 
   function comment({ state, shown, isOutOfReach, starts }) {
