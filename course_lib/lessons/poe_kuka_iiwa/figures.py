@@ -702,8 +702,8 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
         "to "
         f"zero at the hole around axis 1, of radius {hole:z.2f} m, and at the outer edge.",
         "The flange reaches, from above, what lies between the red and the black line. The colour "
-        "of a place shows the largest manipulability of all configurations that reach it. (Cells "
-        "that the black line cuts have no colour.)",
+        "of a place shows the largest manipulability of all configurations that reach it. Cells "
+        "that the black line cuts have no colour.",
     )
 
 

@@ -45,6 +45,7 @@ EXERCISE = declared(
     tolerance=EXACT,
     library=_right,
     says="the point moves counter-clockwise by the angle a",
+    found=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
     properties=(
         Property(
             "the distance from the origin does not change",
