@@ -285,7 +285,7 @@ def test_python_named_by_a_path_from_another_folder_is_found(isolated, tmp_path)
     asked = [
         relative,
         "-c",
-        "from course_lib.pack.grade import isolation; print(isolation.problem() or 'works')",
+        "from course_lib.pack.grade.jail import isolation; print(isolation.problem() or 'works')",
     ]
     done = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout == "works\n"
