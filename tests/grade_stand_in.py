@@ -13,7 +13,7 @@ import uuid
 from pathlib import Path
 
 TABLES = ("grades.csv", "totals.csv", "questions.csv")
-SOON = 3600  # seconds: a loaded machine may take long, and only what fails waits so long
+SOON = 600  # seconds: a loaded machine may take long, and only what fails waits so long
 
 
 def wait_for(what):

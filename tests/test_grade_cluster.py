@@ -19,6 +19,7 @@ from hostile.build import answers, book
 
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.cluster import Cluster, Order, Task
+from course_lib.pack.grade.jail.sandbox import Limits
 
 STAND_IN = Path(__file__).with_name("grade_stand_in.py")
 SEED = "48151623421"
@@ -100,17 +101,12 @@ def written(folder):
 
 
 def grading(worker):
-    """Return the processes below a worker once one of them is the sandbox of a submission, not the
-    one of the trial."""
+    """Return the processes below a worker once one of them is the jail of a submission, not the
+    one of the trial, which has other limits."""
     below = psutil.Process(worker.pid).children(recursive=True)
-    with suppress(psutil.NoSuchProcess, IndexError):  # one ends meanwhile
-        for process in below:
-            parents = process.parents()
-            if (
-                process.name() == "bwrap"
-                and parents[0].name() != "bwrap"
-                and parents[2].pid == worker.pid
-            ):
+    for process in below:
+        with suppress(psutil.NoSuchProcess):  # it ends meanwhile
+            if process.name() == "bwrap" and str(Limits().scratch) in process.cmdline():
                 return below
     return None
 
