@@ -124,9 +124,9 @@ def pytest_xdist_auto_num_workers():
     )
 
 
-# A sandbox, a browser, a cluster, a copy of the course and its site take seconds, whatever the test
-# does with them.
-SLOW = {"isolated", "browser", "course", "dask"}
+# A sandbox, a browser, a cluster, a copy of the course and its sites, and programs that are killed at
+# each of their steps take seconds, whatever the test does with them.
+SLOW = {"isolated", "browser", "course", "sites", "dask", "killed_updates"}
 
 
 @pytest.hookimpl(tryfirst=True)  # before pytest chooses by marks
