@@ -12,6 +12,7 @@ as sin(0), and products of matrices of whole numbers.
 """
 
 import ctypes
+import math
 import re
 import types
 
@@ -35,6 +36,8 @@ _POINTERS = ctypes.POINTER(ctypes.c_void_p)
 _SIZES = ctypes.POINTER(ctypes.c_ssize_t)
 _Loop = ctypes.CFUNCTYPE(None, _POINTERS, _SIZES, _SIZES, ctypes.c_void_p)
 
+_FEW = 40  # numbers that are shaken faster one by one than as an array
+
 _kept = []  # a loop that Python deleted would end the process when numpy calls it
 
 
@@ -43,26 +46,34 @@ class _Noise:
     gives the same number again, as it does on every processor."""
 
     def __init__(self, seed):
-        self._odd = np.uint64(0x9E3779B97F4A7C15 + 2 * seed)
-        self._shift = np.uint64(40)
+        self._odd = 0x9E3779B97F4A7C15 + 2 * seed
 
     def shake(self, values):
         """Multiply an array by factors, in place, wherever it is no multiple of 1/4."""
         bits = np.ascontiguousarray(values).view(np.uint64)
-        k = (bits * self._odd >> self._shift) % np.uint64(5)
+        k = (bits * np.uint64(self._odd) >> np.uint64(40)) % np.uint64(5)
         factors = 1 + (k.astype(float) - 2) * 2.0**-53
         fourfold = values * 4
         inexact = fourfold != np.rint(fourfold)
         np.multiply(values, factors, out=values, where=inexact & np.isfinite(values))
+
+    def shake_few(self, address, count):
+        """Multiply adjacent numbers at an address by the same factors as `shake` does."""
+        numbers = (ctypes.c_double * count).from_address(address)
+        every_bits = (ctypes.c_uint64 * count).from_address(address)[:]
+        for place, value in enumerate(numbers[:]):
+            if not (4 * value).is_integer():
+                k = ((every_bits[place] * self._odd & 0xFFFFFFFFFFFFFFFF) >> 40) % 5
+                numbers[place] = value * (1 + (k - 2) * 2.0**-53)
 
     def shaken(self, value):
         """Return a number or an array with noise, anything else as it is."""
         if isinstance(value, np.ndarray) and value.dtype == float and value.flags.writeable:
             self.shake(value)
         elif isinstance(value, float):
-            array = np.array([value], float)
-            self.shake(array)
-            value = type(value)(array[0])
+            number = ctypes.c_double(value)
+            self.shake_few(ctypes.addressof(number), 1)
+            value = type(value)(number.value)
         return value
 
 
@@ -117,10 +128,16 @@ def _replace_loop(ufunc, noise, only_sums=False):
     )
     operands = [re.findall(r"\w+", names) for names in re.findall(r"\(([^)]*)\)", signature)]
     lengths = list(dict.fromkeys(name for names in operands for name in names))
-    first_stride = np.cumsum([len(operands), *map(len, operands)])
+    first_stride = np.cumsum([len(operands), *map(len, operands)]).tolist()
     kinds = [_DOUBLE] * ufunc.nargs
     if ufunc is _umath_linalg.lstsq:
         kinds[5] = _INT  # the rank
+    # Of each result in floats: its place, and those of its lengths and strides among numpy's.
+    results = [
+        (k, [1 + lengths.index(name) for name in operands[k]], first_stride[k])
+        for k in range(ufunc.nin, ufunc.nargs)
+        if kinds[k] == _DOUBLE
+    ]
     old = ctypes.c_void_p()
 
     def loop(addresses, counts, strides, data):
@@ -132,14 +149,13 @@ def _replace_loop(ufunc, noise, only_sums=False):
         original(addresses, counts, strides, data)
         if only_sums and not is_sum:
             return
-        for k in range(ufunc.nin, ufunc.nargs):
-            if kinds[k] != _DOUBLE:
-                continue
-            shape, steps = [count], [strides[k]]
-            for position, name in enumerate(operands[k]):
-                shape.append(counts[1 + lengths.index(name)])
-                steps.append(strides[int(first_stride[k]) + position])
-            if 0 not in shape:
+        for k, of_lengths, own in results:
+            shape = [count, *(counts[place] for place in of_lengths)]
+            steps = [strides[k], *strides[own : own + len(of_lengths)]]
+            size = math.prod(shape)
+            if 0 < size <= _FEW and _are_adjacent(shape, steps):
+                noise.shake_few(begins[k], size)
+            elif size:
                 noise.shake(np.asarray(_At(begins[k], tuple(shape), tuple(steps))))
 
     replacement = _Loop(loop)
@@ -149,6 +165,16 @@ def _replace_loop(ufunc, noise, only_sums=False):
         raise RuntimeError(f"numpy has no loop of {ufunc.__name__} for floats")
     original = _Loop(old.value)
     _kept.append((replacement, original))
+
+
+def _are_adjacent(shape, steps):
+    """Return whether numbers with these lengths and strides (bytes) follow each other."""
+    expected = 8
+    for length, step in zip(reversed(shape), reversed(steps), strict=True):
+        if length > 1 and step != expected:
+            return False
+        expected *= length
+    return True
 
 
 def _replace():

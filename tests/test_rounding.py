@@ -77,6 +77,15 @@ print((whole @ whole)[2].tolist(), np.sin(0.0), np.cos(0.0), 0.1 + 0.2)
     assert with_noise(program) == "[69.0, 90.0, 111.0] 0.0 1.0 0.30000000000000004\n"
 
 
+def test_noise_follows_from_the_number_alone():
+    program = """
+A = np.random.default_rng(0).normal(size=100)
+begin(1)
+print(np.array_equal(np.sin(A)[:20], np.sin(A[:20])), np.sin(A)[3] == np.sin(A[3]))
+"""
+    assert with_noise(program) == "True True\n"
+
+
 def test_no_figure_says_minus_zero_in_its_words():
     course = TESTS.parent / "course_lib"
     files = [*course.glob("figures/**/*.py"), *course.glob("lessons/*/*.py")]
