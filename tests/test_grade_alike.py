@@ -53,7 +53,8 @@ def named(*works):
     return [(one.student, other.student) for _, one, other, _ in pairs(works)]
 
 
-def test_a_disguised_copy_is_found_wherever_it_stands_and_an_honest_answer_is_not():
+def test_a_disguised_copy_is_found_wherever_it_stands():
+    """An honest answer makes no pair."""
     assert named(work("anna", "x = 1", OWN), work("bo", DISGUISED, "y = 2"), work("cy", OTHER)) == [
         ("anna", "bo")
     ]
@@ -66,7 +67,7 @@ def test_what_many_students_have_comes_from_the_task(monkeypatch):
     assert named(*everyone) == []
 
 
-def test_copies_of_the_course_s_own_code_are_named_and_make_no_pair():
+def test_copies_of_the_course_s_own_code_make_no_pair():
     given = json.loads((ROOT / f"notebooks/{NOTEBOOK}.ipynb").read_text())["cells"]
     cells = ["".join(cell["source"]) for cell in given if cell["cell_type"] == "code"]
     library = (ROOT / "course_lib/rotations.py").read_text()
@@ -100,7 +101,7 @@ def test_earlier_years_are_compared_and_not_with_each_other(tmp_path, place):
     )
 
 
-def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monkeypatch):
+def test_the_page_is_rewritten_only_when_a_submission_changes(tmp_path, monkeypatch):
     for name, source in (("anna", OWN), ("bo", DISGUISED)):
         (tmp_path / "in" / name).mkdir(parents=True)
         (tmp_path / f"in/{name}/{NOTEBOOK}.ipynb").write_bytes(book(source))
@@ -115,7 +116,8 @@ def test_the_page_is_written_again_only_when_a_submission_changes(tmp_path, monk
     assert "No pair is alike." in path.read_text()
 
 
-def test_the_page_marks_what_both_have_escapes_it_and_gives_no_verdict():
+def test_the_page_marks_what_both_have_without_a_verdict():
+    """Names and code are escaped."""
     page = alike_page(
         [work("<b>anna", OWN), work("bo", DISGUISED.replace("error", "</pre><script>"))]
     )

@@ -68,7 +68,7 @@ def test_a_notebook_with_numbers_of_any_length_is_read():
     assert code(read(text.encode())[0]) == ["x = 1"]
 
 
-def test_a_file_with_too_many_parts_is_refused_before_it_is_parsed():
+def test_a_file_of_too_many_parts_is_refused_before_parsing():
     content = ('{"cells": [' + ",".join(["[]"] * 6_000_000) + "]}").encode()
     begin = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     result = grade(content, NAME, SEED)
@@ -214,7 +214,7 @@ def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
 # ---- what costs the grader time ----
 
 
-def test_a_notebook_of_very_many_statements_is_refused_before_it_is_parsed():
+def test_too_many_statements_are_refused_before_parsing():
     notebook_file.courses()  # loaded once
     begin = time.process_time()
     result = grade(book("x = 1\n" * 150_000), NAME, SEED)

@@ -85,16 +85,14 @@ def test_written_answers_are_listed_by_notebook(tmp_path, capsys):
 @pytest.mark.parametrize(
     "picture", ["![image.png](attachment:image.png)", '<IMG src="sketch.png">', "![](sketch.png)"]
 )
-def test_a_written_answer_with_a_picture_is_to_be_looked_at_in_the_notebook(
-    tmp_path, capsys, picture
-):
+def test_a_written_answer_with_a_picture_is_listed(tmp_path, capsys, picture):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2], texts=["because", picture])
     said, page = run(tmp_path, capsys)
     both(said, page, "These written answers hold pictures, which questions.csv cannot show.")
     both(said, page, "ana_01_rotations.ipynb: explain_1")
 
 
-def test_late_ones_without_a_time_are_named_with_the_table_to_write(tmp_path, capsys):
+def test_a_late_file_without_a_time_is_named_with_the_table(tmp_path, capsys):
     hand_in(tmp_path / "in", "doejane_LATE_1234_5_01_rotations.ipynb", points=[2])
     hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
     options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--late", "10%"]
@@ -105,7 +103,7 @@ def test_late_ones_without_a_time_are_named_with_the_table_to_write(tmp_path, ca
     assert "TIMES=times.csv" in said
 
 
-def test_a_class_on_canvas_without_a_late_one_has_nothing_to_say_about_times(tmp_path, capsys):
+def test_a_class_without_late_files_needs_no_times(tmp_path, capsys):
     hand_in(tmp_path / "in", "bo_1235_6_01_rotations.ipynb", points=[2])
     options = ["--lms", "canvas", "--deadline", "2026-11-30 18:00", "--late", "10%"]
     said, _ = run(tmp_path, capsys, *options)
@@ -123,7 +121,7 @@ def test_those_whom_a_table_of_times_leaves_out_are_named(tmp_path, capsys):
     both(said, page, "bo_1235: 01_rotations")
 
 
-def test_names_that_differ_in_case_or_order_only_are_remarked_upon(tmp_path, capsys):
+def test_names_that_differ_in_case_or_order_only_are_reported(tmp_path, capsys):
     for name in ("Jane Doe/01_rotations", "doe, jane/02_rigid_motion", "bob/01_rotations"):
         hand_in(tmp_path / "in", f"{name}.ipynb", points=[2])
     said, page = run(tmp_path, capsys)
@@ -139,7 +137,7 @@ def test_whose_a_file_is_is_asked_where_its_name_does_not_say(tmp_path, capsys):
     both(said, page, "BR behind the notebook's name is taken for initials of bob.")
 
 
-def test_notebooks_of_another_release_are_named_with_what_it_means(tmp_path, capsys):
+def test_notebooks_of_another_release_are_named(tmp_path, capsys):
     for i in range(3):
         hand_in(tmp_path / "in", f"s{i}_01_rotations.ipynb", points=[i])
 
@@ -162,9 +160,7 @@ def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys
     both(said, page, "Try it in a copy of the course first.")
 
 
-def test_who_may_have_handed_in_under_another_name_is_not_said_to_have_handed_in_nothing(
-    tmp_path, capsys
-):
+def test_a_student_who_may_have_another_name_is_listed_with_it(tmp_path, capsys):
     hand_in(tmp_path / "in", "HW_aboli_attempt_2026-11-30-18-05-00_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
         "Last Name,First Name,Username,Student ID\nBo-Li,Alan,other,1\nNull,Eve,enull,2\n"
@@ -176,7 +172,7 @@ def test_who_may_have_handed_in_under_another_name_is_not_said_to_have_handed_in
     assert "Null, Eve, unless" not in said
 
 
-def test_a_name_in_one_word_as_canvas_writes_it_has_near_names_in_the_roster(tmp_path, capsys):
+def test_a_name_in_one_word_has_near_names_in_the_roster(tmp_path, capsys):
     hand_in(tmp_path / "in", "bolial_704_9004_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
         "Student,ID,SIS User ID,SIS Login ID,Section\n"
@@ -222,7 +218,7 @@ def test_the_command_under_an_entry_is_the_one_of_this_run(tmp_path, capsys, mon
     }
 
 
-def test_the_page_has_no_setting_of_the_machine_so_its_bytes_are_the_same(tmp_path, capsys):
+def test_the_page_has_no_setting_of_the_machine(tmp_path, capsys):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[2], texts=["so"])
     _, page = run(tmp_path, capsys, "--seed", "7")
     assert "make grade SUBMISSIONS=" in page
@@ -257,7 +253,7 @@ def test_the_run_says_how_long_it_may_take(tmp_path, capsys):
     assert "for 0 of them; the others are equal to these or have a result already" in said
 
 
-def test_a_shell_refuses_the_page_s_command_until_the_folder_stands_in_it(tmp_path):
+def test_the_page_s_command_fails_without_the_folder(tmp_path):
     """Another folder would get another seed, and none of the marks."""
     typed = {"SUBMISSIONS": "in", "OUTPUT": "grades", "ROSTER": "roster.csv"}
     graded_class = GradedClass(Path("grades"), Path("grades"), (), (), None, typed)

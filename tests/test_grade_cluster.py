@@ -184,9 +184,8 @@ def graded(place):
     return {student: len(os.listdir(place / f"log-{student}")) for student in "abcde"}
 
 
-def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_graded_once(
-    dask, tmp_path, capsys, any_exercises
-):
+def test_a_submission_that_ends_three_workers_is_not_graded(dask, tmp_path, capsys, any_exercises):
+    """The other submissions are graded once."""
     fill(tmp_path, b={"do": "end"}, d={"do": "raise"})
     address = dask().address
     worker = dask(address, "--preload", str(STAND_IN))  # which a nanny starts again
@@ -205,9 +204,8 @@ def test_a_submission_that_ends_three_workers_gets_a_line_and_the_others_are_gra
     assert SEED not in f"{worker.log.read_text()} {Order(SEED.encode())} {[Order(SEED.encode())]}"
 
 
-def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(
-    dask, tmp_path, capsys, any_exercises
-):
+def test_a_run_continues_on_another_scheduler(dask, tmp_path, capsys, any_exercises):
+    """The run ends when its own scheduler is gone."""
     fill(tmp_path, c={"seconds": 600})
     scheduler = dask()
     worker = dask(scheduler.address, "--no-nanny", "--preload", str(STAND_IN))
@@ -230,9 +228,7 @@ def test_a_scheduler_that_goes_away_ends_the_run_which_continues_on_another(
     assert graded(tmp_path) == {"a": 1, "b": 1, "c": 2, "d": 1, "e": 1}
 
 
-def test_without_a_scheduler_or_a_worker_that_can_grade_a_sentence_says_so(
-    dask, tmp_path, capsys, monkeypatch
-):
+def test_a_cluster_without_a_usable_worker_is_explained(dask, tmp_path, capsys, monkeypatch):
     fill(tmp_path)
     monkeypatch.setattr("course_lib.pack.grade.cluster.PATIENCE", 0)
     hand_in(tmp_path / "other", "course_lib/__init__.py").write_text("")
@@ -301,7 +297,7 @@ def dask_setup(worker):
 
 
 @pytest.mark.parametrize("kind", BAD_ANSWERS)
-def test_what_a_bad_worker_answers_is_named_and_graded_by_another(kind, any_exercises, capsys):
+def test_a_bad_answer_is_named_and_graded_by_another_worker(kind, any_exercises, capsys):
     """Without a real cluster: the answers alone."""
     cluster = without_dask({"bad", "good"}, ["bad", "good"])
     task = Task("path", Order(b"x"), worker="bad")
@@ -326,7 +322,7 @@ def without_dask(fit, workers):
     return cluster
 
 
-def test_a_submission_waits_for_a_worker_that_has_joined_rather_than_go_to_a_bad_one_again():
+def test_a_submission_prefers_a_joining_worker_to_a_bad_one():
     cluster = without_dask({"bad"}, ["bad", "joining"])
     cluster._avoided["path"] = {"bad"}
     assert cluster._free("path") is None
@@ -335,7 +331,7 @@ def test_a_submission_waits_for_a_worker_that_has_joined_rather_than_go_to_a_bad
     assert cluster._free("path") == "joining"
 
 
-def test_a_submission_goes_to_a_bad_worker_again_if_no_other_can_grade():
+def test_a_submission_returns_to_a_bad_worker_without_another():
     cluster = without_dask({"bad"}, ["bad", "refused"])
     cluster._avoided["path"], cluster._unfit = (
         {"bad"},
@@ -356,7 +352,7 @@ class Answered:
         return self._answer
 
 
-def test_beside_a_worker_with_too_many_points_a_class_is_graded_by_the_other(
+def test_a_worker_with_too_many_points_is_replaced_by_another(
     dask, tmp_path, capsys, any_exercises
 ):
     fill(tmp_path)
@@ -376,7 +372,7 @@ def test_beside_a_worker_with_too_many_points_a_class_is_graded_by_the_other(
     assert "a has 1e+06 points of 2" in capsys.readouterr().out
 
 
-def test_a_worker_that_is_silent_is_given_up_and_its_submission_graded_by_another(
+def test_the_submission_of_a_silent_worker_goes_to_another(
     dask, tmp_path, capsys, monkeypatch, any_exercises
 ):
     monkeypatch.setattr("course_lib.pack.grade.cluster.MAX_SILENT", 3)

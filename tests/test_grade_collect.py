@@ -138,9 +138,7 @@ TYPED = {  # into the platform, which is no refusal
 
 
 @pytest.mark.parametrize(("platform", "exported"), [("canvas", CANVAS), ("moodle", MOODLE)])
-def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(
-    platform, exported, tmp_path
-):
+def test_exported_names_are_read_if_the_platform_is_named(platform, exported, tmp_path):
     write(tmp_path / "in", *exported, *TYPED[platform], "roster.csv")
     seen = [
         each for each in find(tmp_path / "in", NOTEBOOKS, platform) if each.place != "roster.csv"
@@ -160,7 +158,7 @@ def test_names_that_learning_platforms_export_are_read_if_the_platform_is_named(
     assert {each.platform_id for each in find(tmp_path / "in", NOTEBOOKS)} == {""}
 
 
-def test_a_folder_is_a_student_and_a_platform_that_is_named_holds_for_files(tmp_path):
+def test_a_named_platform_holds_for_files_and_not_for_folders(tmp_path):
     write(tmp_path, "doejane_1234_5678_x/01_rotations.ipynb", "bo_1235_98_01_rotations.ipynb")
     assert found(tmp_path, "canvas") == [
         ("bo_1235", "01_rotations"),
@@ -195,7 +193,7 @@ def test_files_that_programs_leave_behind_are_ignored(tmp_path):
     assert refused(tmp_path) == {}
 
 
-def test_names_are_shown_on_one_line_with_escapes_for_unprintable_characters(tmp_path):
+def test_unprintable_characters_of_names_are_escaped(tmp_path):
     assert printable("a\nb\u202ec") == "a\\x0ab\\x202ec"
     assert printable(os.fsdecode(b"a\xff")) == "a\\xff"
     (tmp_path / os.fsdecode(b"a\xff_01_rotations.ipynb")).write_text("{}")
@@ -273,7 +271,7 @@ def test_a_students_file_is_not_taken_for_gradescopes_list(tmp_path):
     assert {each.student for each in find(tmp_path, NOTEBOOKS)} == {"mallory"}
 
 
-def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_path):
+def test_moodle_s_groups_have_their_names(tmp_path):
     """A group's number is its own; the default group has none (moodle/moodle,
     mod/assign/classes/downloader.php)."""
     file = "assignsubmission_file"
@@ -291,7 +289,7 @@ def test_moodles_groups_have_their_names_and_those_in_none_are_a_group_too(tmp_p
     assert found == {("Team A", "12"), ("Default group", ""), ("Team B", "")}
 
 
-def test_a_name_without_the_signs_that_moodle_leaves_out_is_found_in_the_roster():
+def test_a_name_is_found_without_the_signs_moodle_leaves_out():
     """Which & < > " ` | ' : \\ / are in a file's name (moodle/moodle, public/lib/classes/param.php,
     PARAM_FILE)."""
     rows = [{"First name": "Seán", "Last name": "O'Neill"}, {"First name": "Al", "Last name": "Bo"}]
@@ -404,7 +402,7 @@ def test_what_a_download_adds_is_no_part_of_a_name_in_an_export(tmp_path, platfo
         ("01_rotations.ipynb.crdownload", "not complete"),
     ],
 )
-def test_a_file_that_only_stands_for_a_notebook_is_named_as_what_it_is(tmp_path, name, why):
+def test_a_placeholder_of_a_notebook_is_named_as_what_it_is(tmp_path, name, why):
     write(tmp_path, f"anna_{name}", f"bob/{name}")
     reasons = refused(tmp_path)
     assert why in reasons[f"anna_{name}"]
@@ -457,7 +455,7 @@ def test_notebooks_in_a_zip_are_read_where_they_are(tmp_path):
     assert not list(tmp_path.rglob("*.ipynb"))
 
 
-def test_a_zip_with_the_backslashes_of_windows_is_read_as_folders(tmp_path):
+def test_backslashes_in_a_zip_are_read_as_folders(tmp_path):
     files = {
         "hw\\01_rotations.ipynb": "one",
         "hw\\.ipynb_checkpoints\\01_rotations-checkpoint.ipynb": "x",
@@ -472,7 +470,7 @@ def test_a_zip_with_the_backslashes_of_windows_is_read_as_folders(tmp_path):
     }
 
 
-def test_a_zip_beyond_the_bounds_or_broken_costs_only_its_student(tmp_path, monkeypatch):
+def test_an_unusable_zip_costs_only_its_student(tmp_path, monkeypatch):
     monkeypatch.setattr(zips, "MAX_ENTRIES", 100)
     zipped(tmp_path / "many.zip", {f"{k}.txt": "" for k in range(200)})
     zipped(tmp_path / "bomb.zip", {"01_rotations.ipynb": bytes(50_000_000)})
@@ -690,7 +688,7 @@ def test_the_folders_of_one_student_lead_to_no_question(tmp_path, files):
     }
 
 
-def test_more_than_twenty_files_of_one_student_are_a_question_and_not_cut(tmp_path):
+def test_more_than_twenty_files_of_one_student_are_a_question(tmp_path):
     write(tmp_path, *(f"ana/{number}/01_rotations.ipynb" for number in range(25)))
     (each,) = find(tmp_path, NOTEBOOKS)
     assert "It holds 25 notebooks and links, which is much for one student" in each.question

@@ -145,7 +145,7 @@ def test_feedback_shows_points_messages_marks_and_comments():
     assert all(("id", anchor) in read.attributes for anchor in anchors)
 
 
-def test_feedback_groups_core_and_more_under_their_weighted_subtotals():
+def test_feedback_has_weighted_subtotals_of_core_and_more():
     its = of("zoe", [2, 2, 0], ["because"], more=["exercise_1", "exercise_2"])
     for weight, words in [
         (1, ("4 of 8 points", "Core: 2 of 4 points", "More: 2 of 4 points")),
@@ -177,7 +177,8 @@ def test_feedback_groups_core_and_more_under_their_weighted_subtotals():
         assert "01_rotations: exercise_2 (More)" in class_page([each])
 
 
-def test_feedback_has_the_notebooks_title_and_code_in_place_of_backticks():
+def test_feedback_has_code_in_place_of_backticks():
+    """Its heading is the title of the notebook."""
     submission, its = of("zoe", [0], ["Use `R`."])
     its["exercises"][0]["message"] = "Return `R <= 1`, please."
     its["questions"][0]["task"] = "**A.** Is `nearest_so(M)`\nthe best?"
@@ -188,7 +189,8 @@ def test_feedback_has_the_notebooks_title_and_code_in_place_of_backticks():
     assert "Use `R`." in page, "what the student wrote stays as it is"
 
 
-def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_path):
+def test_feedback_is_written_only_below_its_folder(tmp_path):
+    """Each file that counts has feedback, and no other file has."""
     everything = graded_files(
         [
             of("zoe", [2], place="a"),
@@ -222,7 +224,7 @@ def test_feedback_is_written_for_files_that_count_and_only_below_its_folder(tmp_
     assert [path.name for path in folder.iterdir()] == ["zoe"]
 
 
-def test_feedback_for_moodle_is_a_zip_with_the_folders_that_moodle_looks_for(tmp_path):
+def test_feedback_for_moodle_is_a_zip_of_moodle_s_folders(tmp_path):
     """Parts of a path before the last: a name without underscores, the participant's number, the
     plugin's two words.
 
@@ -273,7 +275,7 @@ def rows(page, title):
     return [[*cells, re.findall(r"width:([\d.]+)rem", bar)] for *cells, bar in found]
 
 
-def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
+def test_the_class_page_shows_its_tables_with_bars():
     page = class_page(a_class())
     read = Read(page)
     points = rows(page, "Distribution of the points")
@@ -291,7 +293,7 @@ def test_the_class_page_shows_points_hard_exercises_and_mistakes_with_bars():
     assert read.tags <= TAGS
 
 
-def test_an_exercise_separates_as_its_points_follow_the_students_other_points():
+def test_discrimination_is_the_correlation_with_the_other_points():
     """By scipy's stats.pearsonr on exercise 0, 1 and the marked answer, each against the sum of the
     other two."""
     draws = np.random.default_rng(3).integers(0, 3, (40, 3))
@@ -313,7 +315,7 @@ def test_an_exercise_separates_as_its_points_follow_the_students_other_points():
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_both_pages_are_readable_in_the_light_and_in_the_dark_theme(browser, tmp_path, theme):
+def test_both_pages_are_readable_in_both_themes(browser, tmp_path, theme):
     everything = a_class()
     (tmp_path / "class.html").write_text(class_page(everything), encoding="utf-8")
     (tmp_path / "one.html").write_text(feedback_page(everything[0]), encoding="utf-8")

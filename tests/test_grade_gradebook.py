@@ -73,7 +73,7 @@ def test_canvas_takes_its_five_columns_and_a_row_of_points(roster):
     ]
 
 
-def test_without_a_roster_canvas_has_the_numbers_of_its_own_files():
+def test_without_a_roster_canvas_has_the_numbers_of_its_files():
     text, *_ = gradebook_text("canvas", POINTS)
     assert rows(text)[2:] == [
         ["al", "", "", "al", "", "12", "0"],
@@ -94,7 +94,7 @@ def test_moodle_takes_whatever_identifies_the_user(roster):
     assert missing == ["Eve"]
 
 
-def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_them(roster):
+def test_a_student_is_found_by_the_whole_number_address_or_name(roster):
     found = Roster(roster(MOODLE + "Jane;Roe;1236;roe@example.org\nAl;Bo;1237;other@example.org\n"))
     assert found.find("1235")[0]["Email address"] == "al@example.org"
     assert found.find("JANE@example.org")[0]["ID number"] == "1234"
@@ -107,7 +107,7 @@ def test_a_student_is_found_by_number_address_or_name_and_never_by_a_part_of_the
     ], "two students whose names differ in an accent only"
 
 
-def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(roster, tmp_path):
+def test_a_number_is_looked_up_only_in_its_own_column(roster, tmp_path):
     """Moodle's number identifies the hand-in, and an old score does not identify a student."""
     canvas = Roster(roster(CANVAS))
     assert canvas.find("x", {"id": "1235"})[0]["Student"] == "Bo, Al"
@@ -122,7 +122,7 @@ def test_a_number_finds_a_student_only_in_the_column_that_holds_such_numbers(ros
     ]
 
 
-def test_each_member_of_a_group_has_a_line_with_the_points_of_the_group(roster):
+def test_each_member_of_a_group_has_the_points_of_the_group(roster):
     members = roster(
         "student,First name,Last name,Email address\nTeam A,Jane,Doe,jane@x\nTeam A,Al,Bo,al@x\n"
     )
@@ -136,7 +136,8 @@ def test_each_member_of_a_group_has_a_line_with_the_points_of_the_group(roster):
     assert (missing, shared) == ([], [])
 
 
-def test_two_names_of_one_student_make_one_line_with_the_better_points(roster):
+def test_two_names_of_one_student_make_one_line(roster):
+    """The better points of each notebook count."""
     both = Totals(
         POINTS.of,
         {"jane": {"01_rotations": 9}, "Doe Jane": {"01_rotations": 3, "02_rigid_motion": 1}},
@@ -180,7 +181,7 @@ def test_other_names_of_the_columns_are_known(roster):
     ],
     ids=["empty", "no names", "no students", "another language", "a cell of any length"],
 )
-def test_a_file_that_cannot_be_used_as_a_roster_is_refused_and_not_ignored(roster, text, said):
+def test_an_unusable_roster_stops_grading(roster, text, said):
     with pytest.raises(GradingStopped, match=said):
         roster(text)
 
@@ -268,7 +269,7 @@ DEADLINE = ("--deadline", "2026-11-30 18:00", "--late", "10%")
 ON_MOODLE = ("--lms", "moodle", *DEADLINE)
 
 
-def test_late_files_lose_points_by_the_rule_and_are_not_graded_again(tmp_path, capsys):
+def test_late_files_lose_points_without_being_graded_again(tmp_path, capsys):
     late = hand_in(
         tmp_path / "in", "doejane_LATE_1234_99_01_rotations.ipynb", points=[2, 2], texts=[""]
     )
@@ -301,7 +302,7 @@ def totals_in(out):
     return {row[0]: row[-3] for row in rows((out / "totals.csv").read_text())[1:]}
 
 
-def test_canvas_files_have_the_time_of_the_export_and_only_their_marks_count(tmp_path, capsys):
+def test_only_canvas_s_marks_say_which_files_are_late(tmp_path, capsys):
     """Canvas adds LATE to the name and gives each file the time of the export
     (lib/content_zipper.rb)."""
     for name in ("doejane_LATE_1234_99", "bo_1235_98", "eve_LATE_1236_97"):
@@ -406,9 +407,7 @@ def test_moodles_worksheet_has_the_times_that_its_zip_lacks(tmp_path, capsys):
         (("--times", "files"), "TIMES=files has no meaning without DEADLINE=."),
     ],
 )
-def test_settings_that_cannot_be_used_stop_before_anything_is_graded(
-    tmp_path, capsys, options, said
-):
+def test_unusable_settings_stop_before_anything_is_graded(tmp_path, capsys, options, said):
     hand_in(tmp_path / "in", "anna_01_rotations.ipynb", points=[2])
     assert (
         main([str(tmp_path / "in"), "--output", str(tmp_path / "out"), *options], grade=grade) == 1
@@ -417,9 +416,8 @@ def test_settings_that_cannot_be_used_stop_before_anything_is_graded(
     assert not (tmp_path / "out").exists()
 
 
-def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_left_out(
-    tmp_path, capsys
-):
+def test_students_who_handed_in_nothing_are_named(tmp_path, capsys):
+    """Notebooks that NOTEBOOKS= does not name are left out."""
     for name in ("01_rotations", "02_rigid_motion", "06_decomposition_ik"):
         hand_in(tmp_path / "in", f"Doe Jane/{name}.ipynb", points=[0, 2])
     (tmp_path / "roster.csv").write_text(f'{CANVAS}"Student, Test",1236,,{"0a" * 20},Kinematics,\n')
@@ -433,9 +431,8 @@ def test_those_who_handed_in_nothing_are_named_and_notebooks_not_assigned_are_le
     assert "06_decomposition_ik" not in page
 
 
-def test_students_without_a_line_of_the_roster_with_several_and_those_who_share_one_are_named(
-    tmp_path, capsys
-):
+def test_students_without_one_line_of_their_own_are_named(tmp_path, capsys):
+    """Some have no line of the roster, some several, and some share one."""
     for name in ("eve", "jane", "Doe Jane", "Li Xiang 9"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
@@ -483,14 +480,14 @@ def test_after_the_number_login_and_address_are_asked(roster):
         assert [row["First name"] for row in finder.find("Ana Lee", identity=identity)] == [name]
 
 
-def test_a_number_in_a_column_id_counts_where_no_other_column_has_numbers(roster):
+def test_a_column_id_counts_where_no_other_column_has_numbers(roster):
     (row,) = roster("Name,ID,Email\nAna Lee,00123,ana@x\n")
     assert Roster([row]).find("Annie", identity={"number": "123"}) == [row]
     canvas = roster(f'{STUDENTS}"Ray, Bo",123,u1,bray,A\n')
     assert Roster(canvas).find("Annie", identity={"number": "123"}) == []
 
 
-def test_students_of_one_name_are_told_apart_by_the_number_behind_it(roster):
+def test_a_number_behind_a_name_tells_students_apart(roster):
     rows = roster(f'{STUDENTS}"Lee, Ana",11,00123,alee,A\n"Lee, Ana",12,00124,alee2,A\n')
     assert [row["ID"] for row in Roster(rows).find("Ana Lee 00124")] == ["12"]
     assert len(Roster(rows).find("Ana Lee")) == 2
@@ -512,7 +509,7 @@ def test_headings_are_known_in_any_capitals(roster, head):
         assert Roster(rows).find(student) == rows
 
 
-def test_those_without_a_line_are_listed_with_the_nearest_names_that_nobody_has(tmp_path, capsys):
+def test_students_without_a_line_are_listed_with_near_names(tmp_path, capsys):
     for name in ("Annie Lee", "bray", "Zed Quux"):
         hand_in(tmp_path / "in", f"{name}_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
@@ -525,7 +522,7 @@ def test_those_without_a_line_are_listed_with_the_nearest_names_that_nobody_has(
     assert "Write each name into the column `student` of the right line." in said
 
 
-def test_gradescopes_numbers_reach_canvas_through_the_whole_command(tmp_path):
+def test_gradescope_s_numbers_reach_canvas(tmp_path):
     hand_in(tmp_path / "in", "submission_1/01_rotations.ipynb", points=[2])
     (tmp_path / "in/submission_metadata.yml").write_text(
         "submission_1:\n  :submitters:\n  - :name: Annie Lee\n    :sid: '00123'\n"

@@ -43,7 +43,7 @@ def contents(folder):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_hostile_submission_earns_no_points_and_changes_nothing_else(name, few, graders):
+def test_a_hostile_submission_earns_and_changes_nothing(name, few, graders):
     first, right = few
     others = [source for source in right if "def nearest_so(" not in source]
     before, folders, files, begin = build.processes(), build.traces(), contents(graders), computed()

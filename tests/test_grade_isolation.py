@@ -132,11 +132,13 @@ def test_a_submission_writes_only_to_its_own_bounded_folders(found):
     assert "['/dev/shm', '/scratch', '/tmp', 'No space left on device']" in found[WRITES]
 
 
-def test_calls_that_hold_uncounted_memory_or_are_unknown_are_refused(found):
+def test_calls_with_uncounted_memory_are_refused(found):
+    """Unknown calls are refused, too."""
     assert str(["EPERM"] * 12 + ["ENOSYS"] * 3 + ["works"] * 4) in found[CALLS]
 
 
-def test_a_submission_that_is_not_root_can_start_threads_and_processes(found):
+def test_an_unprivileged_submission_can_start_processes(found):
+    """Threads can be started, too."""
     assert "['a thread', 7, False, False]" in found[STARTS]
 
 
@@ -156,7 +158,7 @@ found = [path for path in found if path.endswith(("totals.csv", "solution.ipynb"
 """
 
 
-def test_the_project_is_hidden_where_it_lies_in_a_folder_that_is_shown(few, tmp_path):
+def test_the_project_is_hidden_inside_a_folder_that_is_shown(few, tmp_path):
     """With submissions and grades in it: what covers the outer folder must not stand in the way of
     the inner one."""
     place = tmp_path / "site-packages/project"
@@ -254,9 +256,7 @@ def test_isolation_none_is_refused_to_root_and_grades_for_others(
 @pytest.mark.parametrize(
     ("computes", "share", "ends"), [(0.0005, 1, True), (0.05, 1, False), (0.0005, 0.01, False)]
 )
-def test_a_hundredth_of_a_processor_counts_as_progress_of_the_time_that_is_free(
-    computes, share, ends
-):
+def test_a_hundredth_of_the_free_time_counts_as_progress(computes, share, ends):
     one = SimpleNamespace(looks=0, computed=0.0, free=0.0, asleep=0.0)
     watch = Watch(one, asleep=1000, cpu=1000, idle=60)
 

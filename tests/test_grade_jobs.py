@@ -93,9 +93,7 @@ def test_files_of_equal_content_are_graded_once(place):
     ] == [1] * 3
 
 
-def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_again(
-    place, monkeypatch
-):
+def test_an_incomplete_or_outdated_result_is_graded_again(place, monkeypatch):
     fill(place, 3)
     run(place, "--jobs", "1")
     first = tables(place)
@@ -109,7 +107,7 @@ def test_a_submission_whose_result_is_incomplete_or_of_another_course_is_graded_
     assert calls(place) == 7
 
 
-def test_parts_of_a_class_graded_apart_with_one_seed_are_copied_together(place):
+def test_parts_of_a_class_with_one_seed_can_be_combined(place):
     fill(place)
     for part, students in {"one": "012", "two": "345"}.items():
         for student in students:
@@ -124,7 +122,8 @@ def test_parts_of_a_class_graded_apart_with_one_seed_are_copied_together(place):
     assert written(place / "at once") == written(place / "out")
 
 
-def test_a_killed_run_continues_where_it_stopped_and_leaves_no_process(place):
+def test_a_killed_run_continues_where_it_stopped(place):
+    """The killed run leaves no process."""
     fill(place, 8, seconds=0.4)
     command = [
         sys.executable,
@@ -238,7 +237,7 @@ def test_a_stored_file_that_is_too_long_is_not_read_into_memory(tmp_path, monkey
 
 
 @pytest.mark.parametrize("kind", NO_RESULTS)
-def test_a_stored_file_that_holds_no_result_is_named_and_graded_again(place, capsys, kind):
+def test_a_file_without_a_result_is_named_and_graded_again(place, capsys, kind):
     fill(place, 2)
     run(place, "--jobs", "1")
     first = tables(place)
@@ -250,9 +249,9 @@ def test_a_stored_file_that_holds_no_result_is_named_and_graded_again(place, cap
     assert f"{one} holds no usable result" in capsys.readouterr().out
 
 
-def test_a_grader_that_returns_no_result_costs_its_submission_two_tries_and_no_other_one(
-    place, capsys
-):
+def test_a_submission_without_a_result_is_tried_twice(place, capsys):
+    """The other submissions are graded once."""
+
     def bad(content, notebook, seed):
         result = grade(content, notebook, seed)
         return result if json.loads(content)["points"][1] else {"value": 1}
@@ -269,7 +268,8 @@ def test_a_grader_that_returns_no_result_costs_its_submission_two_tries_and_no_o
 # ---- what fails ----
 
 
-def test_what_fails_affects_one_submission_only_which_is_tried_again(place):
+def test_a_failure_affects_one_submission_only(place):
+    """The next run tries this submission again."""
     fill(place, 6)
     hand_in(place / "in", "s1_01_rotations.ipynb", do="raise")
     hand_in(place / "in", "s2_01_rotations.ipynb", do="end")
@@ -284,7 +284,7 @@ def test_what_fails_affects_one_submission_only_which_is_tried_again(place):
     assert (place / "out/grades.csv").read_text().count("exercise_0,2,2,right") == 6
 
 
-def test_a_full_disk_stops_the_run_and_the_sentence_names_the_file(place, capsys):
+def test_a_full_disk_stops_the_run_and_names_the_file(place, capsys):
     def full(content, notebook, seed):
         raise OSError(errno.ENOSPC, "No space left on device", "grade-1")
 
@@ -352,7 +352,7 @@ def test_a_run_that_stops_gives_its_reason_in_a_sentence(place, capsys, words):
     assert "make grade SUBMISSIONS=folder" in capsys.readouterr().err
 
 
-def test_the_last_lines_list_what_needs_the_instructor_s_attention(place, capsys):
+def test_the_last_lines_list_what_the_instructor_must_do(place, capsys):
     def unreadable(content, notebook, seed):
         result = grade(content, notebook, seed)
         for exercise in result["exercises"]:

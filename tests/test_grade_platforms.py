@@ -173,7 +173,7 @@ def test_times_in_names_count_without_a_table(tmp_path, platform):
 
 
 @pytest.mark.parametrize("platform", ["google-classroom", "teams"])
-def test_downloads_of_classroom_and_teams_have_neither_times_nor_numbers(tmp_path, platform):
+def test_classroom_and_teams_have_neither_times_nor_numbers(tmp_path, platform):
     """Classroom keeps states with their times in its own records (developers.google.com, Classroom
     API, courses.courseWork.studentSubmissions, submissionHistory). Teams keeps only the files in
     SharePoint, and what else it knows of an assignment outside (learn.microsoft.com, Microsoft 365
@@ -186,7 +186,7 @@ def test_downloads_of_classroom_and_teams_have_neither_times_nor_numbers(tmp_pat
 
 
 @pytest.mark.parametrize("platform", ["google-classroom", "teams"])
-def test_a_deadline_without_times_says_which_downloads_carry_none(tmp_path, capsys, platform):
+def test_a_deadline_names_the_downloads_without_times(tmp_path, capsys, platform):
     exported(tmp_path / "in", platform)
     options = ["--lms", platform, "--deadline", "2026-11-30", "--output", str(tmp_path / "out")]
     assert main([str(tmp_path / "in"), *options], grade=grade) == 1
@@ -240,7 +240,7 @@ def gradebook(tmp_path, platform, student, roster="", **known):
     return rows(text)
 
 
-def test_brightspace_takes_numbers_first_and_a_sign_at_the_end_of_each_line(tmp_path):
+def test_brightspace_s_table_ends_each_line_with_a_sign(tmp_path):
     """community.d2l.com, "Importing grades": sample grading information. Its export has # before
     both."""
     export = (
@@ -253,7 +253,7 @@ def test_brightspace_takes_numbers_first_and_a_sign_at_the_end_of_each_line(tmp_
     ]
 
 
-def test_blackboard_finds_its_own_column_by_the_number_in_its_heading(tmp_path):
+def test_blackboard_s_column_keeps_its_number_in_the_heading(tmp_path):
     """library.blackboard.com, "Uploading or Downloading Grade Center Items": columns have a Column
     ID."""
     heading = "01_rotations [Total Pts: 12 Score] |337483"
@@ -297,7 +297,7 @@ def test_each_cell_for_blackboard_stands_in_quotation_marks():
     assert lines[1] == '"","","jdoe","","7.5"'
 
 
-def test_a_new_column_of_blackboards_has_its_points_in_the_heading(tmp_path):
+def test_a_new_blackboard_column_has_its_points_in_the_heading(tmp_path):
     table = gradebook(tmp_path, "blackboard", "jdoe", login="jdoe")
     assert table[0][-1] == "01_rotations [Total Pts: 12 Score]"
     assert table[1] == ["", "", "jdoe", "", "7.5"]
@@ -338,7 +338,7 @@ def test_the_other_platforms_have_a_table_in_their_columns(
     assert gradebook(tmp_path, platform, student, roster)[1] == line
 
 
-def test_points_of_one_platforms_files_go_into_the_gradebook_of_another(tmp_path):
+def test_points_can_go_to_the_gradebook_of_another_platform(tmp_path):
     for login in ("ana-lee", "bo42"):
         hand_in(tmp_path / "in", f"hw-submissions/hw-{login}/01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(
@@ -367,9 +367,7 @@ def test_every_platform_says_all_that_is_needed(platform):
 # ---- another platform ----
 
 
-def test_a_platform_that_is_added_as_the_guide_shows_is_found_everywhere(
-    tmp_path, monkeypatch, capsys
-):
+def test_a_platform_added_by_the_guide_is_found_everywhere(tmp_path, monkeypatch, capsys):
     """The guide's class for ILIAS, whose folders ilExSubmission::getDirectoryNameFromUserData
     names."""
     guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
@@ -410,7 +408,7 @@ def test_a_platform_that_cannot_be_loaded_is_named(tmp_path, monkeypatch, capsys
     assert "The learning platform in broken.py cannot be loaded: ModuleNotFoundError" in said
 
 
-def test_no_file_outside_the_folder_asks_for_a_platform_by_its_name():
+def test_no_file_elsewhere_asks_for_a_platform_by_name():
     names = "|".join(map(re.escape, platforms()))
     for path in sorted((ROOT / "course_lib/pack").rglob("*.py")):
         if path.parent.name != "platforms":
@@ -466,7 +464,7 @@ def test_an_export_with_a_stray_folder_leads_to_a_question_too(tmp_path, capsys)
     assert "2 of 3 names look as Moodle exports them: add LMS=moodle" in said
 
 
-def test_an_export_of_another_platform_than_the_named_one_leads_to_a_question(tmp_path, capsys):
+def test_an_export_of_another_platform_leads_to_a_question(tmp_path, capsys):
     for number in (42, 43):
         hand_in(tmp_path / "in", f"bo{number}_{number}_9{number}_01_rotations.ipynb", points=[1])
     said = asked(tmp_path, capsys, "--lms", "moodle")
@@ -474,7 +472,7 @@ def test_an_export_of_another_platform_than_the_named_one_leads_to_a_question(tm
     assert "GRADEBOOK=moodle still names where the points go." in said
 
 
-def test_own_names_go_into_the_gradebook_of_a_platform_without_a_question(tmp_path):
+def test_own_names_go_into_a_gradebook_without_a_question(tmp_path):
     hand_in(tmp_path / "in", "ana_01_rotations.ipynb", points=[1])
     arguments = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
     assert main([*arguments, "--lms", "canvas"], grade=grade) == 0

@@ -79,14 +79,14 @@ def test_an_answer_that_is_wrong_for_some_numbers_is_refused():
     assert WRONG in states
 
 
-def test_the_sets_of_one_file_are_those_of_the_notebook_and_a_secret_one():
+def test_grading_asks_the_notebook_s_sets_and_a_secret_one():
     seeds = judging._seeds(Run([], Limits(), SEED, (NEAREST_SO,), None), NEAREST_SO)
     assert seeds == [*NEAREST_SO.public_seeds, SEED]
     texts = {repr(NEAREST_SO.questions(seed)[0]) for seed in seeds}
     assert len(texts) == len(seeds)
 
 
-def test_a_refused_answer_gets_the_notebook_s_message_whatever_the_secret_seed():
+def test_a_wrong_answer_gets_the_notebook_s_message():
     in_the_notebook = describe(review(NEAREST_SO, LocalFunction(lambda M: -right(M))))
     graded = {
         describe(outcome(InThisProcess(lambda M: -right(M)), seed).verdict) for seed in range(5)
@@ -119,7 +119,7 @@ def given(name):
 
 
 @pytest.mark.usefixtures("isolated")
-def test_a_notebook_in_which_all_that_was_written_is_right_runs_once(few, attempts):
+def test_a_notebook_of_right_answers_runs_once(few, attempts):
     first, right = few
     written = [source for source in right if "def is_valid(" not in source]
     result = grade(book(first, *written, given("is_valid")), NAME, SEED)
@@ -139,14 +139,14 @@ def test_a_notebook_in_which_all_that_was_written_is_right_runs_once(few, attemp
         "def ｉs_valid(X, kind, tol): return True",
     ],
 )
-def test_an_exercise_that_a_cell_of_the_student_s_names_is_worked_on(cell):
+def test_an_exercise_named_in_an_own_cell_is_worked_on(cell):
     course = courses()[NAME]
     sources = [*course.given, cell]
     names = {exercise.name for exercise in course.exercises}
     assert notebook_file.untouched(course, sources) == names - {"is_valid"}
 
 
-def test_all_exercises_of_a_notebook_as_it_was_given_are_untouched():
+def test_all_exercises_of_a_given_notebook_are_untouched():
     course = courses()[NAME]
     names = {exercise.name for exercise in course.exercises}
     assert notebook_file.untouched(course, course.given) == names

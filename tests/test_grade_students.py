@@ -100,7 +100,7 @@ def moodle(name, number, notebook):
 ONE_NAME = [moodle("Jane Doe", 42, "01_rotations"), moodle("Jane Doe", 57, "02_rigid_motion")]
 
 
-def test_one_name_on_moodle_with_two_notebooks_leads_to_a_question(tmp_path, capsys):
+def test_one_moodle_name_with_two_notebooks_is_asked_about(tmp_path, capsys):
     hand_in_all(tmp_path / "in", *ONE_NAME)
     arguments = [str(tmp_path / "in"), "--lms", "moodle", "--output", str(tmp_path / "out")]
     assert main(arguments, grade=grade) == 1
@@ -184,7 +184,7 @@ IDENTITIES = st.builds(
 )
 
 
-def test_a_whole_class_of_one_name_is_told_apart_and_asked_about_once():
+def test_a_class_of_one_name_is_told_apart_without_questions():
     anonymous = {Identity("Participant", participant=str(n)): {NOTEBOOKS[0]} for n in range(500)}
     told_apart = tell_apart(anonymous)
     assert len(set(told_apart.labels.values())) == 500
@@ -251,7 +251,7 @@ def test_what_is_no_roster_is_called_what_it_is(tmp_path, content, said):
     assert said in str(refusal.value)
 
 
-def test_numbers_that_differ_in_zeros_are_each_there_to_the_letter(tmp_path):
+def test_numbers_that_differ_in_zeros_are_kept_apart(tmp_path):
     lines = f'{CANVAS}"Lee, Ana",11,0123,alee,A\n"Ode, Cy",12,123,code,A\n'
     both = roster_of(tmp_path, lines)
     for number, name in [("0123", "Lee, Ana"), ("123", "Ode, Cy")]:

@@ -44,7 +44,7 @@ def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
 
 
 @pytest.mark.parametrize("name", courses())
-def test_whatever_a_notebook_imports_from_the_course_is_there_when_it_is_graded(name, solutions):
+def test_grading_has_what_a_notebook_imports_of_the_course(name, solutions):
     modules = {
         path.removesuffix("/__init__.py").removesuffix(".py").replace("/", ".")
         for path in sandbox_files(frozenset())
@@ -143,7 +143,7 @@ def test_a_file_from_any_program_is_read_under_any_name(few, written):
         assert notebook_file.course_of(name, found).name == NAME
 
 
-def test_a_notebook_without_a_known_name_or_function_is_not_of_the_course():
+def test_an_unknown_notebook_is_not_of_the_course():
     result = grade(book("print(1)"), "größe", SEED)
     assert (result["notebook"], result["exercises"]) == ("größe", [])
     assert "not one of the course's notebooks" in result["problems"][0]
@@ -198,9 +198,7 @@ UNFINISHED = {
 
 
 @pytest.mark.parametrize("unfinished", UNFINISHED)
-def test_a_function_is_judged_with_right_ones_in_place_of_the_wrong_ones_that_it_calls(
-    few, unfinished
-):
+def test_a_function_is_judged_with_right_ones_for_those_it_calls(few, unfinished):
     said = "Judged with a right nearest_so in place of yours, which it calls."
     result = grade(book(few[0], UNFINISHED[unfinished], CALLS, "%reset -f"), NAME, SEED)
     rows = {row["exercise"]: row for row in result["exercises"]}
@@ -287,7 +285,7 @@ def nearest_se_of(few, *cells):
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_the_calls_of_a_function_are_found_whatever_it_is_called_by(few, way):
+def test_a_function_s_calls_are_found_in_every_form(few, way):
     imports, before, call = WAYS[way]
     source = CALLS.replace("nearest_so(M=T[:-1, :-1])", call)
     row = nearest_se_of(few, WRONG_SO, imports + before + source)
@@ -339,7 +337,7 @@ WRITES_ITS_CASES = {
 
 
 @pytest.mark.parametrize("way", WRITES_ITS_CASES)
-def test_a_text_of_the_student_s_carries_no_case_into_the_feedback(few, way):
+def test_a_student_s_text_carries_no_case_into_the_feedback(few, way):
     right = answer(few, "nearest_so").replace("def nearest_so", "def rightly")
     source = (
         f"import warnings\n{right}\ndef nearest_so(M):\n    text = 'secret' + str(M.tolist())\n"
@@ -361,7 +359,7 @@ def test_another_file_gets_other_cases_with_the_same_seed():
     assert submission.seed_of(b"one", SEED) != submission.seed_of(b"one", SEED + 1)
 
 
-def test_an_answer_that_is_random_gets_the_same_message_in_each_run(few):
+def test_a_random_answer_gets_the_same_message_in_each_run(few):
     guess = (
         "import time, secrets\ndef nearest_so(M):\n"
         "    return np.eye(len(M)) * (2 + time.perf_counter_ns() % 1000 / 7 + secrets.randbelow(9))"
@@ -376,7 +374,7 @@ def test_an_answer_that_is_random_gets_the_same_message_in_each_run(few):
 # ---- what the checks offer, and what is not there ----
 
 
-def test_what_a_check_offers_of_another_exercise_is_there_when_graded(few):
+def test_grading_has_what_checks_offer_of_other_exercises(few):
     uses = (
         "def nearest_se(T):\n    fixed = np.eye(len(T))\n"
         "    fixed[:-1, :-1] = check.nearest_so.library(T[:-1, :-1])\n"
@@ -413,7 +411,7 @@ OWN_MODULES = {
 
 
 @pytest.mark.parametrize("way", OWN_MODULES)
-def test_a_module_of_the_student_s_own_is_named_in_the_message_and_to_the_instructor(few, way):
+def test_a_module_of_the_student_s_own_is_named_as_missing(few, way):
     result = grade(book(few[0], OWN_MODULES[way]), NAME, SEED)
     assert states(result)["nearest_so"] == "error in your code"
     assert "my_rotations" in messages(result)["nearest_so"]
@@ -432,7 +430,7 @@ def test_notebooks_of_both_layouts_of_the_course_are_graded(few, imports):
     assert points(grade(book(imports, *few[1], *checked, uses), NAME, SEED)) == FULL
 
 
-def test_a_cell_that_assigns_to_the_name_of_the_checks_costs_nothing(few):
+def test_assigning_to_the_name_of_the_checks_costs_nothing(few):
     result = grade(book(few[0], "check = 3", *few[1], "check.nearest_so(nearest_so)"), NAME, SEED)
     assert points(result) == FULL
 
@@ -475,7 +473,7 @@ def test_the_seed_chooses_the_cases_beyond_those_of_the_notebook(few):
     assert messages(results[0])["nearest_so"] != messages(results[2])["nearest_so"]
 
 
-def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few):
+def test_a_submission_that_takes_too_long_keeps_its_points(few):
     sleeps = "import time\ndef nearest_so(M):\n    time.sleep(100)"
     limits = replace(SHORT, idle_seconds=2, submission_seconds=1)
     result = grade(book(few[0], *few[1], sleeps), NAME, SEED, limits)
@@ -483,7 +481,7 @@ def test_a_submission_that_takes_too_long_altogether_keeps_the_points_so_far(few
     assert "not graded" in messages(result)["nearest_se"]
 
 
-def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
+def test_a_process_left_behind_costs_later_cells_nothing(few):
     loops = (
         "import os\ndef loop():\n    if not os.fork():\n        while True: pass\nlooping = loop()"
     )
@@ -552,7 +550,7 @@ def test_a_process_left_behind_by_one_cell_costs_no_points_of_a_later_one(few):
         "much code",
     ],
 )
-def test_a_file_that_is_not_a_notebook_gives_the_reason_for_every_exercise(content, why):
+def test_an_unreadable_file_is_the_reason_for_every_exercise(content, why):
     result = grade(content, NAME, SEED)
     assert why in result["problems"][0]
     assert [row["exercise"] for row in result["exercises"]] == [
@@ -581,7 +579,7 @@ def test_sources_that_cannot_be_parsed_affect_no_other_exercise(few):
 
 
 @pytest.mark.parametrize("without", [[], ["metadata"], ["metadata", "id"]])
-def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
+def test_written_answers_are_found_by_name_id_or_task(without):
     notebook = nbformat.read(NOTEBOOKS / f"{NAME}.ipynb", 4)
     wanted = ["explain_torch", "explain_weights", "explain_tolerance"]
     for each in notebook.cells:
@@ -594,7 +592,8 @@ def test_written_answers_are_found_by_name_by_id_and_by_their_task(without):
 
 
 @pytest.mark.parametrize("without", [[], ["metadata", "id"]])
-def test_an_answer_in_a_new_cell_below_the_prompt_is_found_and_the_prompt_is_none(without):
+def test_an_answer_in_a_new_cell_below_the_prompt_is_found(without):
+    """The prompt itself is no answer."""
     given = nbformat.reads(
         students_copy((NOTEBOOKS / f"{NAME}.ipynb").read_text(), NAME, ""), 4
     ).cells

@@ -112,7 +112,7 @@ def test_grades_have_a_line_for_each_exercise_and_question(path):
     assert {row["release"] for row in rows} == {"0.1.0-abc"}
 
 
-def test_totals_have_a_line_for_each_student_and_empty_cells_for_missing_notebooks(path):
+def test_totals_have_empty_cells_for_missing_notebooks(path):
     rows = Class(
         path,
         outcome("zoe", [2, 0], ["because", PROMPT]),
@@ -151,7 +151,7 @@ def test_of_two_files_for_one_notebook_the_better_counts_once(path):
         assert len(said) == 4
 
 
-def test_the_written_answers_of_both_copies_are_read_and_the_better_counts(path):
+def test_the_better_written_answer_of_two_copies_counts(path):
     first, second = (
         outcome("zoe", [2], ["", "one"], place="a"),
         outcome("zoe", [2], ["two", "other"], place="b"),
@@ -196,7 +196,7 @@ def test_a_notebook_handed_in_as_another_is_said_to_be_that(path):
     assert both.totals()[0]["02_rigid_motion"] == "2"
 
 
-def test_refused_files_are_listed_with_their_reason_and_cost_nobody_else(path):
+def test_refused_files_are_listed_with_their_reason(path):
     mine = submission("anna")
     nobodys = submission("", "", "roster.csv")
     both = Class(
@@ -251,7 +251,8 @@ def test_the_totals_separate_core_and_more_by_its_weight(path, weight, sums):
     ]
 
 
-def test_more_that_counts_nothing_is_not_to_be_read_and_its_marks_are_kept(path):
+def test_marks_of_a_section_that_counts_nothing_are_kept(path):
+    """The answers of this section are not listed to be read."""
     more = outcome("zoe", [2, 2], ["because"], more=["exercise_1", "explain_0"])
     Class(path, more).questions()
     type_in(path, mark="2")
@@ -294,7 +295,8 @@ def test_no_cell_begins_as_a_formula_does(text):
 
 
 @pytest.mark.parametrize("separator", [";", "; ", "\t", "\n", ";;"])
-def test_no_part_of_a_cell_begins_as_a_formula_does_under_another_separator(separator):
+def test_no_part_of_a_cell_becomes_a_formula(separator):
+    """A spreadsheet may split a cell at a separator other than the comma."""
     for text in (f"a{separator}=1+1", f"a{separator}@SUM(A1){separator}-2", f"={separator}=1"):
         written = cell(text, lines=True)
         parts = [part.lstrip() for part in written.replace("\n", ";").replace("\t", ";").split(";")]
@@ -349,7 +351,8 @@ def test_a_mark_is_merged_by_the_next_run_and_stays(path):
     assert path.read_text() == text
 
 
-def test_a_changed_answer_asks_to_be_read_again_and_the_old_mark_is_kept_below(path):
+def test_the_old_mark_of_a_changed_answer_is_kept_below(path):
+    """The changed answer is listed to be read again."""
     Class(path, ZOE(texts=["because"])).questions()
     type_in(path, mark="2")
     for _ in range(2):
@@ -360,7 +363,8 @@ def test_a_changed_answer_asks_to_be_read_again_and_the_old_mark_is_kept_below(p
     assert Class(path, ZOE(texts=["because"])).totals()[0]["total"] == "4"
 
 
-def test_equal_answers_are_marked_separately_and_marks_of_students_not_in_this_run_are_kept(path):
+def test_marks_of_students_not_in_this_run_are_kept(path):
+    """Equal answers of two students have a mark each."""
     both = outcome("anna", texts=["because"]), ZOE(texts=["because"])
     Class(path, *both).questions()
     type_in(path, mark="2")
@@ -399,7 +403,8 @@ def test_an_invalid_mark_is_reported_and_not_counted(path, typed):
     assert again.totals()[0]["total"] == "2"
 
 
-def test_an_unanswered_question_or_one_that_could_not_be_read_waits_for_no_mark(path):
+def test_an_unanswered_question_waits_for_no_mark(path):
+    """A question that could not be read waits for no mark, either."""
     empty = Class(path, ZOE(texts=["", f" {PROMPT}\n"]))
     assert empty.questions() == []
     assert [(row["points"], row["state"]) for row in empty.grades()[1:]] == [
@@ -429,7 +434,8 @@ def test_a_table_that_lost_its_columns_stops_the_run(path, text):
         read_marks(path)
 
 
-def test_long_answers_fit_into_a_cell_and_differ_if_only_their_ends_do(path):
+def test_long_answers_differ_if_only_their_ends_do(path):
+    """Each of them fits into a cell of a spreadsheet."""
     answers = ["a" * 40_000 + end for end in "xy"]
     Class(path, ZOE(texts=answers[:1])).questions()
     type_in(path, mark="2")

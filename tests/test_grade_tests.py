@@ -57,7 +57,7 @@ def graded(monkeypatch):
     return graded
 
 
-def test_a_test_earns_points_by_the_versions_that_it_judges_rightly(graded):
+def test_a_test_earns_points_by_the_versions_it_judges_rightly(graded):
     often = "    for _ in range(1_000):\n        log(np.eye(3))\n    return True"
     rows = graded({
         "thorough": THOROUGH,
@@ -85,7 +85,7 @@ def test_log(log):
 """
 
 
-def test_the_notebook_and_grading_agree_for_every_number_of_calls(graded):
+def test_notebook_and_grading_count_calls_alike(graded):
     versions = (TEST_LOG.versions[0], TEST_LOG.versions[3])  # a right one and a wrong one
     tests = {calls: MANY_CALLS.replace("CALLS", str(calls)) for calls in (5_000, 5_001)}
     rows = graded(tests, versions)
@@ -122,7 +122,7 @@ def test_a_test_has_the_time_of_an_exercise_for_each_version(graded):
     assert rows["slow"]["state"] == RIGHT, rows
 
 
-def test_a_test_without_an_end_has_that_time_for_one_version_only(graded, monkeypatch):
+def test_an_endless_test_ends_after_its_first_version(graded, monkeypatch):
     asked, about_one = [], student_process.Student.about_one
 
     def counted(self, questions, number, *more):
@@ -337,9 +337,8 @@ def test_log(log):
 }
 
 
-def test_what_tells_candidates_apart_by_anything_but_their_answers_earns_nothing_to_speak_of(
-    graded, monkeypatch
-):
+def test_an_attack_on_the_versions_earns_next_to_nothing(graded, monkeypatch):
+    """An attack distinguishes versions by anything but their answers."""
     monkeypatch.setattr(
         student_process, "MAX_CALLS", 1000
     )  # so that calls without an end do not take long
