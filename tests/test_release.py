@@ -118,7 +118,8 @@ def test_metadata_for_grading_is_kept_and_protected(files):
                 assert after.source == shown + (broken or unwritten)
 
 
-def test_its_number_stands_in_every_notebook_the_readme_and_the_folder(release):
+def test_its_number_is_in_every_notebook_and_the_readme(release):
+    """The folder in the zip has it in its name, too."""
     files, top = release
     version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
     number = re.fullmatch(rf"robot-kinematics-({re.escape(version)}-[0-9a-f]{{8}})", top)[1]
@@ -247,7 +248,7 @@ def test_its_package_can_be_built(unpacked, tmp_path, monkeypatch):
     assert project["project"] == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 
 
-def test_it_installs_what_students_need_in_the_versions_of_our_lock(files):
+def test_it_installs_what_students_need_by_our_lock(files):
     assert files["lock.txt"] == (ROOT / "environment.txt").read_bytes()
     _, constraints, *wanted = files["environment.txt"].decode().splitlines()
     assert constraints == "-c lock.txt"
@@ -333,7 +334,7 @@ def test_a_picture_pasted_into_an_answer_stays_with_the_author():
     assert copy.count("cHVibGlj") == len(cells) - len(answers)
 
 
-def test_a_file_that_is_not_a_notebook_is_named_and_no_zip_is_written(tmp_path, capsys):
+def test_an_unreadable_notebook_stops_the_release(tmp_path, capsys):
     folder = tmp_path / "notebooks"
     folder.mkdir()
     shutil.copy(ROOT / "pyproject.toml", tmp_path)

@@ -137,7 +137,7 @@ def each_of(kinds):
 
 
 @each_of(damages.READABLE)
-def test_every_answer_of_a_notebook_that_can_be_read_is_carried_over(tmp_path, damage, name):
+def test_every_answer_of_a_readable_notebook_is_carried_over(tmp_path, damage, name):
     book, answers = answered(name)
     new, report = carried(tmp_path, damage(book), name=name)
     lost = [exercise for exercise in answers if not holds(new, answers[exercise])]
@@ -148,7 +148,7 @@ def test_every_answer_of_a_notebook_that_can_be_read_is_carried_over(tmp_path, d
 
 
 @each_of(damages.ELSEWHERE)
-def test_every_answer_that_stands_elsewhere_is_carried_over_or_named(tmp_path, damage, name):
+def test_every_moved_answer_is_carried_over_or_named(tmp_path, damage, name):
     book, answers = answered(name)
     new, report = carried(tmp_path, damage(book), name=name)
     lost = [exercise for exercise in answers if not holds(new, answers[exercise])]
@@ -156,9 +156,8 @@ def test_every_answer_that_stands_elsewhere_is_carried_over_or_named(tmp_path, d
 
 
 @pytest.mark.parametrize("damage", damages.UNREADABLE, ids=lambda damage: damage.__name__)
-def test_a_notebook_that_cannot_be_read_is_named_with_its_place_as_the_others_are_carried_over(
-    tmp_path, damage
-):
+def test_an_unreadable_notebook_is_named_with_its_place(tmp_path, damage):
+    """The other notebooks are carried over."""
     for name in (NAME, OTHER):
         book = answered(name)[0]
         written(tmp_path / "old", name, damage(book) if name == NAME else book)
@@ -208,7 +207,8 @@ def test_the_older_notebook_is_only_read(tmp_path):
     assert [path.name for path in (tmp_path / "new").iterdir()] == [NAME]
 
 
-def test_what_is_written_in_the_new_notebook_stays_as_the_older_answer_is_named(tmp_path):
+def test_an_answer_in_the_new_notebook_is_kept(tmp_path):
+    """The older answer is named."""
     other = CODE.replace("7", "8")
     new, report = carried(tmp_path, book_with(wrap_angle=CODE), book_with(wrap_angle=other))
     assert text_of(cell_of(new, "wrap_angle")) == other
@@ -258,7 +258,7 @@ def test_the_stub_of_a_release_that_recorded_nothing_is_known(tmp_path):
     assert report == f"{NAME}: nothing was carried over."
 
 
-def test_a_change_to_a_given_cell_of_a_release_that_recorded_nothing_is_named(tmp_path):
+def test_a_changed_given_cell_without_a_record_is_named(tmp_path):
     old = without_record(copy.deepcopy(released(NAME)))
     imports = next(cell for cell in old["cells"] if cell["cell_type"] == "code")
     imports["source"] = text_of(imports) + "\nimport random"
@@ -267,7 +267,7 @@ def test_a_change_to_a_given_cell_of_a_release_that_recorded_nothing_is_named(tm
     assert "because the older release does not record what it had there" in report
 
 
-def test_a_stub_that_no_release_is_known_to_have_had_is_carried_over_in_doubt(tmp_path):
+def test_an_unknown_stub_is_carried_over_in_doubt(tmp_path):
     stub = 'def propagate_arm(a):\n    """Return it."""\n    raise NotImplementedError()'
     new, report = carried(tmp_path, without_record(book_with(propagate_arm=stub)))
     assert report == f"{NAME}: 1 answer was carried over."
@@ -346,7 +346,8 @@ def test_an_own_cell_stands_below_the_cell_that_it_stood_below(tmp_path):
     assert new["cells"] == old["cells"]
 
 
-def test_an_own_cell_that_was_changed_here_stays_as_the_older_one_is_named(tmp_path):
+def test_an_own_cell_that_was_changed_here_is_kept(tmp_path):
+    """The older cell is named."""
     old, new = copy.deepcopy(released(NAME)), copy.deepcopy(released(NAME))
     old["cells"].append(new_cell("helper = 3"))
     new["cells"].append(old["cells"][-1] | {"source": "helper = 4"})
@@ -372,7 +373,7 @@ def test_a_change_to_a_given_cell_that_stays_is_carried_over(tmp_path):
     assert new["cells"] == old["cells"]
 
 
-def test_a_change_to_a_given_cell_of_which_there_is_a_newer_one_is_named(tmp_path):
+def test_a_changed_given_cell_with_a_newer_text_is_named(tmp_path):
     old, new = copy.deepcopy(released(NAME)), copy.deepcopy(released(NAME))
     imports = next(cell for cell in old["cells"] if cell["cell_type"] == "code")
     cell_with_id(new, imports["id"])["source"] = "import numpy as np"
@@ -395,7 +396,7 @@ def test_a_change_to_a_check_is_named(tmp_path):
 # ---- imports that are in another place now ----
 
 
-def test_a_carried_cell_that_imports_what_has_moved_is_named_with_the_new_import(tmp_path):
+def test_a_carried_cell_with_a_moved_import_is_named(tmp_path):
     old = copy.deepcopy(released(NAME))
     old["cells"].append(new_cell("%time\nfrom course_lib.checks import rigid_motion as check"))
     old["cells"].append(
@@ -421,7 +422,7 @@ def test_imports_of_what_is_there_are_not_named(tmp_path):
     assert report == f"{NAME}: 1 cell of your own was carried over."
 
 
-def test_a_module_of_ones_own_that_imports_what_has_moved_is_named(tmp_path):
+def test_an_own_module_with_a_moved_import_is_named(tmp_path):
     written(tmp_path / "old", "helper.py", b"from course_lib.checks import rotations as check\n")
     written(tmp_path / "new", NAME, released(NAME))
     lines = [*carry_folder(tmp_path / "old", tmp_path / "new").lines()]
@@ -537,7 +538,7 @@ def test_an_older_folder_that_may_not_be_read_is_named(tmp_path, monkeypatch):
     assert update.failed() == [NAME]
 
 
-def test_a_given_cell_that_uses_the_name_of_an_exercise_is_no_answer(tmp_path):
+def test_a_given_cell_that_uses_an_exercise_is_no_answer(tmp_path):
     old, new = copy.deepcopy(released(NAME)), copy.deepcopy(released(NAME))
     old["cells"].remove(cell_of(old, "wrap_angle"))
     old["cells"].append(new_cell("wrap_angle = check.wrap_angle.use(wrap_angle)"))
@@ -576,7 +577,7 @@ def test_a_notebook_with_another_name_is_asked_for_by_its_name(tmp_path):
     assert json.loads(new.read_text("utf-8")) == released(NAME)
 
 
-def test_files_of_the_students_own_are_copied_below_the_same_names(tmp_path):
+def test_own_files_are_copied_under_their_names(tmp_path):
     names = ("helper.py", "data/own.csv", "sketch.ipynb", "pictures/a b.png")
     for name in names:
         (tmp_path / "old" / name).parent.mkdir(parents=True, exist_ok=True)

@@ -132,7 +132,8 @@ def test_files_of_ones_own_are_in_the_new_folder(root):
 
 # All of them are read in test_release_carry_over.py.
 @pytest.mark.parametrize("damage", damages.UNREADABLE[:3], ids=lambda damage: damage.__name__)
-def test_a_notebook_that_cannot_be_read_is_named_as_the_others_are_carried_over(root, damage):
+def test_an_unreadable_notebook_does_not_stop_the_update(root, damage):
+    """It is named, and the other notebooks are carried over."""
     before = damage(read(root / FOLDER / NAME))
     before = before if isinstance(before, bytes) else encoded(before)
     (root / FOLDER / NAME).write_bytes(before)
@@ -188,7 +189,7 @@ def test_a_second_update_goes_on_with_a_notebook_that_was_mended(half_done, monk
     assert main(["--update"]) == 0
 
 
-def test_what_could_not_be_read_is_tried_again_in_the_next_version(half_done):
+def test_an_unreadable_notebook_is_tried_in_the_next_version(half_done):
     root, mended = half_done
     (aside,) = asides(root)
     release_anew(root, "# Three ")
@@ -313,7 +314,7 @@ def test_a_second_update_after_a_kill_is_complete(killed_updates, after_kills):
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="it takes signals of Unix")
-def test_an_update_from_a_zip_that_is_killed_at_any_step_is_completed_by_the_next(root, tmp_path):
+def test_a_killed_update_from_a_zip_is_completed_by_the_next(root, tmp_path):
     both = tmp_path / "both"
     for folder in ("old", "new"):
         shutil.copytree(root / FOLDER, both / folder / "notebooks")

@@ -44,7 +44,7 @@ def found(files, wanted):
     return leaks(files, wanted)
 
 
-def test_every_answer_is_looked_for_and_what_checks_have_of_them_is_found(found, wanted):
+def test_the_search_looks_for_every_answer(found, wanted):
     """test_site_leaks.py finds every answer by the same search, on the site that has them all."""
     assert len({exercise for exercise, *_ in found}) > 3
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
@@ -55,7 +55,8 @@ EXERCISES = sorted({exercise for exercise, _ in answer_cells()})
 
 
 @pytest.mark.parametrize("exercise", EXERCISES)
-def test_no_solution_and_no_word_of_a_model_answer_or_rubric_goes_out(found, exercise):
+def test_no_part_of_an_answer_is_released(found, exercise):
+    """Solutions, model answers and rubrics are looked for."""
     own = sorted(leak for leak in found if leak[0] == exercise and not may_say(*leak[:2]))
     lines = "\n".join(
         f"{name}, which students get, holds what answers {exercise}: {text}"

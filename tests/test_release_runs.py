@@ -68,7 +68,8 @@ def with_broken_answers(cells):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NOTEBOOKS)
-def test_every_cell_of_a_release_runs_and_its_checks_judge_later_answers(unpacked, name):
+def test_every_cell_of_a_release_runs(unpacked, name):
+    """Its checks judge the answers that are written later."""
     notebook = nbformat.read(unpacked / "notebooks" / name, 4)
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     for cell in cells:
