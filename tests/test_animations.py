@@ -44,7 +44,7 @@ def swing():
      np.linspace(POSES[0], POSES[-1], 21)[:, :2]),
     (swing, CENTRES),
 ], ids=["in the plane", "in space"])  # fmt: skip
-def test_what_is_red_moves_as_the_data_say_between_the_stored_times_too(
+def test_an_animation_interpolates_between_the_stored_times(
     movie, true, tmp_path, monkeypatch, capsys
 ):
     write(tmp_path, "01.ipynb", cell(output(movie()), output({TOY: TURNING})))
@@ -82,7 +82,7 @@ def test_trouble_is_reported_in_a_sentence(content, message, tmp_path, capsys):
     assert message in capsys.readouterr().err
 
 
-def test_a_notebook_that_is_not_there_is_named_without_an_error_number(tmp_path, capsys):
+def test_a_missing_notebook_is_named_without_an_error_number(tmp_path, capsys):
     path = tmp_path / "07_x.ipynb"
     assert animations.main([str(path)]) == 1
     message = f"A notebook cannot be read. {path}: No such file or directory\n"

@@ -45,7 +45,7 @@ def all_numbers(node):
 # ---- panels and series ----
 
 
-def test_the_pointer_says_the_name_and_both_values_with_their_units():
+def test_the_hover_label_has_the_name_and_values_with_units():
     fig = charts.panels(xlabel="time (s)", ylabel="speed (m/s)")
     charts.add_line(fig, T, T, "hand", details={"row": np.arange(5), "error (cm)": T})
     (curve,) = fig.data
@@ -74,7 +74,7 @@ def test_the_pointer_does_not_say_a_name_twice():
     assert hovers == ["%{y:.4~g} m", "%{y:.4~g} m, mug"]
 
 
-def test_a_name_has_one_colour_and_one_entry_in_the_legend_of_all_panels():
+def test_a_name_has_one_colour_and_legend_entry_in_all_panels():
     fig = charts.panels(["left", "right"], **METRES)
     for panel in (0, 1):
         charts.add_line(fig, T, T, "a", panel=panel)
@@ -93,7 +93,7 @@ def test_one_series_needs_no_legend_and_a_second_one_brings_it():
     assert fig.layout.showlegend
 
 
-def test_panels_below_each_other_have_one_time_axis_and_its_name_once():
+def test_stacked_panels_share_one_time_axis():
     fig = charts.panels(["a", "b"], xlabel="time (s)", ylabel="y (m)", columns=1, share="x")
     charts.add_line(fig, T, T, "first", panel=0)
     charts.add_line(fig, T, T, "second", panel=1)
@@ -206,7 +206,7 @@ FIG = charts.panels(**METRES)
         (lambda: charts.add_rule(FIG), "give one of the two"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_drawn_is_refused_by_the_name_of_the_argument(call, words):
+def test_the_error_of_a_chart_names_the_argument(call, words):
     with pytest.raises(ValueError, match=words):
         call()
 
@@ -229,7 +229,7 @@ def test_an_axis_spans_its_range_or_all_series_on_it():
     assert stored(fig)["data"][0]["x"] == [0.3333]
 
 
-def test_on_a_logarithmic_axis_each_number_keeps_five_digits_of_its_own():
+def test_numbers_on_a_logarithmic_axis_keep_five_digits():
     fig = charts.lines(T + 1, {"a": 10.0 ** -np.arange(0, 20, 4) / 3}, **METRES, log="y")
     assert stored(fig)["data"][0]["y"][-1] == 3.3333e-17
 
@@ -272,7 +272,7 @@ def test_jupyterlab_fits_charts_itself():
     assert "responsive" not in stored(go.Figure(go.Scatter(y=[1, 2])))["config"]
 
 
-def test_show_stores_the_figure_its_words_and_the_size_of_its_picture():
+def test_show_stores_the_figure_with_its_alternative_text():
     output = shown(charts.lines(T, {"a": T}, **METRES, height=300))
     assert set(output.data) == {PLOTLY, "text/plain"}
     assert output.data["text/plain"] == ALT
@@ -325,7 +325,7 @@ def test_all_samples_are_in_the_chart_with_their_cells():
     assert held.customdata[row][column] == [column, row]
 
 
-def test_the_map_of_steps_shows_the_distance_of_each_cell_and_the_runs():
+def test_the_map_of_steps_shows_the_distances_and_the_runs():
     alphas, epsilons = np.geomspace(0.01, 10, 7), np.geomspace(0.01, 100, 5)
     errors = 10 ** np.linspace(-7, 0, 35).reshape(7, 5)
     runs = [(0.2, 2.0), (2.8, 2.0)]
@@ -362,7 +362,7 @@ def test_there_are_charts_in_the_notebooks():
 
 
 @pytest.mark.parametrize(("notebook", "cell", "output"), STORED, ids=lambda part: str(part)[:20])
-def test_each_chart_in_the_notebooks_has_its_picture_and_its_words(notebook, cell, output):
+def test_each_chart_in_the_notebooks_has_a_picture_and_a_text(notebook, cell, output):
     picture = matplotlib.image.imread(BytesIO(base64.b64decode(output.data["image/png"])))
     metadata = output.metadata["image/png"]
     assert picture.shape[1] == pytest.approx(1.5 * metadata["width"], abs=1)
@@ -441,7 +441,7 @@ def drawn(visit, number=0):
 
 @pytest.mark.tools("browser")
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_on_a_page_from_a_file_the_pointer_shows_the_value_of_the_data(page, browser, theme):
+def test_the_hover_label_on_a_page_shows_the_value_of_the_data(page, browser, theme):
     with Visit(browser, page, theme=theme) as visit:
         box = drawn(visit)
         x, y, *_ = box.evaluate(HOVER)
@@ -463,7 +463,8 @@ def test_on_a_page_from_a_file_the_pointer_shows_the_value_of_the_data(page, bro
 
 
 @pytest.mark.tools("browser")
-def test_on_a_phone_letters_stay_readable_and_nothing_leaves_the_page(page, browser):
+def test_a_chart_stays_readable_on_a_phone(page, browser):
+    """Nothing is wider than the page."""
     with Visit(browser, page, width=390) as visit:
         box = drawn(visit)
         assert box.evaluate(LETTERS) >= 10

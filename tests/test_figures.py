@@ -240,7 +240,7 @@ def test_a_phone_shows_the_letters_of_every_plot_readably(made):
             assert scale * height >= least, words
 
 
-def test_no_plot_of_the_lessons_hides_a_formula_in_a_small_fraction(made):
+def test_no_plot_of_the_lessons_has_a_small_fraction(made):
     assert not any(r"\frac" in words for fig in matplotlib_plots(made) for words in letters(fig))
 
 
@@ -251,7 +251,7 @@ def test_a_panel_too_wide_for_a_phone_is_refused():
 
 
 @pytest.mark.parametrize(("width", "height"), [(4.4, 3.2), (4.4, 6), (4.4, 9), (9.2, 3)])
-def test_a_plot_is_shown_larger_where_there_is_room_and_never_blurred(width, height):
+def test_a_plot_is_never_blurred_when_shown_larger(width, height):
     fig, _ = plane_figure(width, height, columns=2 if width > MAX_PANEL_WIDTH else 1)
     output = shown(Picture(fig, ALT))
     metadata = output.metadata["image/png"]

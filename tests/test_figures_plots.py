@@ -92,7 +92,7 @@ GAP = np.array([0.2, -0.01, 0.1])
 MOTION = nb5.motion(np.arange(3), {"mug": GAP}, np.arange(3), [1.5, 1.5, 0], [19.3, 3e-13, 19.3])
 
 
-def test_a_motion_is_drawn_without_a_cut_and_without_rounding_errors():
+def test_a_motion_is_drawn_without_rounding_errors():
     expected = [100 * GAP, [1.5, 1.5, 0], [19.3, 0, 19.3]]
     for panel, heights in enumerate(expected):
         (curve,) = curves_of_chart(MOTION.fig, panel)
@@ -187,7 +187,8 @@ ROUNDED = 6e-4  # films keep millimetres
 
 
 @pytest.mark.parametrize(("number", "track"), [(0, POSES[:, :2]), (1, ARM[:, -1])])
-def test_a_film_shows_its_whole_path_and_all_of_it_is_in_the_window(number, track):
+def test_a_film_shows_its_whole_path_within_the_window(number, track):
+    """Everything that it draws stays in the window."""
     film = FILMS[number].meta
     assert film["movie"] == ["body", "arm"][number]
     assert_allclose(film["times"], TIMES, atol=1e-4)
@@ -227,7 +228,7 @@ def test_a_second_body_stands_behind_the_first_in_grey():
         assert_allclose(before, nb2.outline(pose), atol=ROUNDED)
 
 
-def test_the_arm_of_a_query_is_at_its_answers_the_better_one_first():
+def test_the_answers_of_a_query_are_drawn_the_better_one_first():
     angles = np.array([[[0.1, 0.2], [0.3, 0.4]], [[0.5, 0.6], [np.nan, np.nan]]])
     errors = np.array([[2.0, 1.0], [3.0, np.nan]])
     course = nb6.errors_of_arm(np.ones((2, 2)), angles, errors, [7, 8], "Words.").meta

@@ -78,7 +78,7 @@ def test_what_rounding_decides_is_drawn_as_zero():
     assert not np.any([values for *_, values in film.meta["charts"][0]["curves"]])
 
 
-def test_each_arm_holds_its_glass_at_the_beginning_and_at_the_end():
+def test_each_arm_holds_its_glass_at_both_ends_of_the_film():
     q = np.array([[0, 0.5, 0, -1.2, 0, 0.8, 0], [0, 0.9, 0, -1.2, 0, 0.8, 0]])
     film = Film(figures.wrong_frame(ARMS["iiwa"], {"A": q}, 0.1))
     T = ARMS["iiwa"].fk(q)
@@ -101,7 +101,7 @@ def drawn_velocities(ax):
     return arrows, dots
 
 
-def test_each_observer_s_velocity_is_drawn_at_the_origin_of_its_own_frame():
+def test_a_velocity_is_drawn_at_the_origin_of_its_observer():
     turntable, door = figures.two_observers().fig.axes
     about_z = np.array([[0, -1], [1, 0]])  # omega x p for a rotation about z at 1 rad/s
     origin_a, origin_b = np.zeros(2), np.array([1.0, 0])
@@ -116,7 +116,8 @@ def test_each_observer_s_velocity_is_drawn_at_the_origin_of_its_own_frame():
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_the_drawing_s_corners_lie_on_the_axes_and_end_at_the_flange(name):
+def test_the_corners_of_a_drawing_lie_on_the_joint_axes(name):
+    """The last corner is the flange."""
     arm, corners = ARMS[name], np.array(three_views._ARMS[name]["corners"])
     np.testing.assert_allclose(corners[-1], arm.home[-1][:3, 3], atol=1e-12)
     for S in arm.screw_axes:
@@ -133,7 +134,7 @@ def test_every_length_of_the_arm_stands_in_the_drawing_once(name):
         assert f"{1000 * length:g} along" in alt
 
 
-def test_the_caption_of_a_drawing_begins_with_what_is_found_in_it():
+def test_the_caption_of_a_drawing_begins_with_its_finding():
     plain, told = (three_views.three_views("iiwa", ARMS["iiwa"], finding=f) for f in ("", "Found."))
     assert plain.caption.startswith("The dimensions are in millimetres.")
     assert told.caption == f"Found. {plain.caption}"

@@ -51,7 +51,8 @@ def test_every_arm_is_drawn_where_its_kinematics_puts_it(name):
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_bodies_move_with_their_joints_and_the_last_with_the_end_effector(name):
+def test_bodies_move_with_their_joints(name):
+    """The last body moves with the end-effector."""
     arm = ARMS[name]
     q = np.random.default_rng(2).uniform(-2, 2, (3, arm.n))
     poses = solids.link_poses(arm, q)

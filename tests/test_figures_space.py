@@ -54,7 +54,7 @@ def answers_of(film, k, p):
     return dots
 
 
-def test_subproblem_1_shows_the_circle_and_the_point_on_it_nearest_to_g():
+def test_subproblem_1_shows_the_point_of_the_circle_nearest_to_g():
     theta = subproblems.subproblem1(K, P, G).theta
     film, end = Film(figures.rotated_onto(K, P, G, theta)), exp_so3(theta * K) @ P
     circle = film.paths[0]
@@ -77,7 +77,7 @@ def test_subproblem_2_marks_where_the_circles_meet():
     assert set(film.words) == {"p1", "p2", "k1", "k2", "1", "2"}
 
 
-def test_subproblem_2_joins_the_nearest_points_of_circles_that_miss():
+def test_subproblem_2_joins_the_nearest_points_of_two_circles():
     film = Film(figures.circles_meet(*MISS, subproblems.subproblem2(*MISS).theta[:1]))
     first, second, (a, b) = film.paths
     assert_allclose([a @ EZ, b @ EX], [MISS[2] @ EZ, MISS[3] @ EX], atol=ROUNDED)
@@ -88,7 +88,7 @@ def test_subproblem_2_joins_the_nearest_points_of_circles_that_miss():
     assert "1" not in film.words, "a meeting that is none has no number"
 
 
-def test_subproblem_3_shows_the_sphere_and_where_the_circle_pierces_it():
+def test_subproblem_3_shows_where_the_circle_pierces_the_sphere():
     theta = subproblems.subproblem3(K3, P3, G3, D3).theta
     film = Film(figures.circle_and_sphere(K3, P3, G3, D3, theta))
     assert_allclose(np.linalg.norm(film.pale()[:-2] - G3, axis=1), D3, atol=ROUNDED)
@@ -97,7 +97,7 @@ def test_subproblem_3_shows_the_sphere_and_where_the_circle_pierces_it():
     assert set(film.words) == {"p", "g", "k", "1", "2"}
 
 
-def test_subproblem_4_shows_the_plane_and_where_the_circle_cuts_it():
+def test_subproblem_4_shows_where_the_circle_cuts_the_plane():
     theta = subproblems.subproblem4(K3, H, P3, D4).theta
     film = Film(figures.circle_and_plane(K3, H, P3, D4, theta))
     assert_allclose(film.pale() @ H, D4, atol=ROUNDED)
@@ -116,7 +116,7 @@ def test_orientations_on_the_sphere_follow_e_x():
     assert set(TRACKS) < set(film.words)
 
 
-def test_the_arrows_of_the_body_frame_are_the_columns_of_its_matrix():
+def test_the_arrows_of_a_frame_are_the_columns_of_its_matrix():
     film = Film(nb1.body_frame(DRAWS[0]))
     for column in DRAWS[0].T:
         assert np.linalg.norm(film.at(0) - 1.15 * column, axis=1).min() < ROUNDED

@@ -135,7 +135,8 @@ def test_still_pictures_are_printed_in_place_of_figures(reader):
 
 
 @pytest.mark.tools("pdftotext")
-def test_the_printed_page_contains_every_word_and_nothing_beyond_its_edge(reader, tmp_path):
+def test_the_printed_page_contains_every_word(reader, tmp_path):
+    """No word is beyond the edge of the paper."""
     page = reader.page
     page.pdf(path=tmp_path / "page.pdf", format="A4")
     printed = subprocess.run(

@@ -216,7 +216,7 @@ def test_left_out_the_replies_to_a_prediction_can_be_opened(site, browser):
         assert choice.evaluate("choice => choice.open")
 
 
-def test_model_answers_alone_are_folded_where_the_instructor_allows_it(notebooks, tmp_path):
+def test_a_site_can_have_model_answers_without_solutions(notebooks, tmp_path):
     build(notebooks, tmp_path / "html", solutions=False, model=True)
     text = (tmp_path / "html" / "01.html").read_text(encoding="utf-8")
     assert (
@@ -268,7 +268,7 @@ def test_the_keyboard_opens_a_folded_section(more_visit, notebooks):
     assert_readable(more_visit, notebooks / "02_rotations.ipynb", 390)
 
 
-def test_a_link_into_a_section_opens_it_at_once_and_a_second_time(more_visit, site):
+def test_a_link_into_a_section_opens_it_each_time(more_visit, site):
     page, there = more_visit.page, more_visit.page.get_by_text("All digits agree")
     for _ in range(2):
         page.get_by_role("link", name="the numbers").click()
@@ -280,13 +280,13 @@ def test_a_link_into_a_section_opens_it_at_once_and_a_second_time(more_visit, si
     expect(there).to_be_in_viewport()
 
 
-def test_a_hit_of_the_search_opens_the_section_and_the_answer_inside(site, browser):
+def test_a_hit_of_the_search_opens_what_is_folded_around_it(site, browser):
     with Visit(browser, site[True] / "search.html", query="?q=gooseberry") as visit:
         visit.page.locator("#search-results a", has_text="Rotations").first.click()
         expect(visit.page.locator("details details .highlighted")).to_be_in_viewport()
 
 
-def test_paper_shows_a_section_of_more_that_is_open_with_the_answers_in_it(more_visit):
+def test_an_open_section_is_printed_with_its_answers(more_visit):
     page = more_visit.page
     section = page.locator("section.more > details").first
     page.emulate_media(media="print")

@@ -99,7 +99,7 @@ def wanted():
     return {text: exercise for text, exercise in secrets(words).items() if len(text) >= 10}
 
 
-def test_the_search_finds_every_line_and_every_sentence_where_they_are(sites, wanted):
+def test_the_search_finds_every_answer_on_the_full_site(sites, wanted):
     assert set(wanted.values()) == {exercise for exercise, _ in answer_cells()}
     assert {text for _, text in leaks(sites["yes"], wanted)} == set(wanted)
 
@@ -128,7 +128,7 @@ def formulas(cells):
     return {" ".join(tex.split()) for text in texts for tex in re.findall(r"\$\$?([^$]+)\$", text)}
 
 
-def test_a_site_without_solutions_contains_none_of_their_formulas(sites):
+def test_a_site_without_solutions_has_none_of_their_formulas(sites):
     answers = {cell.id: cell for _, cell in answer_cells()}
     cells = [
         cell

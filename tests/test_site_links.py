@@ -136,7 +136,8 @@ def test_a_source_is_a_link_to_its_doi(pages):
     assert links["T. Sugihara"] == "https://doi.org/10.1109/TRO.2011.2148230"
 
 
-def test_figures_and_equations_are_numbered_within_their_notebook(pages):
+def test_figures_are_numbered_within_their_notebook(pages):
+    """Equations are numbered in the same way."""
     page = pages["01_rotations"]
     captions = [part.get_text() for part in page.select("figcaption")]
     assert captions == ["Figure 1.1. It rises.", "Figure 1.2. It rises."]
@@ -161,7 +162,7 @@ def test_a_link_to_a_cell_that_is_not_there_is_refused(tmp_path):
         builder.build(tmp_path / "notebooks", tmp_path / "html")
 
 
-def test_a_line_is_not_broken_between_a_formula_and_its_punctuation(pages):
+def test_no_line_breaks_between_a_formula_and_punctuation(pages):
     page = BeautifulSoup(str(pages["01_rotations"]), "html.parser")
     for part in page.select("article .unbroken math"):
         part.decompose()  # what is left is punctuation

@@ -76,7 +76,7 @@ def test_the_first_screen_has_one_button_and_the_robot_to_drag(course, browser, 
         assert visit.complaints == []
 
 
-def test_ten_minutes_hold_a_prediction_a_toy_and_what_a_check_says(article):
+def test_ten_minutes_hold_a_prediction_a_toy_and_a_check(article):
     page = article("ten_minutes")
     assert len(page.select(".course-predict details")) == 3
     assert len(page.select(".toy-figure")) == 1
@@ -165,7 +165,7 @@ def section(notebook, heading):
 ERRATA = ("### Errors in it", "### Remarks")
 
 
-def test_errata_contain_every_claim_with_its_evidence_and_the_correction(article):
+def test_errata_contain_every_claim_with_its_evidence(article):
     errata = article("errata")
     printed = ["".join(part.get_text().split()) for part in errata.select(".output.stream")]
     assert errata.select("details[open]") == []

@@ -116,7 +116,7 @@ def test_no_page_is_empty(pages):
         assert re.search("[A-Za-z]", page), "more than its number"
 
 
-def test_a_bookmark_keeps_the_space_at_which_its_heading_was_broken(course):
+def test_a_bookmark_keeps_the_space_of_a_broken_heading(course):
     assert f"/Title ({LONG_TITLE})".encode() in course.read_bytes()
 
 

@@ -83,7 +83,7 @@ def phone(page, browser):
         yield visit
 
 
-def test_a_row_of_long_texts_is_a_list_with_the_names_of_its_columns(phone):
+def test_a_row_of_long_texts_is_a_list_with_column_names(phone):
     cells = phone.page.locator(".stacked-table").first.locator("tbody tr").first.locator("td")
     names = cells.evaluate_all('tds => tds.map((td) => getComputedStyle(td, "::before").content)')
     assert [name.strip('"').removesuffix(": ") for name in names] == [
@@ -104,7 +104,7 @@ def test_a_table_of_short_texts_keeps_its_columns_and_fits(phone):
     )
 
 
-def test_a_formula_is_set_smaller_where_it_is_only_a_little_too_wide(phone):
+def test_a_formula_a_little_too_wide_is_set_smaller(phone):
     formulas = phone.page.locator("li .math.wide").evaluate_all(
         """formulas => formulas.map((formula) =>
           [formula.style.fontSize, formula.scrollWidth / formula.clientWidth])"""
@@ -133,7 +133,7 @@ def test_the_titles_of_things_beside_each_other_do_not_touch(phone):
     assert min(np.diff(middles)) > 80, "each stands above its own drone"
 
 
-def test_pictures_in_space_stand_below_each_other_with_their_words(phone):
+def test_pictures_in_space_are_stacked_with_their_titles(phone):
     chart = phone.page.locator(".chart-figure")
     chart.scroll_into_view_if_needed()
     chart.locator(".annotation").first.wait_for()

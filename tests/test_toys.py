@@ -49,7 +49,8 @@ def test_a_toy_is_little_data_and_its_words_are_a_sentence(name):
     assert toy.alt.endswith(".")
 
 
-def test_a_stored_notebook_gets_the_model_and_a_live_one_the_widget(monkeypatch):
+def test_only_a_live_notebook_gets_the_widget(monkeypatch):
+    """A stored notebook gets the model of the toy."""
     toy, outputs = TOYS["table"](), []
     monkeypatch.setattr("IPython.display.display", lambda data, raw, metadata: outputs.append(data))
     monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
@@ -104,7 +105,7 @@ def test_a_stored_caption_says_where_the_figure_moves(live, monkeypatch):
     assert options["metadata"] == {"caption": toy.caption}
 
 
-def test_the_caption_of_a_picture_that_only_turns_says_nothing_of_motion(monkeypatch):
+def test_the_caption_of_a_still_says_nothing_of_motion(monkeypatch):
     outputs = []
     monkeypatch.setattr("IPython.display.display", lambda data, **more: outputs.append(data))
     monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
@@ -113,7 +114,8 @@ def test_the_caption_of_a_picture_that_only_turns_says_nothing_of_motion(monkeyp
     assert outputs[-1]["text/markdown"] == "A globe."
 
 
-def test_a_notebook_with_toys_stores_the_same_every_time_and_no_widgets(tmp_path, monkeypatch):
+def test_a_notebook_with_toys_stores_the_same_every_time(tmp_path, monkeypatch):
+    """It stores no widgets."""
     monkeypatch.setenv("JPY_SESSION_NAME", "as if make ran in a notebook of JupyterLab")
     sources = [
         "from course_lib.lessons.rotations.toys import orientation_toy\n"
@@ -240,7 +242,7 @@ def answer(arm, fk, base=None, q=Q):
     return found | (found["value"] or {"end": None, "bodies": None})
 
 
-def test_a_right_function_of_screws_moves_every_body_as_the_library():
+def test_a_right_function_moves_every_body_as_the_library():
     def changes(screws, M, theta):
         T = by_screws(screws, M, theta)
         screws[:], M[:], theta[:] = 0, 0, 0
@@ -254,7 +256,7 @@ def test_a_right_function_of_screws_moves_every_body_as_the_library():
     assert_allclose(np.array(found["bodies"])[1:] @ arm.home[:-1], arm.frames(Q)[:-1], atol=1e-12)
 
 
-def test_a_wrong_function_moves_the_bodies_to_the_poses_it_returns():
+def test_a_wrong_function_moves_the_bodies_to_its_own_poses():
     arm = iiwa14()
     found = answer(arm, reversed_order)
     assert_allclose(found["end"], reversed_order(arm.screw_axes, arm.home[-1], Q))
@@ -277,7 +279,8 @@ FAILING = [lambda q: q[9], lambda q: None, lambda q: np.zeros(3), lambda q: np.f
 
 
 @pytest.mark.parametrize("broken", FAILING)
-def test_a_function_that_fails_is_reported_and_the_librarys_arm_stays(broken):
+def test_a_function_that_fails_leaves_the_library_s_arm(broken):
+    """The failure is reported."""
     found = answer(iiwa14(), broken)
     assert found["end"] is found["bodies"] is None
     assert found["problem"].split(": ")[1] in ("IndexError", "TypeError", "ValueError")
@@ -364,7 +367,8 @@ def test_a_table_is_asked_beforehand_for_pages():
         )
 
 
-def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
+def test_the_log_of_a_drive_reaches_the_function():
+    """The poses that it returns reach the figure."""
     figure, log, seen = drive(ROUND), [[[0.5, 0.0, 0.9], 0.7]], []
     found = asked(figure, propagate_body, plan=log, dt=0.5)["value"]
     assert_allclose(found, propagate_body([0] * 3, log, 0.5), atol=1e-5)
@@ -377,7 +381,8 @@ def test_the_log_of_a_drive_reaches_the_function_and_its_poses_the_figure():
     )
 
 
-def test_the_function_gets_what_is_clicked_and_the_figure_its_pose():
+def test_the_function_gets_what_is_clicked():
+    """The figure gets the pose that it returns."""
     figure, seen = click(*VIEWS), []
     pixels, depths = figure.model["clicks"], np.ones((2, 7)).tolist()
     found = asked(figure, lambda *case: seen.append(case) or VIEWS[3], pixels=pixels, depths=depths)

@@ -162,7 +162,7 @@ def test_three_errors_between_planar_poses_are_the_librarys(js, rng):
     assert_allclose(geometric[:, 2], body[:, 0], **CLOSE)
 
 
-def test_two_wheels_roll_at_their_speeds_on_the_path_of_their_twist(js, rng):
+def test_two_wheels_roll_at_the_speeds_of_their_twist(js, rng):
     left, right, track = *rng.uniform(-0.5, 0.5, (2, N)), rng.uniform(0.1, 0.6, N)
     left[:5] = right[:5]
     h = 1e-6
@@ -190,7 +190,8 @@ def test_dead_reckoning_by_euler_and_exactly(js, rng):
 # ---- circles ----
 
 
-def test_circles_meet_at_the_solutions_of_subproblem_2_or_not_at_all(js, rng):
+def test_circles_meet_at_the_solutions_of_subproblem_2(js, rng):
+    """Circles without a solution do not meet."""
     k1, k2, p1, p2 = (unit_axes(rng) for _ in range(4))
     found = js("meetings", k1, k2, p1, p2)
     right = subproblem2(k1, k2, p1, p2)
@@ -238,7 +239,7 @@ def test_a_planar_arms_points_and_jacobian(js, rng):
     assert_allclose(js("planarJacobian", lengths, q), jacobians, **CLOSE)
 
 
-def test_the_two_link_arm_reaches_exactly_the_positions_within_reach(js, rng):
+def test_two_link_ik_solves_the_positions_within_reach(js, rng):
     lengths, points = rng.uniform(0.5, 1.5, (N, 2)), rng.uniform(-2, 2, (N, 2))
     r = np.linalg.norm(points, axis=-1)
     within = (np.abs(lengths[:, 0] - lengths[:, 1]) <= r) & (r <= lengths.sum(-1))

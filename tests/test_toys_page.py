@@ -245,7 +245,7 @@ def test_every_handle_follows_arrow_keys_and_pointer(visit, name):
 
 
 @pytest.mark.parametrize("name", HANDLES)
-def test_a_finger_drags_every_handle_and_scrolls_the_page_beside_it(phone, name):
+def test_a_finger_drags_a_handle_or_scrolls_the_page(phone, name):
     touch = phone.page.context.new_cdp_session(phone.page)
 
     def swipe(x, y, dx, dy):
@@ -311,7 +311,7 @@ def test_a_turned_picture_is_turned_back(visit, way):
     wait_until(visit, f"(box, before) => ({PICTURE})(box) === before", box, at_first)
 
 
-def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl_or_after_a_click(visit):
+def test_the_wheel_zooms_only_with_ctrl_or_after_a_click(visit):
     box = figure_of(visit, "circles_toy")
     canvas = box.locator("canvas").first
     visit.page.evaluate("document.activeElement.blur()")
@@ -337,7 +337,8 @@ def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl_or_after_a_click(visit):
     ("device", "words"),
     [("mouse", "A double click turns it back"), ("keys", "Home turns it back")],
 )
-def test_the_first_picture_that_is_met_says_once_how_it_is_turned(page, browser, device, words):
+def test_the_first_picture_says_once_how_it_is_rotated(page, browser, device, words):
+    """The next picture does not say it again."""
     with Visit(browser, page) as visit:
         for name in ("circles_toy", "axis"):
             canvas = figure_of(visit, name).locator("canvas").first
@@ -371,7 +372,7 @@ def test_all_toys_share_one_context_and_survive_its_loss(visit):
     visit.page.wait_for_function("!gl.isContextLost()")
 
 
-def test_what_failed_without_webgl_is_drawn_when_it_comes_near_again(page, browser):
+def test_a_picture_that_failed_is_drawn_when_it_returns(page, browser):
     with Visit(browser, None, java_script_enabled=True) as visit:
         visit.page.add_init_script(KEPT)
         visit.page.goto(page.as_uri() + "#none")
@@ -540,7 +541,7 @@ GAINS = r"along u{0}: 1/s{0} = (\S+) rad/m, damped (\S+) rad/m, which removes (\
 
 
 @pytest.mark.parametrize("log_damping", [-3, 0, 1.3])
-def test_damped_steps_are_those_of_the_singular_values_that_the_toy_shows(visit, log_damping):
+def test_damped_steps_follow_from_the_singular_values_shown(visit, log_damping):
     box = figure_of(visit, "gains")
     before = picture(box)
     put(box, "Damping ε", log_damping)
@@ -589,7 +590,8 @@ JOINTS = """(box) => [...box.querySelectorAll("input[type=range]")]
   .filter((e) => /^Joint \\d/.test(e.labels[0].textContent.trim())).map((e) => Number(e.value))"""
 
 
-def test_the_elbow_moves_and_the_flange_stays_within_a_micrometre(visit):
+def test_the_flange_stays_while_the_elbow_moves(visit):
+    """The flange stays within a micrometre."""
     box = figure_of(visit, "panda_toy")
     pose = box.locator(".matrix").get_attribute("aria-label")
     before = box.evaluate(JOINTS)
@@ -677,7 +679,7 @@ def test_the_ranks_of_queries_fall_with_their_errors(visit):
     assert found == sorted(found, reverse=True)
 
 
-def test_the_dead_reckoning_follows_a_robot_that_keys_and_buttons_drive(visit):
+def test_dead_reckoning_follows_the_driven_robot(visit):
     box = figure_of(visit, "drive")
     status = box.locator("p[role=status]")
     box.get_by_role("button", name="Start again").click()
@@ -710,7 +712,8 @@ def test_the_dead_reckoning_follows_a_robot_that_keys_and_buttons_drive(visit):
 
 
 @pytest.mark.parametrize("control", ["Start again", "Hide the robot", "Left"])
-def test_arrow_keys_drive_after_a_control_was_clicked_and_scroll_no_page(visit, control):
+def test_arrow_keys_drive_after_a_control_was_clicked(visit, control):
+    """They do not scroll the page."""
     box = figure_of(visit, "drive")
     box.get_by_role("button", name="Start again").click()
     button, checkbox = (
@@ -777,7 +780,7 @@ def test_a_handle_is_named_by_few_numbers(visit, name):
         assert len(re.findall(r"[\d.]+", label)) <= 4, label
 
 
-def test_the_handles_of_two_orientations_say_where_nose_and_wing_point(visit):
+def test_the_handles_say_where_nose_and_wing_point(visit):
     box = figure_of(visit, "fly")
     nose, wing = (box.get_by_label(re.compile(f"^Start, {part}")) for part in ("nose", "wing"))
     vectors = [
@@ -811,7 +814,7 @@ def test_on_a_phone_the_planar_arm_is_larger_than_its_chart(phone):
 
 
 @pytest.mark.parametrize("name", ["iiwa_toy", "panda_toy", "jog"])
-def test_the_picture_keeps_its_height_when_the_joint_angles_are_opened(visit, name):
+def test_opening_the_joint_angles_keeps_the_picture_s_height(visit, name):
     box = figure_of(visit, name)
     canvas, fold = box.locator("canvas").first, box.locator("details").first
     heights = []
@@ -835,7 +838,7 @@ SETTINGS = """(box) => Object.fromEntries([...box.querySelectorAll(".setting")]
 @pytest.mark.parametrize(
     ("name", "moved"), [("jog", "Joint"), ("gimbals", "Yaw"), ("belt", "Rotate")]
 )
-def test_a_dragged_body_rotates_about_its_joint_and_no_other_does(visit, name, moved):
+def test_a_dragged_body_rotates_about_its_joint_only(visit, name, moved):
     box = figure_of(visit, name)
     if name == "belt":
         put(box, "Rotate the box", 180)
@@ -890,7 +893,7 @@ def test_fast_moves_leave_all_angles_within_half_a_revolution(visit):
     assert max(degrees) <= 180
 
 
-def test_all_solutions_are_found_again_when_the_target_was_out_of_reach(visit):
+def test_all_solutions_return_after_a_target_out_of_reach(visit):
     box = figure_of(visit, "eight")
     says = box.locator("p[role=status]")
     expect(says).to_contain_text("8 solutions")
@@ -1006,7 +1009,7 @@ TRANSLUCENT = """() => {
 }"""
 
 
-def test_an_amber_body_that_is_seen_through_is_not_brown_in_the_dark(page, browser):
+def test_a_translucent_amber_body_keeps_its_colour_in_the_dark(page, browser):
     with Visit(browser, page.with_name("03.html")) as visit:
         visit.page.locator(".toy-figure.drawn").wait_for()
         visit.page.evaluate(TRANSLUCENT)
