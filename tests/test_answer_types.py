@@ -64,12 +64,12 @@ def test_an_error_that_an_exercise_knows_is_called_by_its_name():
     assert judge(exercise, LocalFunction(lambda n: [][n])).mistake.name != SWAPPED.name
 
 
-def test_a_row_is_read_as_a_vector_unless_the_shape_is_to_be_exact():
+def test_a_row_is_read_as_a_vector_unless_exact_is_set():
     assert numbers(lambda: (3,))(np.ones((1, 3))).shape == (3,)
     assert refusal(numbers(lambda: (3,), exact=True), np.ones((1, 3))).mistake is OTHER_FORM
 
 
-def test_an_array_of_the_right_shape_shows_no_mistake_in_its_shape():
+def test_an_array_of_the_right_shape_has_no_shape_mistake():
     reader = numbers(lambda n: (n, 3))
     assert refusal(reader, np.where(np.eye(3), 1, np.nan), 3).mistake is NOT_A_NUMBER
     assert refusal(reader, np.eye(3) + 1j, 3).mistake is OTHER_FORM

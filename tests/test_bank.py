@@ -264,7 +264,7 @@ def test_the_library_s_answer_is_right(path):
 @pytest.mark.parametrize(
     "path", [path for path in FILES if path.stem in OF_EACH_TYPE], ids=lambda path: path.stem
 )
-def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
+def test_an_answer_of_any_kind_is_rejected_without_an_error(path):
     exercise = replace(exercise_of(path), forbidden=())
     right = next(function for name, function in answers(path).items() if name.startswith("right_"))
     shapes = []
@@ -301,7 +301,7 @@ def test_an_answer_of_any_size_or_kind_is_refused_without_an_error(path):
 
 
 @pytest.mark.parametrize("notebook", sorted({notebook_of(path) for path in FILES}))
-def test_exercises_their_modules_and_their_answers_have_the_same_names(notebook):
+def test_exercises_have_the_names_of_their_modules_and_answers(notebook):
     module = importlib.import_module(f"course_lib.lessons.{notebook}.check")
     names = [check.exercise.name for check in module.CHECKS]
     assert [*module.EXERCISES, *getattr(module, "MORE", ())] == names

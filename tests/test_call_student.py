@@ -170,7 +170,7 @@ def test_a_forbidden_name_is_refused_and_put_back(function):
 
 
 @pytest.mark.parametrize("function", [lambda w: check.exp_so3.library(w), lambda w: exp_used(w)])
-def test_what_the_check_has_of_the_library_is_refused_as_in_grading(function):
+def test_the_library_behind_a_check_is_refused_as_in_grading(function):
     assert the_error(function, np.zeros(3), exercise="exp_so3")["message"].endswith("exp_so3")
     assert (
         "value" in put(function, (np.zeros(3),), exercise="log_so3")[0]
@@ -262,7 +262,7 @@ def _slow(M):
 
 
 @has_clock
-def test_calls_that_are_slow_only_together_are_not_blamed_one_by_one():
+def test_calls_that_are_slow_only_in_sum_are_not_blamed_singly():
     verdict = judge(NEAREST_SO, LocalFunction(_slow), seconds=0.5)
     assert verdict.state == ERROR
     assert "took more than 0.5 seconds of computing in several calls together." in describe(verdict)

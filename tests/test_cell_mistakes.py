@@ -71,7 +71,7 @@ def test_a_later_cell_uses_the_library_for_an_undefined_function(shell, shown):
     assert "attempt" not in vars(shell.user_ns["used"])
 
 
-def test_a_deleted_name_is_not_used_although_its_check_has_passed(shell, shown):
+def test_a_deleted_name_is_not_used_although_its_check_passed(shell, shown):
     assert run(shell, ANSWER, CHECK, "del nearest_so", "used = check.nearest_so.use(nearest_so)")
     assert shell.user_ns["used"].whose == "the library's"
 

@@ -100,7 +100,7 @@ def test_arguments_and_answer_stand_side_by_side(shown):
 
 
 @pytest.mark.parametrize("size", [3, 6])
-def test_the_lines_of_a_case_scroll_in_a_narrow_window_and_do_not_wrap(shown, size):
+def test_the_lines_of_a_case_scroll_in_a_narrow_window(shown, size):
     case = replace(NEAREST_SO, cases=lambda rng: [(np.eye(size),)])
     Check(case)(lambda M: M + np.pi)
     (block,) = re.findall(r'<div tabindex="0" style="([^"]*)">([^<]*)</div>', shown[0]["text/html"])
@@ -243,7 +243,7 @@ def test_progress_tells_core_from_more_once_more_is_begun(shown):
     ]
 
 
-def test_use_takes_the_library_s_function_until_the_student_s_is_right(shown):
+def test_use_returns_the_library_s_function_until_yours_is_right(shown):
     each = Check(NEAREST_SO)
     used = each.use(right)
     assert (used.func, used.whose) == (rotations.nearest_so, "the library's")
@@ -382,7 +382,8 @@ def test_a_prediction_answers_each_choice(shown):
     assert predict.choice == "a"
 
 
-def test_an_unmade_prediction_shows_its_choices_and_folds_their_answers(shown):
+def test_an_unmade_prediction_shows_its_choices_only(shown):
+    """The replies to the choices are folded."""
     Predict(ORDER).predict()
     choices = 'check.order.predict("a") or check.order.predict("b")'
     assert re.fullmatch(

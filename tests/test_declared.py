@@ -25,7 +25,7 @@ def values(kind):
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_every_value_of_a_kind_can_be_sent_to_a_student_s_function(name):
+def test_every_value_of_a_kind_can_be_sent_to_the_student(name):
     assert all(write(value) for value in values(KINDS[name]))
 
 

@@ -95,7 +95,7 @@ def test_broken_code_as_it_is_given_is_a_state_of_its_own():
     assert judge(DOUBLE, LocalFunction(lambda x: 3 * x)).state == WRONG
 
 
-def test_code_that_forgets_its_return_can_be_the_bug_that_is_still_there():
+def test_a_missing_return_can_be_the_bug_that_is_still_there():
     exercise = replace(DOUBLE, broken=lambda x: None)
     assert judge(exercise, LocalFunction(lambda x: None)).state == UNCHANGED
     assert judge(exercise, LocalFunction(lambda x: x + 2)).state == WRONG
@@ -113,7 +113,7 @@ def _thorough(log):
     return all(np.allclose(rotations.exp_so3(log(R)), R) for R in turns)
 
 
-def test_a_test_that_distinguishes_all_versions_is_right_for_every_seed():
+def test_a_thorough_test_is_right_for_every_seed():
     for seed in range(5):
         assert judge(TEST_LOG, LocalFunction(_thorough), seed).state == RIGHT
 
@@ -130,7 +130,7 @@ def test_the_weak_test_that_a_cell_begins_with_is_not_attempted():
     assert judge(begun, LocalFunction(lambda log: True)).state == WRONG
 
 
-def test_versions_that_slip_through_are_described_and_cost_points_in_proportion():
+def test_versions_that_slip_through_cost_points_in_proportion():
     verdict = judge(
         TEST_LOG, LocalFunction(lambda log: np.allclose(log(rotations.rot_z(0.5)), [0, 0, 0.5]))
     )
@@ -192,7 +192,7 @@ def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, tim
     )
 
 
-def test_a_version_computes_its_answer_to_the_same_arguments_once():
+def test_a_version_computes_each_answer_once():
     computed = []
 
     def counted(R):
@@ -335,7 +335,7 @@ MIXED = replace(
         (lambda x: _mixed(x) ** 3, "y[0] is not x[0] - x[1]"),
     ],
 )
-def test_a_changed_argument_is_named_and_else_what_the_property_says(answer, name):
+def test_a_changed_argument_is_named_before_the_property(answer, name):
     assert judge(MIXED, LocalFunction(answer)).mistake.name == name
 
 
@@ -405,7 +405,7 @@ def test_one_array_that_all_calls_fill_is_refused():
     assert review(TURNED, LocalFunction(fills)).mistake is SHARED_RESULT
 
 
-def test_a_result_kept_for_an_array_with_other_numbers_is_refused():
+def test_a_result_cached_by_the_identity_of_an_array_is_rejected():
     kept = []
 
     def remembers(x):

@@ -65,7 +65,7 @@ def test_a_right_answer_below_a_wrong_one_gets_its_tick(unfinished, shown):
     assert ("double" in space) == (unfinished != "missing"), "what was replaced is put back"
 
 
-def test_use_gives_the_library_s_as_long_as_the_answer_calls_a_wrong_one(shown):
+def test_use_returns_the_library_s_while_yours_calls_a_wrong_one(shown):
     check, space = checked(WRONG_DOUBLES["wrong"] + RIGHT_SO)
     used = check.use(space["nearest_so"])
     assert used.whose == "the library's"
@@ -73,7 +73,7 @@ def test_use_gives_the_library_s_as_long_as_the_answer_calls_a_wrong_one(shown):
     assert np.allclose(used(2 * np.eye(3)), np.eye(3))
 
 
-def test_an_answer_that_is_wrong_itself_is_judged_with_a_right_one_below(shown):
+def test_a_wrong_answer_is_judged_with_right_functions_below_it(shown):
     check, _ = checked(
         WRONG_DOUBLES["wrong"] + RIGHT_SO.replace("    U[:, -1] *=", "    U[:, -1] +=")
     )
@@ -163,7 +163,7 @@ def test_a_right_one_answers_whatever_a_function_is_called_by():
 
 
 @pytest.mark.parametrize("function", [len, np.linalg.svd, functools.partial(np.add, 1)])
-def test_a_function_that_nobody_wrote_in_the_notebook_has_no_names_of_it(function):
+def test_a_function_from_elsewhere_has_no_names_of_the_notebook(function):
     assert namespace_of(function) == {}
 
 
@@ -206,7 +206,7 @@ def test_a_file_that_a_cell_writes_is_part_of_the_notebook(beside):
     assert own_files(space["double"], cells) == []
 
 
-def test_a_function_of_the_notebook_alone_uses_no_file_of_its_own():
+def test_a_function_of_the_notebook_uses_no_own_file():
     space = {"np": np}
     exec(
         "from course_lib import rotations\ndef double(x):\n    return np.linalg.norm(x) +"
@@ -245,7 +245,7 @@ class Shell:
             function(None)
 
 
-def test_a_cell_that_assigns_to_the_name_of_the_checks_is_told_so(monkeypatch, shown):
+def test_assigning_to_the_name_of_the_checks_is_reported(monkeypatch, shown):
     shell, module = Shell(), types.ModuleType("own_checks")
     monkeypatch.setattr(kernel, "ipython_shell", lambda: shell)
     monkeypatch.setitem(sys.modules, "own_checks", module)

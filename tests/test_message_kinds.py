@@ -132,7 +132,7 @@ def test_an_argument_whose_change_cannot_be_said_is_still_named():
 # Arrays of integers
 
 
-def test_wrong_for_integers_only_is_not_called_cut_off_where_no_digit_is_cut_off():
+def test_wrong_for_integers_alone_is_not_called_cut_off():
     cases = [(np.array([0.5, 1.5]),), (np.array([1, 2]),)]
     half = Property("half of x", lambda value, x: np.abs(value - x / 2).max() < EXACT)
     exercise = Exercise(
@@ -210,7 +210,7 @@ def test_no_message_leaves_out_one_kind_of_version_alone(exercise):
 # A long array beside other arguments
 
 
-def test_no_argument_stands_within_the_sentence_about_a_long_array():
+def test_a_long_array_is_printed_below_its_sentence():
     case = np.zeros((7, 6)), np.eye(4), np.zeros(7)
     text = describe(Verdict(FORWARD_KINEMATICS, WRONG, "T is 0.", case=case, answer=np.eye(4)))
     lines = text.splitlines()
@@ -302,7 +302,7 @@ def test_a_rotation_by_another_angle_is_told_both_angles():
     assert hint.startswith("theta is 6.9 rad, but your R rotates by 0.1204 rad.")
 
 
-def test_rows_that_are_missing_are_not_told_that_there_are_too_many():
+def test_missing_rows_are_not_called_too_many():
     def too_few(start, plan, dt):
         return PROPAGATE_BODY.library(start, plan, dt)[:-1]
 
@@ -314,7 +314,7 @@ def test_rows_that_are_missing_are_not_told_that_there_are_too_many():
     assert names == ["a step has no row", "there are more rows than steps"]
 
 
-def test_a_number_of_rows_that_int_explains_is_shown_with_its_division():
+def test_a_number_of_rows_is_explained_by_int():
     def by_int(start, plan, dt):
         rows = [np.array(start, float)]
         for _, duration in plan:
@@ -367,7 +367,7 @@ def test_degrees_are_named_whatever_full_revolutions_they_hold(module):
     assert verdict.mistake.name == "the answer is in degrees"
 
 
-def test_degrees_are_named_where_half_a_revolution_has_either_sign():
+def test_degrees_are_named_at_half_a_revolution():
     def in_degrees(k, p, g):
         around_p, around_g = p - (k @ p) * k, g - (k @ g) * k
         sine, cosine = k @ np.cross(around_p, around_g), around_p @ around_g
@@ -380,7 +380,7 @@ def test_degrees_are_named_where_half_a_revolution_has_either_sign():
 # The order of columns
 
 
-def test_columns_from_the_last_joint_to_the_first_are_called_columns():
+def test_columns_in_reverse_order_are_called_columns():
     def from_the_last_joint(screws, M, q):
         return np.fliplr(BODY_JACOBIAN.library(screws, M, q))
 
@@ -391,7 +391,7 @@ def test_columns_from_the_last_joint_to_the_first_are_called_columns():
 # Two numbers that are printed alike, and names that are not true of the answer
 
 
-def test_a_height_that_looks_like_the_one_wanted_is_shown_with_the_difference():
+def test_a_nearly_equal_height_is_shown_with_its_difference():
     text = reached(0.25, "height", 1.332365741, 1.3323657483)
     assert text.endswith("the height is 1.33237; d is 1.33237, which differs by 7.3e-09.")
     assert reached(0.25, "height", 1.5, 1.25).endswith("the height is 1.5; d is 1.25.")

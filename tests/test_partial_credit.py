@@ -31,7 +31,7 @@ def only_moves(twist):
     return T
 
 
-def test_a_wrong_answer_keeps_the_points_of_the_part_that_is_right():
+def test_a_wrong_answer_keeps_the_points_of_its_right_part():
     got = verdict(only_moves)
     assert (got.state, got.points) == (WRONG, 1)
     assert describe(got).splitlines()[0] == "✗ exp_se3: not right yet, 1 of 3 points so far"

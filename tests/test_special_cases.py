@@ -59,7 +59,7 @@ def made(cases, names=("x",), sweeps=(), angles=(), small=()):
     return made_cases(cases, names, sweeps, angles, np.random.default_rng(0), small)
 
 
-def test_a_case_of_whole_numbers_is_asked_again_with_the_type_int():
+def test_whole_numbers_are_asked_again_as_integers():
     again, *_ = made([(np.array([1.5, 2.0]),), (np.array([3.0, -1.0]),)])
     assert again[0].dtype == int
     assert again[0].tolist() == [3, -1]
@@ -98,7 +98,7 @@ def test_angles_are_asked_for_beyond_one_revolution():
     assert two[1] == sixteen[1] == 1.5
 
 
-def test_a_sweep_asks_at_each_of_its_values_for_which_there_is_a_case():
+def test_a_sweep_asks_at_each_value_that_has_a_case():
     sweep = Sweep("near 1", lambda rng, gap: None if gap < 0 else (1 + gap,), (0.1, -0.1, 0.01))
     assert made([(np.array([0.5]),)], sweeps=(sweep,)) == [(1.1,), (1.01,)]
 
@@ -112,14 +112,15 @@ def test_numbers_that_may_be_small_are_so_at_every_size():
     )
 
 
-def test_in_three_of_four_small_cases_some_numbers_stay_as_they_are():
+def test_three_of_four_small_cases_keep_some_numbers():
     cases = made([(np.array([1.5, 2.5, -0.5]),)], small=("x",))
     kept = [np.isin(x, [1.5, 2.5, -0.5]).tolist() for (x,) in cases[:4]]
     assert kept[0] == [False] * 3
     assert kept[1:] == [[True, False, True], [False, True, False], [True, False, True]]
 
 
-def test_rotations_poses_and_unit_vectors_stay_such_where_numbers_are_small():
+def test_small_cases_keep_rotations_valid():
+    """Poses and unit vectors stay valid, too."""
     R, n = exp_so3([0.3, 0.9, -0.4]), np.array([0.6, 0.0, 0.8])
     cases = made([(R, pose(R, [1.0, 2, 3]), n)], ("R", "T", "n"), small=("R", "T", "n"))
     small = [case for case in cases if not np.array_equal(case[0], R)]
@@ -198,7 +199,7 @@ def test_few_digits_are_named_before_anything_else(answer, name):
     assert name in judge(exercise, LocalFunction(answer)).mistake.name
 
 
-def test_a_difference_that_the_numbers_shown_do_not_show_is_printed():
+def test_a_difference_hidden_by_rounding_is_printed():
     text = describe(judge(HALF, LocalFunction(lambda x: x / 2 * (1 + 3e-8))))
     assert re.search(r"Your answer is off by \d\.\de-08\.", text)
     text = describe(judge(HALF, LocalFunction(lambda x: x)))
@@ -211,7 +212,7 @@ def into_a_copy(x):
     return y
 
 
-def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
+def test_digits_cut_off_in_integer_arrays_are_named():
     cases = lambda rng: [(np.array([1.5, 0.25]),), (np.array([3.0, 5.0]),)]  # noqa: E731
     mistake = judge(replace(HALF, cases=cases), LocalFunction(into_a_copy)).mistake
     assert mistake.name.startswith("the answer is wrong for arrays of integers only")
@@ -222,7 +223,7 @@ def test_digits_cut_off_in_arrays_of_whole_numbers_only_are_called_so():
 
 
 @pytest.mark.parametrize("whole", [lambda x: 0 * x, np.round])
-def test_whole_numbers_that_are_not_those_before_the_point_are_not_called_cut_off(whole):
+def test_other_whole_numbers_are_not_called_cut_off(whole):
     def wrong_for_integers(x):
         return whole(1.5 * x + 0.2) if x.dtype.kind == "i" else x / 2
 
@@ -241,7 +242,7 @@ TINY_ROTATIONS = replace(
 )
 
 
-def test_a_transpose_is_named_although_a_tiny_rotation_is_nearly_its_transpose():
+def test_a_transpose_is_named_beside_tiny_rotations():
     mistake = judge(TINY_ROTATIONS, LocalFunction(lambda w: exp_so3(w).T)).mistake
     assert mistake.name == "the answer is the transpose of what it should be"
 
@@ -291,7 +292,7 @@ WHOLE_ANSWERS = (
 
 
 @each_exercise
-def test_arrays_of_whole_numbers_are_asked_about_where_the_answer_is_not_whole(exercise):
+def test_some_integer_arrays_have_fractional_answers(exercise):
     if not takes_arrays(exercise) or exercise.name in NO_WHOLE_CASES:
         return
     cases = whole_cases(exercise)
