@@ -49,7 +49,7 @@ def test_a_cell_has_its_kind(q, split, kind):
     assert kind_of.tolist() == [cells.FEW, cells.FEW, kind, cells.FEW]
 
 
-def test_a_table_of_branches_answers_only_in_cells_that_have_models():
+def test_a_branch_table_answers_only_in_cells_with_models():
     rng = np.random.default_rng(1)
     q = rng.uniform([0.5, -1.2], [1.5, 1.2], (4000, 2))
     xy, _ = planar_forward(q)

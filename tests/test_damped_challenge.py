@@ -14,7 +14,7 @@ def damped_step(q, target, alpha, eps):
     return q - alpha * np.linalg.solve(J.T @ J + eps * np.eye(4), J.T @ e)
 
 
-def test_the_report_s_rule_needs_124_steps_and_one_that_adapts_far_fewer():
+def test_an_adaptive_rule_needs_far_fewer_than_124_steps():
     def adapting(k, before, after, alpha, eps):
         return 1.0, max(eps / 3, 1e-3) if after < before else 4 * eps
 
@@ -38,7 +38,7 @@ def test_a_rule_hears_of_each_step():
 @pytest.mark.parametrize(
     "answer", [None, 0.2, (0.2,), (np.nan, 2.0), (0.2, np.inf), (1.0, 0.0), ("a", "b")]
 )
-def test_a_rule_that_returns_something_else_is_told_what_it_should_return(answer):
+def test_the_error_of_a_rule_says_what_it_should_return(answer):
     with pytest.raises(
         ValueError,
         match="rule must return two finite numbers, alpha and a positive eps; it returned",

@@ -31,7 +31,8 @@ def test_the_distance_is_that_of_seven_numbers():
     np.testing.assert_allclose(descents.pose_distance(A, B), np.hypot(p, nearer), atol=1e-12)
 
 
-def test_a_descent_counts_its_steps_and_stops_at_the_distance_asked_for():
+def test_a_descent_stops_at_the_first_step_within_the_distance():
+    """It counts the steps up to there."""
     reached, taken = descents.descend(
         PANDA, TARGETS, READY, (ik.pose_error, damped, as_it_is), 50, 0.02
     )

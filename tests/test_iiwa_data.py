@@ -22,7 +22,7 @@ WANTED = np.array([1, 1, -1, -1, 1, 1, 1.0])
 
 
 @pytest.mark.parametrize("name", ["iiwa_trajectory.csv", "iiwa_targets.csv"])
-def test_each_file_names_its_source_its_owner_and_the_licence_beside_it(name):
+def test_each_data_file_names_its_source_and_licence(name):
     comments = [line for line in (DATA / name).read_text().splitlines() if line.startswith("#")]
     header = " ".join(comments)
     for words in ("righetti/ROB6003", "Copyright (c) 2021 Ludovic Righetti", "BSD 3-Clause"):
@@ -34,14 +34,14 @@ def test_each_file_names_its_source_its_owner_and_the_licence_beside_it(name):
     assert "THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS" in licence
 
 
-def test_the_end_effector_follows_the_curve_of_the_text_to_a_millimetre():
+def test_the_end_effector_is_within_1_mm_of_the_text_s_curve():
     t = MOTION.t
     x, y, z = 0.1 * np.sin(2 * t) - 0.5, 0.1 * np.sin(t) + 0.5, 0.2 * np.cos(t) + 0.3
     path = ARM.fk(MOTION.q)[:, :3, 3]
     np.testing.assert_allclose(path, np.stack([x, y, z], -1), rtol=0, atol=1e-3)
 
 
-def test_the_velocities_are_those_of_half_a_step_before_their_rows():
+def test_the_velocities_are_half_a_step_late():
     derivative = CubicSpline(MOTION.t, MOTION.q).derivative()
     at_their_rows = np.abs(MOTION.qd[1:] - derivative(MOTION.t[1:])).max()
     half_before = np.abs(MOTION.qd[1:] - derivative((MOTION.t[1:] + MOTION.t[:-1]) / 2)).max()
@@ -98,7 +98,7 @@ def cells():
     return space
 
 
-def test_no_solver_comes_nearer_than_the_sphere_about_the_shoulder(cells):
+def test_no_solver_comes_nearer_than_the_shoulder_s_sphere(cells):
     found = [smallest_error(target, k) for k, target in enumerate(cells["targets"])]
     np.testing.assert_allclose(found, cells["beyond"], rtol=0, atol=1e-6)
 
@@ -112,7 +112,7 @@ def test_the_given_function_does_not_win_it(cells):
     assert cells["score_of_targets"](cells["bring"]).startswith("36 of 100: 6 of 10 nearest, 0 of")
 
 
-def test_without_gain_in_the_null_space_the_distance_is_a_minimum(cells):
+def test_without_null_space_gain_the_distance_is_a_minimum(cells):
     for target in cells["targets"][cells["beyond"] == 0]:
         q = damped(target, np.array([0.1, 0.5, -0.1, -1, 0.1, 0.5, 0.1]))
         nearest = minimize(

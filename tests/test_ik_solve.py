@@ -25,7 +25,8 @@ def apart(T, target):
 
 
 @pytest.mark.parametrize("make", [panda, iiwa14, ur5e])
-def test_targets_are_reached_from_cold_starts_together_and_one_by_one(make):
+def test_targets_are_reached_from_cold_starts(make):
+    """Targets are solved together and one by one."""
     arm = make()
     targets = reachable(arm, 1000)
     together = solve(arm, targets, np.random.default_rng(1))
@@ -138,7 +139,7 @@ def test_the_result_has_the_batch_of_the_targets(batch):
     assert found.success.all()
 
 
-def test_an_arm_without_six_degrees_of_freedom_says_what_it_reached():
+def test_an_arm_of_few_degrees_of_freedom_reports_its_residual():
     arm = planar_arm([1, 1, 1])
     inside, tilted = arm.fk([0.3, 0.5, -0.4]), rigid.transform(rotations.rot_x(0.5), [2.0, 0.5, 0])
     found = solve(arm, [inside, tilted], np.random.default_rng(8), starts=10)
@@ -176,7 +177,7 @@ def test_poses_as_printed_with_six_digits_are_targets():
     assert solve(arm, printed[poses][:50], np.random.default_rng(0), q[poses][:50]).success.all()
 
 
-def test_a_printed_target_half_a_revolution_from_the_start_is_reached():
+def test_a_printed_target_half_a_revolution_away_is_reached():
     """Its rotation from the start may be off by a little more than a pose may be."""
     arm = panda()
     low, high = arm.limits.T

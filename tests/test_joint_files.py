@@ -462,7 +462,7 @@ def test_torques_beside_the_angles_are_left_out_and_named(file):
     assert "not used: tau_J_1, tau_J_2" in read.understood
 
 
-def test_understood_names_the_column_the_unit_and_the_range_of_each_joint(file):
+def test_understood_describes_the_column_of_each_joint(file):
     header = ["Zeit [ms]", "Winkel 1 [°]", "Winkel 2 [°]"]
     degrees = np.column_stack([np.linspace(-10, 20, N), np.full(N, 45.5)])
     said = load(file(lines(header, 1000 * T, degrees))).understood.splitlines()
@@ -546,7 +546,7 @@ def test_a_unit_that_the_header_denies_is_refused(file):
         load(path, units={"t": "ms"})
 
 
-def test_microseconds_are_microseconds_whichever_way_they_are_said(file):
+def test_microseconds_are_read_in_every_spelling(file):
     for title, units in (
         ("time [us]", None),
         ("time_us", None),
@@ -656,7 +656,7 @@ def test_bytes_at_random_are_refused_in_a_sentence(tmp_path):
                 load(tmp_path / "own.csv")
 
 
-def test_names_of_the_arm_from_the_library_put_its_recording_in_order(file):
+def test_a_library_arm_s_joint_names_order_its_recording(file):
     assert load(file(rostopic()), ur5e().limits).q.shape == (N, 6)
     shifted = SEVEN + np.array([0, 0, 0, -2, 0, 0.5, 0])
     header = ["%time", *numbered("panda_joint{}", 7, 1)]
@@ -697,7 +697,7 @@ def test_a_joint_is_not_unwrapped_beyond_its_limits(file):
     assert "q1 jumps by up to 4.90 rad after row 2, as in the file" in read.understood
 
 
-def test_a_jump_that_may_be_either_is_asked_and_answered_by_limits(file):
+def test_an_ambiguous_jump_is_resolved_by_limits(file):
     path = file("t,q1\n0,-2.5\n0.5,2.5\n")
     with pytest.raises(UnclearFileError, match="logged within one turn") as asked:
         load(path)

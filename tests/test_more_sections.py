@@ -190,7 +190,7 @@ def points_of(q):
 
 
 @pytest.mark.parametrize(("eps", "printed"), [(0.5, 6.3), (8, 7.6), (50, 7.8)])
-def test_the_area_that_the_arm_passes_over_is_that_of_random_points(eps, printed):
+def test_the_swept_area_is_that_of_random_points(eps, printed):
     """A second way: the share of random points of a square that a link crosses in some step."""
     path = damped_path(PLANAR, GOAL, START, 0.2, eps, 2000)
     covered = np.append(0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
@@ -261,7 +261,7 @@ def differences(arm, q, h=1e-6):
 
 
 @pytest.mark.parametrize(("r", "z"), [(0.6, 0.2), (0.3, 0.4), (0.77, 0.0)])
-def test_iterations_find_the_manipulabilities_of_the_exact_configurations(r, z):
+def test_iteration_finds_the_exact_manipulabilities(r, z):
     found = [np.linalg.svd(differences(UR5E, q))[1].prod() for q in solved_by_iteration(r, z)]
     s3 = np.sin(gripper_down(r, z)[:, 2])
     formula = 0.425 * 0.3922 * np.abs(s3) * np.sqrt(r**2 - 0.1333**2)
@@ -291,7 +291,7 @@ def on_the_table():
     return found
 
 
-def test_the_best_place_on_the_table_is_that_of_a_search_over_elbows():
+def test_the_best_place_is_that_of_a_search_over_elbows():
     """A second way: a grid of elbow angles instead of places, by differences of the pose."""
     volumes = [(abs(np.linalg.det(J)), r) for r, J in on_the_table()]
     printed = source_of("04_poe_kuka_iiwa", "workspace-map")[1]
@@ -299,7 +299,7 @@ def test_the_best_place_on_the_table_is_that_of_a_search_over_elbows():
 
 
 @pytest.mark.parametrize(("name", "unit"), [("1 m", 1), ("1 mm", 0.001), ("40 cm", 0.4)])
-def test_the_least_condition_numbers_are_those_of_a_search_over_elbows(name, unit):
+def test_the_least_condition_numbers_are_those_of_a_search(name, unit):
     lengths = np.array([1 / unit, 1 / unit, 1 / unit, 1, 1, 1])[:, None]
     least, place = min((np.linalg.cond(lengths * J), r) for r, J in on_the_table())
     printed = source_of("04_poe_kuka_iiwa", "workspace-units")[1]
@@ -378,7 +378,7 @@ def test_a_step_shrinks_the_errors_for_gains_below_two_over_dt(K, shrinks):
     assert (six < 1).all() == shrinks
 
 
-def test_a_gain_below_two_over_dt_converges_where_one_above_it_diverges():
+def test_a_gain_converges_only_below_two_over_dt():
     below, above = (errors_of_the_notebook(K, 1, 0.1, 20) for K in (19.0, 21.0))
     np.testing.assert_allclose(below, 0.02 * 0.9 ** np.arange(21), rtol=0.35)
     np.testing.assert_allclose(above[:6], 0.02 * 1.1 ** np.arange(6), rtol=0.05)

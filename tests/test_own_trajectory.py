@@ -87,7 +87,7 @@ def film_of(told):
 
 @pytest.mark.parametrize("made", [noisy_and_uneven, still])
 @pytest.mark.filterwarnings("error")
-def test_the_notebook_runs_with_another_trajectory_and_tells_of_that_one(made, tmp_path, capsys):
+def test_the_notebook_describes_the_student_s_trajectory(made, tmp_path, capsys):
     path = tmp_path / "own.csv"
     trajectory.save(path, trajectory.Trajectory(*made()))
     with contextlib.chdir(NOTEBOOK.parent):

@@ -36,7 +36,7 @@ def test_the_clearance_from_the_worktop_is_that_of_what_is_drawn():
         )
 
 
-def test_a_mug_is_touched_where_the_drawn_arm_is_and_not_beside_it():
+def test_a_mug_is_touched_only_where_the_arm_is_drawn():
     vertices, bodies = solid(READY)
     lowest = min(vertices[bodies == 7], key=lambda p: p[2])
     below = rigid.transform(np.eye(3), lowest - [0, 0, 0.1])

@@ -113,7 +113,7 @@ def test_every_command_and_file_it_names_is_there():
         assert (ROOT / name).exists(), name
 
 
-def test_every_program_that_a_command_needs_is_listed_with_its_package(monkeypatch):
+def test_every_program_is_listed_with_its_package(monkeypatch):
     table = README.partition("| `sudo apt install` |")[2].partition("\n\n")[0]
     rows = re.findall(r"^\| ([\w ]+) \| .* \| `(\w+)` \|$", table, re.MULTILINE)
     assert dict(rows) == {

@@ -76,7 +76,7 @@ def test_thin_sets_are_right_up_to_rounding_or_refused(exponent):
     assert refused == 20 if exponent >= 13 else True
 
 
-def test_the_uncertainty_is_the_spread_of_registrations_about_each_axis():
+def test_the_uncertainty_is_the_spread_of_registrations():
     random = np.random.default_rng(3)
     points = np.array(
         [[0, 0, 0], [0.1, 0.01, 0], [0.2, 0, 0.005], [0.15, -0.008, 0.01], [0.05, 0, 0]]

@@ -123,7 +123,7 @@ def test_the_digits_that_agree_are_counted_right(notebook):
 
 
 @pytest.mark.parametrize("notebook", PARTS)
-def test_every_error_is_listed_with_a_line_that_the_notebook_quotes(notebook):
+def test_every_error_is_listed_with_a_quoted_line(notebook):
     words = "\n".join(cell.source for cell in cells_of(notebook) if cell.cell_type == "markdown")
     titles = re.findall(r"^#### (\d+) · (.*)$", words, re.MULTILINE)
     rows = table(notebook, "error")
@@ -137,7 +137,7 @@ def test_every_error_is_listed_with_a_line_that_the_notebook_quotes(notebook):
 
 
 @pytest.mark.parametrize("notebook", PARTS)
-def test_every_figure_has_ours_in_the_section_that_its_link_names(notebook):
+def test_every_figure_is_linked_to_the_section_with_ours(notebook):
     rows, texts = table(notebook, "figure"), sections(notebook)
     assert rows
     for figure, what, ours in rows:
@@ -179,7 +179,7 @@ def test_the_two_bases_of_the_public_cases_follow_from_the_data():
         np.testing.assert_allclose(found, [*base, 0, 0, -0.037], atol=1.5e-3)
 
 
-def test_published_poses_and_jacobians_follow_from_a_second_computation():
+def test_published_jacobians_follow_from_a_second_method():
     """A second way, without DH parameters and cross products: screws from the arm, columns from
     differences."""
     table = np.genfromtxt(

@@ -31,7 +31,7 @@ EITHER = pytest.mark.parametrize("n", [2, 3], ids=["plane", "space"])
 
 
 @EITHER
-def test_transform_has_rotation_translation_and_last_row_in_position(n):
+def test_transform_puts_its_blocks_in_position(n):
     rng = np.random.default_rng(0)
     R, p = rotation_samples(n)(rng, ()), rng.normal(size=n)
     T = transform(R, p)
@@ -63,7 +63,8 @@ def test_is_se_is_within_tol_in_block_and_last_row(n, tol):
 
 
 @EITHER
-def test_nearest_se_keeps_the_position_and_leaves_a_symmetric_rest(n):
+def test_nearest_se_leaves_a_symmetric_factor(n):
+    """It keeps the position."""
     rng = np.random.default_rng(2)
     T = pose_samples(n)(rng, (50,))
     close(nearest_se(T), T)

@@ -223,7 +223,7 @@ def test_a_large_batch_may_lie_in_any_order_in_memory(function):
     assert np.array_equal(function(batch[::-1]), function(batch)[::-1])
 
 
-def test_rotation_vectors_whose_squares_underflow_keep_their_digits():
+def test_exp_so3_keeps_digits_where_squares_underflow():
     w = _large_batch(exp_so3)
     w[-1] = [3e-170, -2e-170, 1e-170]
     w[-2] = 0
@@ -232,7 +232,7 @@ def test_rotation_vectors_whose_squares_underflow_keep_their_digits():
     assert np.array_equal(R[-2], np.eye(3))
 
 
-def test_a_quaternion_of_another_length_is_named_in_a_later_chunk():
+def test_a_nonunit_quaternion_is_named_in_a_later_chunk():
     q = _large_batch(quaternion_to_matrix)
     q[ITEMS + 1] *= 1 + 2e-6
     with pytest.raises(ValueError, match=rf"q\[{ITEMS + 1}\] is not a unit quaternion"):

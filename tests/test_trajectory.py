@@ -145,9 +145,7 @@ STEP = 4 * np.pi / 200
     "how", [{"delimiter": ","}, {}, {"delimiter": ";"}, {"delimiter": ",", "header": "joints"}]
 )
 @pytest.mark.parametrize("upright", [False, True])
-def test_positions_and_velocities_in_two_files_with_joints_as_rows_or_columns(
-    tmp_path, how, upright
-):
+def test_two_files_with_joints_as_rows_or_columns_are_read(tmp_path, how, upright):
     tables = [table.T if upright else table for table in (ANGLES, 2 * ANGLES)]
     for paths in (two_files(tmp_path, *tables, **how), two_files(tmp_path, *tables, kind="npy")):
         read = load(paths[0], SEVEN, velocities=paths[1], step=STEP)
@@ -226,7 +224,8 @@ def curve(n=200):
     return t, np.stack([0.3 * np.sin(t) - 0.7, 0.2 * np.cos(2 * t)], 1)
 
 
-def test_backward_differences_with_a_zero_first_row_are_said_to_be_half_a_step_late():
+def test_backward_differences_are_called_half_a_step_late():
+    """A first row of zeros is mentioned."""
     t, q = curve()
     qd = np.vstack([np.zeros(2), np.diff(q, axis=0) / t[1]])
     assert (
@@ -243,14 +242,14 @@ def test_forward_differences_are_said_to_be_half_a_step_early():
     assert "differences with the sample after: each is half a step, about 0.031 s, early." in said
 
 
-def test_central_differences_and_exact_velocities_are_not_taken_for_backward_ones():
+def test_other_velocities_are_not_called_backward_differences():
     t, q = curve()
     exact = np.stack([0.3 * np.cos(t), -0.4 * np.sin(2 * t)], 1)
     for qd in (exact, np.gradient(q, t, axis=0)):
         assert disagreement(Trajectory(t, q, qd)) == ""
 
 
-def test_a_constant_velocity_has_one_difference_on_both_sides_and_nothing_is_said():
+def test_a_constant_velocity_is_not_called_a_difference():
     t = np.arange(20) / 10
     q, qd = np.outer(t, [1, -2]), np.tile([1.0, -2], (20, 1))
     assert disagreement(Trajectory(t, q, qd)) == ""
@@ -272,9 +271,7 @@ RECORDINGS = {
 
 @pytest.mark.parametrize("recording", RECORDINGS)
 @pytest.mark.parametrize("seed", range(3))
-def test_positions_alone_are_not_accused_of_the_velocities_that_are_our_differences(
-    tmp_path, recording, seed
-):
+def test_our_own_differences_are_no_fault_of_the_file(tmp_path, recording, seed):
     n, step, height, noise = RECORDINGS[recording]
     t = step * np.arange(n)
     q = smooth_step(t, height) + noise * np.random.default_rng(seed).normal(size=n)

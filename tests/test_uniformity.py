@@ -72,7 +72,7 @@ def test_p_values_of_uniform_rotations_are_uniform():
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_quaternions_lie_on_the_whole_sphere_and_have_these_matrices(seed):
+def test_random_quaternions_are_uniform_on_the_sphere(seed):
     """Every entry of a point on S^3 has the density (2 / pi) sqrt(1 - t^2), and all signs are
     equally likely."""
     q = rotations.random_quaternions(MANY, np.random.default_rng(seed))

@@ -134,7 +134,8 @@ def test_a_chain_is_the_product_of_its_poses_and_rotations(file):
         close(arm.frames(q), [*frames, T], 1e-13)
 
 
-def test_defaults_of_the_specification_are_no_offset_and_the_axis_x(file):
+def test_a_joint_without_an_axis_rotates_about_x(file):
+    """A joint without an origin has no offset."""
     bare = '<joint name="a" type="continuous"><parent link="b"/><child link="c"/></joint>'
     arm = SerialArm.from_urdf(file(robot(link("b", "c"), bare)))
     close(arm.screw_axes, [[1, 0, 0, 0, 0, 0]], 0)
@@ -174,7 +175,7 @@ def test_limits_of_0_and_0_are_asked_about_with_three_ways_out(file, kind, joint
     assert SerialArm.from_urdf(file(robot(links, answered, second))).n == joints
 
 
-def test_joints_beside_the_chain_may_slide_repeat_others_or_lack_limits(file):
+def test_joints_beside_the_chain_may_be_of_any_type(file):
     beside = [
         joint("slide", "arm", "left", "prismatic"),
         joint("repeat", "arm", "right", more='<mimic joint="a"/><limit lower="0" upper="1"/>'),
@@ -259,7 +260,8 @@ def test_what_is_no_arm_is_refused_with_what_is_there(file, fault):
         SerialArm.from_urdf(file(text), tip)
 
 
-def test_a_document_type_declaration_is_refused_before_its_entities_grow(file):
+def test_a_document_type_declaration_is_refused(file):
+    """It is refused before its entities grow."""
     lines = ['<?xml version="1.0"?><!DOCTYPE robot [<!ENTITY a0 "ha">']
     lines += [f'<!ENTITY a{i + 1} "{10 * f"&a{i};"}">' for i in range(12)]
     bomb = "".join(lines) + ']><robot name="&a12;"/>'
