@@ -13,7 +13,7 @@ def task(other, convert=np.asarray):
     return Task("Twice", np.arange(3.0), lambda x: 2 * x, {"other": other}, {"other": convert})
 
 
-def test_a_library_that_gives_another_answer_stops_the_comparison():
+def test_a_library_with_a_different_answer_stops_the_bench():
     shares(task(lambda x: 2 * x + 5e-10))
     shares(task(lambda x: -2 * x, np.negative))
     shares(task(lambda x: 7 * x, None))

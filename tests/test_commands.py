@@ -54,7 +54,7 @@ def test_make_test_says_what_is_near_a_typo(course):
     assert "Nothing has exp_so33 in its name. Near it: exp_so3" in done.stderr
 
 
-def test_make_test_says_that_javascript_is_not_checked_without_biome(course):
+def test_make_test_without_biome_says_what_is_not_checked(course):
     done = run(course, "make", "test", "ONLY=exp_so33")
     assert "JavaScript is not checked, because Biome is not installed" in done.stdout
 
@@ -79,7 +79,7 @@ def test_make_test_begins_with_what_it_does_and_how_long(course):
     assert "Running the linters" not in part
 
 
-def test_make_test_leaves_out_what_is_slow_unless_all_is_asked_for(course):
+def test_make_test_omits_slow_tests_unless_all_is_set(course):
     def options(*settings):
         return run(course, "make", "-n", "test", *settings).stdout
 
@@ -135,7 +135,7 @@ def test_make_update_makes_the_folder_of_exercises(course):
     shutil.rmtree(course / "exercises")
 
 
-def test_make_data_writes_a_trajectory_whose_velocities_are_exact(course):
+def test_make_data_writes_exact_velocities(course):
     assert "200 samples" in made(course, "data")
     computed = trajectory.load(course / "build/data/iiwa_trajectory.csv")
     assert not trajectory.disagreement(computed)
@@ -206,7 +206,7 @@ def test_the_lock_is_what_make_lock_writes(course):
 
 
 @pytest.mark.parametrize("chromium", ["there", "missing"])
-def test_ci_runs_the_tests_or_names_the_packages_that_it_cannot_install(course, tmp_path, chromium):
+def test_ci_runs_the_tests_or_names_the_missing_packages(course, tmp_path, chromium):
     for name in ("bash", "dirname", "id", "tail", "python3", "readelf"):
         if found := shutil.which(name):
             (tmp_path / name).symlink_to(found)
@@ -299,7 +299,7 @@ runpy.run_module(sys.argv[1], run_name="__main__", alter_sys=True)
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_ctrl_c_while_a_command_imports_packages_ends_it_with_a_sentence(command):
+def test_ctrl_c_during_imports_ends_with_a_sentence(command):
     done = subprocess.run(
         [sys.executable, "-c", PRESS_CTRL_C, f"course_lib.pack.{command}"],
         capture_output=True,
@@ -311,7 +311,7 @@ def test_ctrl_c_while_a_command_imports_packages_ends_it_with_a_sentence(command
 
 
 @pytest.mark.parametrize("number", OF_THE_MACHINE)
-def test_a_file_that_cannot_be_written_is_named_without_a_traceback(number, capsys):
+def test_an_unwritable_file_is_named_without_a_traceback(number, capsys):
     error = OSError(number, os.strerror(number), "build/course.pdf")
     report(type(error), error, None)
     reason = f"build/course.pdf: {os.strerror(number)}"
@@ -324,7 +324,8 @@ def test_an_error_of_the_project_keeps_its_traceback(capsys):
     assert "ValueError: a mistake of ours" in capsys.readouterr().err
 
 
-def test_ctrl_c_while_a_notebook_runs_leaves_the_file_and_no_traceback(course):
+def test_ctrl_c_while_a_notebook_runs_leaves_its_file_unchanged(course):
+    """It prints a sentence and no traceback."""
     path = course / "notebooks/02_slow.ipynb"
     write(path.parent, path.name, new_code_cell("import time\ntime.sleep(600)"))
     before = path.read_bytes()

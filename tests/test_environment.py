@@ -111,7 +111,8 @@ def test_what_is_set_up_is_used_until_its_origin_changes(make):
     ("-e .", "OSError: [Errno 2] No such file\n", "failed: OSError: [Errno 2] No such file"),
     ("-r env", "Failed to fetch: `numpy`: No space left on device (os error 28)", "The disk is full"),
 ])  # fmt: skip
-def test_a_failure_ends_in_one_sentence_and_the_next_call_starts_afresh(make, at, says, message):
+def test_a_failed_setup_ends_in_one_sentence(make, at, says, message):
+    """The next call starts afresh."""
     done, _ = make("environment", AT=at, SAYS=says)
     (line,) = [line for line in done.stderr.splitlines() if not line.startswith("make: ***")]
     assert message in line

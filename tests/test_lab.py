@@ -273,7 +273,7 @@ def output(lab, number):
     return cell.locator(".jp-OutputArea-output")
 
 
-def test_jupyterlab_asks_no_question_about_news_and_the_toys_appear(lab):
+def test_toys_appear_in_jupyterlab_without_a_question(lab):
     choose(lab, "Run", "Run All Cells")
     expect(lab.locator(".course-toy")).to_have_count(len(SOURCES) - 1)
     assert lab.locator(".Toastify__toast").all_inner_texts() == []
@@ -387,7 +387,8 @@ UNANSWERED = """async (source) => {
 }"""
 
 
-def test_a_sentence_says_that_the_kernel_does_not_answer_until_it_does(browser):
+def test_a_kernel_that_does_not_answer_is_reported(browser):
+    """The sentence disappears when the kernel answers."""
     context = browser.new_context()
     page = context.new_page()
     page.clock.install(time=0)

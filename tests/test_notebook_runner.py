@@ -176,9 +176,7 @@ def test_a_still_is_drawn_anew_for_a_figure_that_changed(
         ("/bin/false", "/bin/false failed"),
     ],
 )
-def test_a_browser_that_is_missing_or_does_not_start_is_said_in_a_line(
-    write, monkeypatch, capsys, browser, said
-):
+def test_an_unusable_browser_is_reported_in_one_line(write, monkeypatch, capsys, browser, said):
     path = write(
         new_code_cell(
             "from course_lib.lessons.subproblems_damped_ik.toys import circles_toy\ncircles_toy()"

@@ -50,7 +50,7 @@ def test_the_top_level_holds_seven_names_and_hidden_settings():
 
 
 @pytest.mark.tools("git")
-def test_git_for_windows_leaves_the_ends_of_lines_as_sh_reads_them(tmp_path):
+def test_git_for_windows_keeps_the_line_endings_of_scripts(tmp_path):
     course = tmp_path / "course"
     course.mkdir()
     names = (".gitattributes", "Makefile", "course_lib/pack/environment.sh")
@@ -124,7 +124,7 @@ ON_NODE_24 = {
 
 
 @pytest.mark.parametrize("name", ["notebooks", "test"])
-def test_no_action_of_a_workflow_needs_a_node_that_github_has_removed(name):
+def test_no_action_of_a_workflow_needs_a_removed_node(name):
     jobs = workflow(name)["jobs"].values()
     used = {step["uses"] for job in jobs for step in job["steps"] if "uses" in step}
     assert used
@@ -139,7 +139,7 @@ def test_the_guides_say_that_a_fork_enables_workflows_first():
         assert re.search(r"enable\w*\s.*?fork's\s+tab\s+\*Actions\*", text, re.DOTALL)
 
 
-def test_a_development_container_sets_up_the_environment_that_make_uses():
+def test_a_development_container_has_make_s_environment():
     text = (ROOT / ".devcontainer/devcontainer.json").read_text(encoding="utf-8")
     container = json.loads(text)
     program, target = container["postCreateCommand"].split()
