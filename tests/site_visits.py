@@ -33,6 +33,11 @@ CONTRAST = """element => {
   const [low, high] = both.map((c) => light(numbers(c))).sort((a, b) => a - b);
   return (high + 0.05) / (low + 0.05);
 }"""
+# A page without a background of its own stands on the browser's, which the colour "Canvas" names.
+CONTRAST_ON_PAGE = f"""element => {{
+  document.documentElement.style.backgroundColor = "Canvas";
+  return ({CONTRAST})(element);
+}}"""
 
 
 @contextmanager

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from grade_stand_in import result
 from scipy.stats import pearsonr
-from site_visits import CONTRAST, Visit
+from site_visits import CONTRAST_ON_PAGE, Visit
 
 from course_lib.checks.exercise import NOT_ATTEMPTED
 from course_lib.pack.grade.hand_ins.collect import Submission
@@ -328,13 +328,6 @@ def test_both_pages_are_readable_in_both_themes(browser, tmp_path, theme):
         assert visit.complaints == []
         assert [url for url in visit.requests if not url.startswith("file:")] == []
         visit.context.close()
-
-
-# A page without a background of its own stands on the browser's, which the colour "Canvas" names.
-CONTRAST_ON_PAGE = f"""element => {{
-  document.documentElement.style.backgroundColor = "Canvas";
-  return ({CONTRAST})(element);
-}}"""
 
 
 def test_the_class_page_links_to_each_students_feedback(tmp_path):

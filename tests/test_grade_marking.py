@@ -8,7 +8,7 @@ import re
 import grade_stand_in
 import pytest
 from grade_stand_in import hand_in
-from site_visits import CONTRAST, Visit
+from site_visits import CONTRAST_ON_PAGE, Visit
 
 from course_lib.pack.grade.__main__ import main
 
@@ -170,9 +170,3 @@ def test_the_marking_page_is_readable(marking, theme):
     assert min(contrasts) > 4.5
     assert visit.page.evaluate("document.documentElement.scrollWidth") <= 390
     visit.context.close()
-
-
-CONTRAST_ON_PAGE = f"""element => {{
-  document.documentElement.style.backgroundColor = "Canvas";
-  return ({CONTRAST})(element);
-}}"""
