@@ -375,7 +375,6 @@ def test_a_worker_with_too_many_points_is_replaced_by_another(
 def test_the_submission_of_a_silent_worker_goes_to_another(
     dask, tmp_path, capsys, monkeypatch, any_exercises
 ):
-    monkeypatch.setattr("course_lib.pack.grade.cluster.MAX_SILENT", 3)
     fill(tmp_path)
     silent = tmp_path / "silent.py"
     silent.write_text(
@@ -386,8 +385,18 @@ def test_the_submission_of_a_silent_worker_goes_to_another(
     address = dask().address
     asleep = dask(address, "--no-nanny", "--preload", str(silent))
     have_joined(asleep, dask(address, "--no-nanny", "--preload", str(STAND_IN)))
+    refuse = Cluster._refuse
+
+    def refuse_one(self, *reason):
+        # The other worker has all the time that it needs for the last submission.
+        monkeypatch.setattr("course_lib.pack.grade.cluster.MAX_SILENT", 600)
+        refuse(self, *reason)
+
     run = Run(tmp_path, address)
-    run.join(120)
+    wait_for(lambda: len(list(tmp_path.glob("out/results/*.json"))) == 4)
+    monkeypatch.setattr(Cluster, "_refuse", refuse_one)
+    monkeypatch.setattr("course_lib.pack.grade.cluster.MAX_SILENT", 3)
+    run.join()
     asleep.kill()
     assert run.code == 0
     lines = (tmp_path / "out/grades.csv").read_text().splitlines()

@@ -10,9 +10,11 @@ what they use in Jupyter too.
 import json
 import os
 import tempfile
-import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+
+from grade_stand_in import wait_for
 
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import courses
@@ -82,12 +84,9 @@ def processes():
 def left_over(before):
     """The processes of sandboxes beyond those before, once those that were killed have had time to
     end."""
-    for _ in range(600):
-        found = processes() - before
-        if not found:
-            break
-        time.sleep(0.1)
-    return found
+    with suppress(AssertionError):
+        wait_for(lambda: not processes() - before)
+    return processes() - before
 
 
 def traces():
