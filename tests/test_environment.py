@@ -26,7 +26,14 @@ TOOLS = [
     "sh",
     "tail",
 ]  # no Python
-CAT = shutil.which("cat")
+# cat writes after cmp has found no file to compare with, and has closed its end of the pipe.
+LATE_CAT = {
+    "cmp": f'{shutil.which("cmp")} "$@"\nstatus=$?\nexec <&-\n: >"$0.ended"\nexit $status',
+    "cat": (
+        f'while ! [ -e "${{0%cat}}cmp.ended" ]; do {shutil.which("sleep")} 0.05; done\n'
+        f'exec {shutil.which("cat")} "$@"'
+    ),
+}
 STAND_IN = """#!/bin/sh
 echo "${0##*/} $*" >>"$CALLS"
 case "$*" in *"${AT:-nothing}"*) printf '%s\\n' "$SAYS" >&2; exit 1 ;; esac
@@ -68,10 +75,10 @@ def make(tmp_path):
 
 def test_a_set_up_that_was_interrupted_begins_again(make):
     assert make("environment", AT="-r environment.txt")[0].returncode != 0
-    (make.bin / "cat").unlink()
-    # It writes after cmp has found no file to compare with, and has ended.
-    (make.bin / "cat").write_text(f'#!/bin/sh\n{shutil.which("sleep")} 0.3\nexec {CAT} "$@"\n')
-    (make.bin / "cat").chmod(0o755)
+    for name, script in LATE_CAT.items():
+        (make.bin / name).unlink()
+        (make.bin / name).write_text(f"#!/bin/sh\n{script}\n")
+        (make.bin / name).chmod(0o755)
     done = subprocess.run(
         ["make", "environment"],
         cwd=make.course,

@@ -177,6 +177,11 @@ def all_have_run(page, path, number):
     while left := waiting.count():  # however long it takes, if only one after the other is done
         expect(waiting).not_to_have_count(left)
     page.get_by_text(IDLE).wait_for()
+    return saved(page, path)
+
+
+def saved(page, path):
+    """Save the notebook and return its code cells."""
     for _ in range(2):  # what is answered first may be JupyterLab's own save, of what it had before
         with page.expect_response(
             lambda answer: answer.request.method == "PUT" and "/contents/" in answer.url
@@ -354,20 +359,10 @@ def test_in_the_dark_theme_the_toys_are_dark(lab):
     assert output(lab, 0).locator("p[role=status]").evaluate(CONTRAST) > 4.5
 
 
-def saved_outputs(path):
-    """Return the data of all outputs of a notebook's file."""
-    cells = [cell for cell in nbformat.read(path, 4).cells if cell.cell_type == "code"]
-    return [output.data for cell in cells for output in cell.outputs if "data" in output]
-
-
 def test_a_saved_notebook_holds_words_for_its_toys_and_no_widget(lab, folder):
-    choose(lab, "File", "Save Notebook")
-    toys = []
-    for _ in range(600):  # the file is written some time after the click
-        toys = [data for data in saved_outputs(folder / "toys.ipynb") if saving.TOY in data]
-        if toys:
-            break
-        lab.wait_for_timeout(100)
+    cells = saved(lab, folder / "toys.ipynb")
+    bundles = [output.data for cell in cells for output in cell.outputs if "data" in output]
+    toys = [data for data in bundles if saving.TOY in data]
     assert len(toys) == len(SOURCES) - 1
     assert [sorted(data) for data in toys if saving.VIEW in data] == []
     assert all("It moves in JupyterLab once its cell has run" in data["text/html"] for data in toys)

@@ -693,10 +693,12 @@ def test_dead_reckoning_follows_the_driven_robot(visit):
     expect(status).to_contain_text("0.0 cm and 0° off")
     x, y = centre(ahead)
     visit.page.mouse.move(x, y)
+    visit.page.evaluate(SETTLED, 500)  # what was begun before is drawn, and drawn finely
+    before = picture(box)
     visit.page.mouse.down()
-    visit.page.wait_for_timeout(200)
+    wait_for_another_picture(visit, box, before)
     visit.page.mouse.up()
-    visit.page.evaluate(SETTLED, 300)  # what was begun before is drawn
+    visit.page.evaluate(SETTLED, 500)
     before = picture(box)
     visit.page.evaluate(SETTLED, 200)
     assert picture(box) == before, "it stops when the button is released"
@@ -723,8 +725,10 @@ def test_arrow_keys_drive_after_a_control_was_clicked(visit, control):
     visit.page.evaluate(SETTLED, 200)
     before, scrolled = picture(box), visit.page.evaluate("scrollY")
     for key in ("ArrowUp", "ArrowDown"):
-        visit.page.keyboard.press(key, delay=150)
+        visit.page.keyboard.down(key)
         wait_for_another_picture(visit, box, before)
+        visit.page.keyboard.up(key)
+        visit.page.evaluate(SETTLED, 500)
         before = picture(box)
     assert visit.page.evaluate("scrollY") == scrolled
     if control == "Hide the robot":
