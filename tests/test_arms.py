@@ -32,8 +32,8 @@ def angles(n, *batch, seed=1):
 
 
 def exponential(omega, point, angle):
-    """Return the motion of a turn about an axis through a point, by scipy's matrix exponential of
-    its twist."""
+    """Return the motion of a rotation about an axis through a point, by scipy's matrix exponential
+    of its twist."""
     omega = omega / np.linalg.norm(omega)
     return scipy.linalg.expm(angle * twist_matrix(np.concatenate([omega, -np.cross(omega, point)])))
 

@@ -263,7 +263,7 @@ def with_row(**changed):
     return json.dumps({"value": GOOD | {"exercises": [ROW | changed]}})
 
 
-# What a bad worker answers to each submission: a word for "sleep", or the text of its answer.
+# What a bad worker answers to each submission.
 BAD_ANSWERS = {
     "a million points": with_row(points=1_000_000),
     "negative points": with_row(points=-1),

@@ -189,7 +189,7 @@ def test_nearest_so_is_nearest(M, scale):
     assert is_so(R, 1e-14)
     M /= max(np.abs(M).max(), 5e-324)
     # Of all rotations the one for which R^T M is symmetric, with no two eigenvalues of negative
-    # sum: a turn in their plane would bring it nearer otherwise.
+    # sum, for else a rotation in their plane would bring it nearer.
     S = R.T @ M
     close(S, S.T, 3e-14)
     assert np.linalg.eigvalsh(S)[:2].sum() >= -3e-14

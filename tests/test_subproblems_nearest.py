@@ -58,13 +58,13 @@ def test_one_angle_comes_nearest(name, sign, size):
     assert apart(theta, GRID[missed.argmin(-1)]).max() < GRID[1] - GRID[0]
 
 
-# Two turns
+# Two rotations
 # ------------------------------------------------------------------------------------------------------------
 
 
 def nearest_pair(k1, k2, p1, p2):
-    """Return the two turns that leave the least distance, by a grid over both, drawn closer four
-    times."""
+    """Return the two rotations that leave the least distance, by a grid over both, drawn closer
+    four times."""
     centre, reach = np.zeros(2), PI
     for n in (240, 121, 121, 121, 121):
         theta1, theta2 = centre[:, None] + reach * np.linspace(-1, 1, n)
@@ -171,8 +171,8 @@ def test_spheres_and_planes_that_just_touch(off, count, exact):
 
 
 def test_a_mark_that_rounding_puts_out_of_reach_is_reached():
-    """The farthest and the nearest a turn can bring a point, as computed: exact, once, and the
-    known angle."""
+    """The farthest and the nearest that a rotation can bring a point, as computed: exact, once, and
+    the known angle."""
     k, p = random_vectors(2, 28, 2000)
     theta = np.random.default_rng(29).uniform(-PI, PI, 2000)
     q = rotate(k, theta, p)
