@@ -261,6 +261,16 @@ def few(isolated, monkeypatch, solutions):
     return first, list(found.values())
 
 
+@pytest.fixture
+def shown(monkeypatch):
+    """The texts that checks display."""
+    from course_lib.checks import kernel
+
+    texts = []
+    monkeypatch.setattr(kernel, "show", lambda text, *rest, **named: texts.append(text))
+    return texts
+
+
 @pytest.fixture(scope="module")
 def unpacked(tmp_path_factory):
     """The students' zip, unpacked: the one folder in it."""

@@ -37,13 +37,6 @@ def shell(monkeypatch):
     shell.history_manager.end_session()
 
 
-@pytest.fixture
-def shown(monkeypatch):
-    texts = []
-    monkeypatch.setattr(kernel, "show", lambda text, *rest, **named: texts.append(text))
-    return texts
-
-
 def run(shell, *cells):
     """Run cells as a notebook does; return whether the last one ended without an error."""
     for cell in cells:

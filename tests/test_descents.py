@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib import arms, ik, rigid, rotations
 from course_lib.lessons.panda_dh_ik import descents
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 
 PANDA = arms.panda()
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 TARGETS = PANDA.fk(READY + 0.3 * np.random.default_rng(2).uniform(-1, 1, (20, 7)))
 
 

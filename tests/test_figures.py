@@ -23,6 +23,7 @@ from course_lib.figures.toys.toy import Toy
 from course_lib.lessons.decomposition_ik import figures as nb6
 from course_lib.lessons.panda_dh_ik import figures as nb5
 from course_lib.lessons.panda_dh_ik import tables
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 from course_lib.lessons.poe_kuka_iiwa import figures as nb4
 from course_lib.lessons.rigid_motion import figures as nb2
 from course_lib.lessons.rotations import figures as nb1
@@ -35,7 +36,6 @@ ARM = np.array([[[0, 0], [1.0, 0], [2, 0]], [[0, 0], [0, 1], [0, 2]]])
 SCREW = rigid.exp_se3(np.linspace(0, 6, 30)[:, None] * np.array([0, 0, 1, 0, -0.5, 0.1]))
 T = np.array([0.0, 1, 2])
 IIWA, PANDA, GENERIC = arms.iiwa14(), arms.panda(), np.array([0.3, 0.5, 0, -1.2, 0, 0.8, 0])
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 FRAMES = PANDA.frames(READY + np.linspace(0, 0.3, 3)[:, None])
 POINTS = np.array([[0.03, 0, 0.09], [-0.03, 0, 0.09], [0, 0.03, 0.0]])
 LOWERED = np.outer(np.linspace(0, 0.3, 5), [0, 1, 0, -1, 0, 1, 0])  # angles of the iiwa

@@ -8,11 +8,11 @@ from course_lib import rigid, rotations
 from course_lib.arms import panda
 from course_lib.figures import solids
 from course_lib.lessons.panda_dh_ik import figures
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 
 ARM = panda()
 BASE = np.array([-0.2, 0.13, 0.6])
 T_W0 = rigid.transform(np.eye(3), BASE)
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 Q = READY + np.random.default_rng(1).uniform(-0.3, 0.3, (4, 7))
 TIMES = np.linspace(0, 3, 4)
 IN_FLANGE = rigid.transform(rotations.rot_z(-np.pi / 4), [0, 0, 0.1034])

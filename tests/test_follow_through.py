@@ -33,13 +33,6 @@ WRONG_DOUBLES = {
 }
 
 
-@pytest.fixture
-def shown(monkeypatch):
-    texts = []
-    monkeypatch.setattr(kernel, "show", lambda text, *rest, **named: texts.append(text))
-    return texts
-
-
 def checked(source, **changed):
     """Run a cell and check nearest_so, which may call double; return its Check and the cell's
     names."""

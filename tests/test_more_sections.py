@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from course_lib import arms, ik, rotations
 from course_lib.ik import damped_path
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 from course_lib.lessons.subproblems_damped_ik.exercises import six_axis_arm
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
@@ -311,7 +312,6 @@ def test_the_least_condition_numbers_are_those_of_a_search(name, unit):
 # ---- notebook 5: a target that moves ----
 
 PANDA = arms.panda()
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 BELT = np.array([0, 0.1, 0, 0, 0, 0])  # m/s
 
 

@@ -5,9 +5,9 @@ import numpy as np
 from course_lib import rigid, rotations
 from course_lib.lessons.panda_dh_ik import check, pick
 from course_lib.lessons.panda_dh_ik.exercises import challenge
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 
 MUG = rigid.transform(rotations.rot_z(0.7), [0.3, -0.05, 0.6])
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 
 
 def approach(beside=0.0, height=0.06, tilt=0.0, mug=MUG):

@@ -8,8 +8,8 @@ from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures.solids import Model, link_poses, shells
 from course_lib.lessons.panda_dh_ik import pick
+from course_lib.lessons.panda_dh_ik.exercises.shared import READY
 
-READY = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
 FAR = rigid.transform(np.eye(3), [3.0, 0, 0.6])
 
 
