@@ -164,7 +164,7 @@ def complaints(name, function, verdict):
 
 
 @each_exercise
-def test_right_answers_pass_the_first_set_and_wrong_ones_are_named(path, record_property):
+def test_right_answers_pass_a_set_and_wrong_ones_are_named(path, record_property):
     """The row recorded here is shown in the summary of the test run; see conftest.py."""
     exercise, found, met = exercise_of(path), [], []
     for name, function in answers(path).items():
