@@ -31,6 +31,7 @@ def declared(
     *,
     cases=(),
     tolerance=None,
+    allowed=None,
     distance=difference,
     scale=None,
     otherwise=None,
@@ -60,6 +61,9 @@ def declared(
     tolerance : float, optional
         The error that a right answer may have, as the task states it; else EXACT. It is relative to
         the largest entry of the answer where that is above 1.
+    allowed : callable, optional
+        allowed(*arguments): the error that the answer to this case may have, where the task states
+        more than one bound.
     distance : callable
         distance(value, right, *arguments): how far an answer is from the right one.
     scale : callable, optional
@@ -83,7 +87,7 @@ def declared(
     Exercise
     """
     kinds = tuple(arguments.values())
-    allowed = EXACT if tolerance is None else tolerance
+    usual = EXACT if tolerance is None else tolerance
 
     def all_cases(rng):
         own = cases(rng) if callable(cases) else list(cases)
@@ -92,13 +96,19 @@ def declared(
     def right_answer(*case):
         return np.asarray(library(*case), float)
 
-    def is_right(value, *case):
-        right = right_answer(*case)
-        error = allowed * max(1, np.nan_to_num(np.abs(right), posinf=0).max(initial=0))
+    def error_of(right, *case):
+        """Return the error that an answer may have."""
+        if allowed is not None:
+            return allowed(*case)
+        error = usual * max(1, np.nan_to_num(np.abs(right), posinf=0).max(initial=0))
         size = np.inf if scale is None else scale(*case)
         if size > _SMALLEST:
             error = min(error, 1e-3 * size)
-        return distance(value, right, *case) <= error
+        return error
+
+    def is_right(value, *case):
+        right = right_answer(*case)
+        return distance(value, right, *case) <= error_of(right, *case)
 
     def in_words(value, *case):
         right = right_answer(*case)

@@ -266,11 +266,16 @@ ANGLE = Kind(
 
 
 def joint_angles(n, **more):
-    """Return the Kind of the angles (n,) of an arm's joints: of either sign, also several
-    revolutions."""
+    """Return the Kind of the angles (n,) of an arm's joints: of either sign, below and above 90
+    degrees, and several revolutions."""
+
+    def named(rng):
+        obtuse = away_from_zero(rng, n, 1.7, 3.0)
+        return [away_from_zero(rng, n), obtuse, np.arange(1.0, n + 1), np.zeros(n)]
+
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),
-        named=lambda rng: [away_from_zero(rng, n), np.arange(1.0, n + 1), np.zeros(n)],
+        named=named,
         angle=True,
         **more,
     )

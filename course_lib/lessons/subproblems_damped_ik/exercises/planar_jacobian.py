@@ -1,24 +1,27 @@
 """planar_jacobian: how fast the tip of the planar arm moves for each joint's velocity."""
 
-import itertools
-
 import numpy as np
 
 from course_lib.arms import planar_arm
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.naming import difference
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import QUARTER, joint_angles
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import first_off, remembered
+from course_lib.checks.vocabulary import remembered
 
 _ARM = planar_arm([1, 1, 1, 1])
 
 # What would do the work, also by an arm of the notebook: refused in all exercises with this arm.
 ARMS = ("course_lib.arms.planar_arm", "course_lib.arms.SerialArm")
 
-_WITH_ANGLE = Mistake(
-    "the Jacobian of a whole pose is returned",
-    "The task asks for the Jacobian of the tip's position only.",
+_AFTER = np.triu(np.ones((4, 4)))  # joint j moves the links from j on
+_OTHER_LINKS = (
+    np.eye(4),
+    _AFTER.T,
+    _AFTER - np.eye(4),
+    _AFTER * [1, 1, 1, 0],
+    _AFTER * [0, 0, 0, 1],
+    np.ones((4, 4)),
 )
 
 
@@ -35,92 +38,62 @@ def jacobian(q):
 
 
 def _cases(rng):
-    quarter = np.pi / 2
-    named = [
-        [0, 0, 0, 0],
-        [quarter, 0, 0, 0],
-        [0, 0, 0, quarter],
-        [0, quarter, 0, 0],
-        [0.3, 0, 0, 0],
-    ]
-    drawn = [
-        rng.uniform(0.2, 1.2, 4) * signs
-        for signs in itertools.product((1, -1), repeat=4)
-        if signs[0] == 1
-    ]
-    beyond = [rng.uniform(-9, 9, 4) for _ in range(3)]
-    return [(np.array(q, float),) for q in [*named, *drawn, *beyond]] + [(np.array([1, -1, 2, 0]),)]
+    simple = np.zeros(4), [QUARTER, 0, 0, 0], [0, 0, 0, QUARTER], [0, QUARTER, 0, 0]
+    return [(np.array(q),) for q in simple]
 
 
-EXERCISE = Exercise(
-    name="planar_jacobian",
+def _of_links(directions, moved_by=_AFTER):
+    """Return the Jacobian of links that point along directions(q), where joint j moves the links
+    with moved_by[j]."""
+
+    def answer(q):
+        along = directions(q)
+        return np.array([-np.sin(along), np.cos(along)]) @ np.transpose(moved_by)
+
+    return answer
+
+
+def _with_rows_swapped(*signs):
+    return lambda q: jacobian(q)[::-1] * np.reshape(signs, (2, 1))
+
+
+EXERCISE = declared(
+    "planar_jacobian",
     points=2,
-    arguments=("q",),
-    tolerance=SOLVED,
+    arguments={"q": joint_angles(4, small=True)},
     cases=_cases,
-    small=("q",),
-    angles=("q",),
-    returns=numbers(lambda q: (2, 4)),
+    tolerance=SOLVED,
     library=jacobian,
-    properties=(
-        Property(
-            "column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
-            lambda J, q: difference(J, jacobian(q)) < SOLVED,
-            lambda J, q: first_off(J, jacobian(q)),
-        ),
-    ),
+    says="column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
     hints=(
         "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, "
-        "cos a_i) for each "
-        "rad/s of a joint up to i.",
+        "cos a_i) for each rad/s of a joint up to i.",
         "Joint j rotates the links j, ..., 4: column j is the sum of (-sin a_i, cos a_i) over i = "
         "j, ..., 4.",
         "Two loops, or a cumulative sum from the back: np.cumsum(x[::-1])[::-1].",
     ),
     forbidden=ARMS,
-)
-
-EXERCISE.mistake(_WITH_ANGLE, form=(3, 4))
-EXERCISE.mistake(_WITH_ANGLE, form=(6, 4))
-
-_AFTER = np.triu(np.ones((4, 4)))  # joint j moves the links from j on
-
-
-def _of_links(directions, moved_by=_AFTER):
-    """The Jacobian of links that point along `directions`, where joint j moves the links with
-    moved_by[j]."""
-    return np.array([-np.sin(directions), np.cos(directions)]) @ np.transpose(moved_by)
-
-
-@EXERCISE.mistake(
-    "the angles are not summed",
-    "Each joint angle is measured from the previous link: in which direction does link i point?",
-    moved_by=(_AFTER, np.eye(4), np.ones((4, 4))),
-)
-def angles_not_summed(q, moved_by):
-    return _of_links(q, moved_by)
-
-
-@EXERCISE.mistake(
-    "the sum for joint j is over other links than those that it moves",
-    "Which links move if only joint 2 does?",
-    moved_by=(
-        np.eye(4),
-        _AFTER * [0, 0, 0, 1],
-        _AFTER * [1, 1, 1, 0],
-        _AFTER.T,
-        _AFTER - np.eye(4),
-        np.ones((4, 4)),
+    mistakes=(
+        Mistake(
+            "the Jacobian of a whole pose is returned",
+            "The task asks for the Jacobian of the tip's position only.",
+            form=lambda array, q: array.shape in ((3, 4), (6, 4)),
+        ),
+        Mistake(
+            "the angles are not summed",
+            "Each joint angle is measured from the previous link: in which direction does link i "
+            "point?",
+            *(_of_links(np.array, by) for by in (_AFTER, np.eye(4), np.ones((4, 4)))),
+        ),
+        Mistake(
+            "the sum for joint j is over other links than those that it moves",
+            "Which links move if only joint 2 does?",
+            *(_of_links(np.cumsum, by) for by in _OTHER_LINKS),
+        ),
+        Mistake(
+            "sine and cosine are not differentiated, or their rows are swapped",
+            "Row 1 is the velocity along x: what is the derivative of the x coordinate?",
+            *map(_with_rows_swapped, (-1, 1, 1), (1, 1, -1)),
+        ),
     ),
 )
-def other_links(q, moved_by):
-    return _of_links(np.cumsum(q), moved_by)
-
-
-@EXERCISE.mistake(
-    "sine and cosine are not differentiated, or their rows are swapped",
-    "Row 1 is the velocity along x: what is the derivative of the x coordinate?",
-    signs=([[-1], [1]], [[1], [1]], [[1], [-1]]),
-)
-def not_differentiated(q, signs):
-    return jacobian(q)[::-1] * signs
