@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
@@ -70,30 +72,57 @@ def _rotating_by(angle):
 
 SWEEPS = _rotating_by(0.0), _rotating_by(np.pi), _rotating_by(-2 * np.pi)
 
-EXERCISE = Exercise(
-    name="interpolate_body",
+
+def _path(start, goal, n, s=None, change=None):
+    change = right_change(start, goal) if change is None else change
+    return shared.straight(start, change, shared.scaling(n) if s is None else s)
+
+
+def _with_angle(difference):
+    """Return the answer with difference(first angle, last angle) as the change of theta."""
+
+    def answer(start, goal, n):
+        angle = difference(start[2], goal[2])
+        return _path(start, goal, n, change=[*right_change(start, goal)[:2], angle])
+
+    return answer
+
+
+def _wrapped_once(a, b):
+    apart = b - a
+    return apart - shared.REVOLUTION * (apart > np.pi) + shared.REVOLUTION * (apart < -np.pi)
+
+
+def _lengths_wrapped(start, goal, n):
+    return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))
+
+
+def _whole_change(start, goal, n):
+    if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
+        return None
+    return _path(start, goal, n, change=np.trunc(right_change(start, goal)))
+
+
+EXERCISE = declared(
+    "interpolate_body",
     points=2,
     sets=2,
-    arguments=("start", "goal", "n"),
-    tolerance=EXACT,
+    arguments={
+        "start": OWN_CASES.but(small=True),
+        "goal": OWN_CASES.but(small=True),
+        "n": OWN_CASES,
+    },
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
-    small=("start", "goal"),
-    returns=shared.read_path,
-    properties=(
-        *shared.ENDS,
-        Property(
-            "x and y stay on the straight line from start to goal",
-            shared.on_a_line,
-            where=shared.one_arc_is_shorter,
-        ),
-        shared.SHORTER_ARC,
-        *shared.timed(
-            lambda start, goal, s, angle: shared.straight(
-                start, [*right_change(start, goal)[:2], angle], s
-            )
-        ),
-    ),
+    sweeps=SWEEPS,
+    tolerance=EXACT,
+    allowed=lambda start, goal, n: EXACT * shared.size(start, goal),
     library=interpolate_body,
+    alike=shared.same_path,
+    distance=shared.distance_of_paths,
+    says="at evenly spaced u from 0 to 1, the part s = 3 u^2 - 2 u^3 of the change is made, theta "
+    "along the shorter arc",
+    found=shared.first_wrong_row(interpolate_body),
+    otherwise=shared.longer_arc,
     hints=(
         "u = np.linspace(0, 1, n) has n evenly spaced times; s = 3 u^2 - 2 u^3 is the part of the "
         "change that is made.",
@@ -101,54 +130,29 @@ EXERCISE = Exercise(
         "theta, is wrapped.",
         "start + s[:, None] * change is an array (n, 3): each s multiplies the whole change.",
     ),
-    alike=shared.same_path,
-    distance=shared.distance_of_rows(shared.BODY),
-    sweeps=SWEEPS,
     forbidden=("course_lib.planar.interpolate_body", "course_lib.planar.interpolate_arm"),
-)
-
-
-def _path(start, goal, n, s=None, change=None):
-    change = right_change(start, goal) if change is None else change
-    return shared.straight(start, change, shared.scaling(n) if s is None else s)
-
-
-shared.add_path_mistakes(EXERCISE, _path)
-
-
-@EXERCISE.mistake(
-    "the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc",
-    "Print the difference of the two angles just before it is multiplied by s: between which "
-    "bounds should it lie?",
-    difference=(
-        lambda a, b: b - a,
-        lambda a, b: (b - a) % shared.REVOLUTION,
-        lambda a, b: wrap_angle(b) - wrap_angle(a),
-        lambda a, b: (
-            b - a - shared.REVOLUTION * (b - a > np.pi) + shared.REVOLUTION * (b - a < -np.pi)
+    mistakes=(
+        shared.MATRICES,
+        *shared.path_mistakes(_path),
+        Mistake(
+            "the difference of theta is not wrapped to [-pi, pi], so the body takes the longer arc",
+            "Print the difference of the two angles just before it is multiplied by s: between "
+            "which bounds should it lie?",
+            _with_angle(lambda a, b: b - a),
+            _with_angle(lambda a, b: (b - a) % shared.REVOLUTION),
+            _with_angle(lambda a, b: wrap_angle(b) - wrap_angle(a)),
+            _with_angle(_wrapped_once),
+        ),
+        Mistake(
+            "x and y are wrapped as if they were angles",
+            "Which of the three numbers repeats after 2 pi?",
+            _lengths_wrapped,
+        ),
+        Mistake(
+            "the wrapped difference is cut off to a whole number",
+            "np.array([2, -1, 3]) holds integers, and so does a difference of two such arrays. "
+            "Which line of your code makes an array, and what does that array hold?",
+            _whole_change,
         ),
     ),
 )
-def not_wrapped(start, goal, n, difference):
-    return _path(
-        start, goal, n, change=[*right_change(start, goal)[:2], difference(start[2], goal[2])]
-    )
-
-
-@EXERCISE.mistake(
-    "x and y are wrapped as if they were angles",
-    "Which of the three numbers repeats after 2 pi?",
-)
-def lengths_wrapped(start, goal, n):
-    return _path(start, goal, n, change=wrap_angle(np.subtract(goal, start)))
-
-
-@EXERCISE.mistake(
-    "the wrapped difference is cut off to a whole number",
-    "np.array([2, -1, 3]) holds integers, and so does a difference of two such arrays. Which line "
-    "of your code makes an array, and what does that array hold?",
-)
-def whole_numbers(start, goal, n):
-    if not all(np.asarray(pose).dtype.kind == "i" for pose in (start, goal)):
-        return None
-    return _path(start, goal, n, change=np.trunc(right_change(start, goal)))

@@ -3,10 +3,10 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.declared import declared
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
-from course_lib.lessons.rigid_motion.exercises.propagate_body import drawn_case
+from course_lib.lessons.rigid_motion.exercises.propagate_body import PLAN, drawn_case
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -47,39 +47,31 @@ def _step(angles, velocity, h):
     return angles + velocity * h
 
 
-def _assigned(start, plan, dt, time_of="elapsed"):
-    """The angle is the velocity times a time, and is not added to what was: as the broken code has
-    it."""
+def _assigned(start, plan, dt):
+    """Return what the broken code answers: an angle is the velocity times the time since the pair
+    began, and is not added to what was."""
     angles = [np.array(start, float)]
     for velocity, duration in plan:
-        for elapsed, h in zip(np.cumsum(found := shared.lengths(duration, dt)), found, strict=True):
-            time = {"elapsed": elapsed, "step": h, "duration": duration}[time_of]
-            angles.append(np.array(velocity, float) * time)
+        for elapsed in np.cumsum(shared.lengths(duration, dt)):
+            angles.append(np.array(velocity, float) * elapsed)
     return np.array(angles)
 
 
-EXERCISE = Exercise(
-    name="propagate_arm",
+EXERCISE = declared(
+    "propagate_arm",
     points=1,
-    arguments=("start", "plan", "dt"),
-    tolerance=EXACT,
-    sweeps=(shared.slow_motions(2),),
+    arguments=PLAN,
     cases=_cases,
-    returns=lambda value, *case: rows(2, "joint angles, an array of shape (n, 2)", most=2000)(
-        value, *case
-    ),
-    properties=(
-        *shared.form(ARM),
-        shared.each_step(
-            "in each step each joint angle grows by its velocity times the length of the step",
-            _step,
-            ARM,
-        ),
-    ),
+    sweeps=(shared.slow_motions(2),),
+    tolerance=EXACT,
+    reads=rows(2, "joint angles, an array of shape (n, 2)", most=2000),
+    properties=shared.form(ARM),
     library=propagate_arm,
     broken=_assigned,
     alike=shared.same_rows(ARM),
     distance=shared.distance_of_rows(ARM),
+    says="in each step each joint angle grows by its velocity times the length of the step",
+    found=shared.first_wrong_step(propagate_arm, ARM),
     hints=(
         "Run it on a plan of two pairs, one joint each, and print the rows. Where does an angle "
         "jump?",
@@ -92,17 +84,5 @@ EXERCISE = Exercise(
         "course_lib.planar.propagate_body",
         "course_lib.planar.propagate_body_exact",
     ),
+    mistakes=shared.step_mistakes(_step),
 )
-
-
-shared.add_step_mistakes(EXERCISE, _step)
-
-
-@EXERCISE.mistake(
-    "the time since the pair began is counted from the previous row",
-    "How much time passes between the previous row and this one?",
-)
-def elapsed_twice(start, plan, dt):
-    return shared.follow(_step, lambda duration, dt: np.cumsum(shared.lengths(duration, dt)))(
-        start, plan, dt
-    )

@@ -3,7 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
@@ -11,6 +13,7 @@ from course_lib.planar import propagate_body
 
 ORIGIN = (0.0, 0.0, 0.0)
 AHEAD, LEFT, SPIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+PLAN = {"start": OWN_CASES, "plan": OWN_CASES, "dt": OWN_CASES}
 
 
 def read_poses(value, *case):
@@ -92,13 +95,6 @@ LAST_STEPS = Sweep(
     tuple(sign * gap for gap in (0.1, 1e-2, 1e-3, 1e-4, 1e-5) for sign in (1, -1)),
 )
 
-THETA = shared.each_step(
-    "theta grows by omega times the length of the step",
-    lambda pose, velocity, h: pose + velocity * h,
-    shared.BODY,
-    part=[2],
-)
-
 
 def move_by(direction):
     """Return a move(pose, velocity, h) along R(direction(theta, omega, h)) (vx, vy)."""
@@ -114,104 +110,87 @@ def move_by(direction):
 euler = move_by(lambda theta, omega, h: theta)
 
 
-EXERCISE = Exercise(
-    name="propagate_body",
+def _along(direction):
+    """Return the answer of Euler's method along another direction."""
+    return shared.follow(move_by(direction))
+
+
+def _with_velocity(change):
+    """Return the answer of Euler's method with change(velocity) for each velocity."""
+    return shared.follow(lambda pose, velocity, h: euler(pose, change(velocity), h))
+
+
+def _along_the_axes(factors):
+    """Return the answer whose velocities in the world are those of the plan times
+    factors(theta)."""
+    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)
+
+
+def _with_theta_of_the_start(start, plan, dt):
+    return _along(lambda theta, omega, h: start[2])(start, plan, dt)
+
+
+EXERCISE = declared(
+    "propagate_body",
     points=3,
-    arguments=("start", "plan", "dt"),
-    tolerance=EXACT,
-    sweeps=(shared.slow_motions(3), LAST_STEPS),
+    arguments=PLAN,
     cases=body_cases,
-    returns=read_poses,
-    properties=(
-        *shared.form(shared.BODY),
-        shared.STEP_LENGTHS,
-        THETA,
-        shared.each_step(
-            "the translation in each step is R(theta) (vx, vy) h, with theta at its beginning",
-            euler,
-            shared.BODY,
-        ),
-    ),
+    sweeps=(shared.slow_motions(3), LAST_STEPS),
+    tolerance=EXACT,
+    reads=read_poses,
+    properties=shared.form(shared.BODY),
     library=propagate_body,
+    alike=shared.same_rows(shared.BODY),
+    distance=shared.distance_of_rows(shared.BODY),
+    says="in each step of length h, (x, y) moves by R(theta) (vx, vy) h, with theta at the "
+    "beginning of the step, and theta grows by omega h",
+    found=shared.first_wrong_step(propagate_body, shared.BODY),
     hints=(
         "Two loops: over the pairs of the plan, and in each over the steps. Begin with poses = "
         "[start] and append.",
         "The steps of a pair are those of step_lengths(duration, dt): for h in "
         "step_lengths(duration, dt).",
         "x grows by (cos(theta) vx - sin(theta) vy) h, y by (sin(theta) vx + cos(theta) vy) h, and "
-        "only then theta by "
-        "omega h.",
+        "only then theta by omega h.",
     ),
-    alike=shared.same_rows(shared.BODY),
-    distance=shared.distance_of_rows(shared.BODY),
     forbidden=("course_lib.planar.propagate_body",),
+    mistakes=(
+        shared.MATRICES,
+        Mistake(
+            "theta at the end or in the middle of the step is used, not at its beginning",
+            "Euler's method takes the velocity at the beginning of a step: which line comes last?",
+            _along(lambda theta, omega, h: theta + omega * h),
+            _along(lambda theta, omega, h: theta + omega * h / 2),
+        ),
+        Mistake(
+            "vx changes only x, and vy only y, as along the axes of the world",
+            "vx is the velocity ahead and vy that to the left of the body: which matrix rotates "
+            "(vx, vy) into the axes of the world?",
+            _along_the_axes(lambda theta: (1, 1, 1)),
+            _along_the_axes(lambda theta: (np.cos(theta), np.sin(theta), 1)),
+        ),
+        Mistake(
+            "vy is left out, or counted to the right",
+            "Where does a body go that moves only to its left?",
+            _with_velocity(lambda velocity: velocity * [1, 0, 1]),
+            _with_velocity(lambda velocity: velocity * [1, -1, 1]),
+        ),
+        Mistake(
+            "R is transposed: the velocity is rotated in the opposite direction",
+            "If a body that faces along y drives ahead, does its y grow? And in your rows?",
+            _along(lambda theta, omega, h: -theta),
+        ),
+        Mistake(
+            "R is computed only once",
+            "The body rotates, and with it the direction in which it moves. From which theta do "
+            "you compute R in each step?",
+            _with_theta_of_the_start,
+        ),
+        Mistake(
+            "the velocities are read as (omega, vx, vy)",
+            "In a plan omega is the last of the three.",
+            _with_velocity(lambda velocity: velocity[[1, 2, 0]]),
+        ),
+        *shared.step_mistakes(euler),
+    ),
 )
-
-EXERCISE.mistake(shared.MATRICES, form=shared.are_matrices)
-
-
-def _moved(case, direction):
-    """Euler's method along another direction."""
-    return shared.follow(move_by(direction))(*case)
-
-
-@EXERCISE.mistake(
-    "theta at the end or in the middle of the step is used, not at its beginning",
-    "Euler's method takes the velocity at the beginning of a step: which line comes last?",
-    share=(1, 0.5),
-)
-def theta_later(start, plan, dt, share):
-    return _moved((start, plan, dt), direction=lambda theta, omega, h: theta + share * omega * h)
-
-
-@EXERCISE.mistake(
-    "vx changes only x, and vy only y, as along the axes of the world",
-    "vx is the velocity ahead and vy that to the left of the body: which matrix rotates (vx, vy) "
-    "into the axes of the world?",
-    factors=(lambda theta: (1, 1, 1), lambda theta: (np.cos(theta), np.sin(theta), 1)),
-)
-def axes_of_the_world(start, plan, dt, factors):
-    return shared.follow(lambda pose, velocity, h: pose + velocity * factors(pose[2]) * h)(
-        start, plan, dt
-    )
-
-
-@EXERCISE.mistake(
-    "vy is left out, or counted to the right",
-    "Where does a body go that moves only to its left?",
-    factor=(0, -1),
-)
-def no_sideways(start, plan, dt, factor):
-    return shared.follow(lambda pose, velocity, h: euler(pose, velocity * [1, factor, 1], h))(
-        start, plan, dt
-    )
-
-
-@EXERCISE.mistake(
-    "R is transposed: the velocity is rotated in the opposite direction",
-    "If a body that faces along y drives ahead, does its y grow? And in your rows?",
-)
-def transposed(start, plan, dt):
-    return _moved((start, plan, dt), direction=lambda theta, omega, h: -theta)
-
-
-@EXERCISE.mistake(
-    "R is computed only once",
-    "The body rotates, and with it the direction in which it moves. From which theta do you "
-    "compute R in each step?",
-)
-def theta_kept(start, plan, dt):
-    return _moved((start, plan, dt), direction=lambda theta, omega, h: start[2])
-
-
-@EXERCISE.mistake(
-    "the velocities are read as (omega, vx, vy)",
-    "In a plan omega is the last of the three.",
-)
-def order_of_the_twist(start, plan, dt):
-    return shared.follow(lambda pose, velocity, h: euler(pose, velocity[[1, 2, 0]], h))(
-        start, plan, dt
-    )
-
-
-shared.add_step_mistakes(EXERCISE, euler)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.declared import declared
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import propagate_body, shared
@@ -45,85 +45,16 @@ def _slow(rng, gap):
     return np.array([1.0, -2.0, 0.5]), [(velocity, 1.0)], 0.5
 
 
-def _end_moves(values, cases):
-    """The position of the first answer whose last pose another dt has changed."""
-    for i, (start, plan, _) in enumerate(cases):
-        for j, (other_start, other_plan, _) in enumerate(cases[:i]):
-            alike = plan == other_plan and np.array_equal(start, other_start)
-            if alike and not shared.near(values[i][-1:], values[j][-1:], shared.BODY, EXACT):
-                return i
-    return None
-
-
 def exact(pose, velocity, h):
-    """The pose after a step, by its exponential."""
+    """Return the pose after a step, by its exponential."""
     T = pose_matrix(pose) @ exp_se2(velocity[[2, 0, 1]] * h)
     return np.array([T[0, 2], T[1, 2], pose[2] + velocity[2] * h])
 
 
-EXERCISE = Exercise(
-    name="propagate_body_exact",
-    points=2,
-    sets=2,
-    arguments=("start", "plan", "dt"),
-    tolerance=EXACT,
-    cases=_cases,
-    returns=propagate_body.read_poses,
-    properties=(
-        *shared.form(shared.BODY),
-        shared.STEP_LENGTHS,
-        propagate_body.THETA,
-        shared.each_step(
-            "without rotation the path is straight, along R(theta) (vx, vy)",
-            exact,
-            shared.BODY,
-            where=shared.goes_straight,
-        ),
-        Property(
-            "the last pose is the same for every dt",
-            _end_moves,
-            says=lambda poses, *case: (
-                f"With dt = {case[2]:.4g} yours is {format_tuple(poses[-1])}. With another dt it "
-                f"differs."
-            ),
-            across=True,
-        ),
-        shared.each_step(
-            "each pose is the previous pose times the exponential of the twist times the time",
-            exact,
-            shared.BODY,
-        ),
-    ),
-    library=propagate_body_exact,
-    hints=(
-        "The loops are those of propagate_body; only the step differs.",
-        "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y "
-        "= T[1, 2].",
-        "theta = theta + omega * h is exact already.",
-    ),
-    alike=shared.same_rows(shared.BODY),
-    distance=shared.distance_of_rows(shared.BODY),
-    sweeps=(
-        Sweep("omega near 0", _slow, ON_BOTH_SIDES),
-        shared.slow_motions(3),
-        propagate_body.LAST_STEPS,
-    ),
-    forbidden=("course_lib.planar.propagate_body_exact",),
-)
-
-EXERCISE.mistake(shared.MATRICES, form=shared.are_matrices)
-
-
-@EXERCISE.mistake(
-    "each step goes straight, in one direction",
-    "On which curve does a body move if it rotates meanwhile? And how far is it from the beginning "
-    "of that curve to its end?",
-    share=(0, 0.5, 1),
-)
-def straight_steps(start, plan, dt, share):
-    return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))(
-        start, plan, dt
-    )
+def _straight_steps(share):
+    """Return the answer that goes straight in each step, along the direction after this share of
+    it."""
+    return shared.follow(propagate_body.move_by(lambda theta, omega, h: theta + share * omega * h))
 
 
 def _by(step, angle_of=lambda T, theta: theta):
@@ -137,52 +68,84 @@ def _by(step, angle_of=lambda T, theta: theta):
     return shared.follow(move)
 
 
-@EXERCISE.mistake(
-    "a slow rotation is taken for none",
-    "A body that drives 1 m and rotates by 1e-5 rad meanwhile ends 5 micrometres to the side: "
-    "which lines does your function use for such an omega?",
-    bound=(1e-2, 1e-3, 1e-4, 1e-6),
-)
-def slow_rotation_lost(start, plan, dt, bound):
-    if not any(0 < abs(velocity[2]) < bound for velocity, _ in plan):
-        return None
+def _right_step(T, velocity, h):
+    return T @ exp_se2(velocity[[2, 0, 1]] * h)
 
+
+def _slow_rotation_lost(bound):
     def move(pose, velocity, h):
         step = propagate_body.euler if abs(velocity[2]) < bound else exact
         return step(pose, velocity, h)
 
-    rows, right = shared.follow(move)(start, plan, dt), shared.follow(exact)(start, plan, dt)
-    return None if shared.near(rows, right, shared.BODY, EXACT) else rows
+    def answer(start, plan, dt):
+        if not any(0 < abs(velocity[2]) < bound for velocity, _ in plan):
+            return None
+        rows, right = shared.follow(move)(start, plan, dt), shared.follow(exact)(start, plan, dt)
+        return None if shared.near(rows, right, shared.BODY, EXACT) else rows
+
+    return answer
 
 
-@EXERCISE.mistake(
-    "the exponential stands on the left",
-    "The velocities are in the body's frame: on which side of the pose does a motion in the body's "
-    "frame stand?",
+EXERCISE = declared(
+    "propagate_body_exact",
+    points=2,
+    sets=2,
+    arguments=propagate_body.PLAN,
+    cases=_cases,
+    sweeps=(
+        Sweep("omega near 0", _slow, ON_BOTH_SIDES),
+        shared.slow_motions(3),
+        propagate_body.LAST_STEPS,
+    ),
+    tolerance=EXACT,
+    reads=propagate_body.read_poses,
+    properties=shared.form(shared.BODY),
+    library=propagate_body_exact,
+    alike=shared.same_rows(shared.BODY),
+    distance=shared.distance_of_rows(shared.BODY),
+    says="each pose is the previous pose times the exponential of the twist times the time",
+    found=shared.first_wrong_step(propagate_body_exact, shared.BODY),
+    hints=(
+        "The loops are those of propagate_body; only the step differs.",
+        "T = pose_matrix(pose) @ rigid.exp_se2(np.array([omega, vx, vy]) * h), and x = T[0, 2], y "
+        "= T[1, 2].",
+        "theta = theta + omega * h is exact already.",
+    ),
+    forbidden=("course_lib.planar.propagate_body_exact",),
+    mistakes=(
+        shared.MATRICES,
+        Mistake(
+            "each step goes straight, in one direction",
+            "On which curve does a body move if it rotates meanwhile? And how far is it from the "
+            "beginning of that curve to its end?",
+            *map(_straight_steps, (0, 0.5, 1)),
+        ),
+        Mistake(
+            "a slow rotation is taken for none",
+            "A body that drives 1 m and rotates by 1e-5 rad meanwhile ends 5 micrometres to the "
+            "side: which lines does your function use for such an omega?",
+            *map(_slow_rotation_lost, (1e-2, 1e-3, 1e-4, 1e-6)),
+        ),
+        Mistake(
+            "the exponential stands on the left",
+            "The velocities are in the body's frame: on which side of the pose does a motion in "
+            "the body's frame stand?",
+            _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T),
+        ),
+        Mistake(
+            "the twist is in the order (vx, vy, omega)",
+            "rigid.exp_se2 takes the angular velocity first.",
+            _by(lambda T, velocity, h: T @ exp_se2(velocity * h)),
+            _by(
+                lambda T, velocity, h: T @ exp_se2(velocity * h),
+                lambda T, theta: np.arctan2(T[1, 0], T[0, 0]),
+            ),
+        ),
+        Mistake(
+            "arccos loses the sign of the angle",
+            "Which function uses both sine and cosine, so that the angle keeps its sign?",
+            _by(_right_step, lambda T, theta: np.arccos(min(1, T[0, 0]))),
+        ),
+        *shared.step_mistakes(exact),
+    ),
 )
-def on_the_left(*case):
-    return _by(lambda T, velocity, h: exp_se2(velocity[[2, 0, 1]] * h) @ T)(*case)
-
-
-@EXERCISE.mistake(
-    "the twist is in the order (vx, vy, omega)",
-    "rigid.exp_se2 takes the angular velocity first.",
-    angle_of=(lambda T, theta: theta, lambda T, theta: np.arctan2(T[1, 0], T[0, 0])),
-)
-def order_of_the_twist(*case, angle_of):
-    return _by(lambda T, velocity, h: T @ exp_se2(velocity * h), angle_of)(*case)
-
-
-@EXERCISE.mistake(
-    "arccos loses the sign of the angle",
-    "Which function uses both sine and cosine, so that the angle keeps its sign?",
-)
-def angle_without_sign(*case):
-    step = _by(
-        lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]] * h),
-        lambda T, theta: np.arccos(min(1, T[0, 0])),
-    )
-    return step(*case)
-
-
-shared.add_step_mistakes(EXERCISE, exact)

@@ -1,14 +1,14 @@
 """What exercises of notebook 2 share: paths of a body from start to goal, and plans of velocities.
 
-The right path is known except for half a revolution, which is as short in either direction. So the
-properties speak of the other cases first, and a path in either direction counts as the same.
+The right path is known except for half a revolution, which is as short in either direction, so that
+there a path in either direction is right.
 """
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import compared
@@ -16,14 +16,12 @@ from course_lib.planar import quintic_time_scaling, wrap_angle
 
 BODY = np.array([False, False, True])  # the columns x, y and theta: which are angles
 REVOLUTION = 2 * np.pi
+_ROUNDING = 1e-10  # rad: nearer to half a revolution, either arc is right to the tolerance
 MATRICES = Mistake(
-    "the matrices of the poses are returned", "A row is (x, y, theta), read from the matrix T."
+    "the matrices of the poses are returned",
+    "A row is (x, y, theta), read from the matrix T.",
+    form=lambda array, *case: array.ndim == 3 and array.shape[1:] == (3, 3),
 )
-
-
-def are_matrices(array, *case):
-    """Return whether an answer is a list of matrices (3, 3)."""
-    return array.ndim == 3 and array.shape[1:] == (3, 3)
 
 
 def cubic(u):
@@ -73,18 +71,6 @@ def distance_of_rows(angles):
     return lambda rows, right, *case: deviation(rows, right, angles)
 
 
-def same_path(rows, predicted, start, goal, n):
-    """Return whether an answer is the path that a mistake predicts.
-
-    For half a revolution, which is as short in either direction, the path in the other direction is
-    as good.
-    """
-    paths = [predicted]
-    if half_a_revolution(start, goal, n):
-        paths.append(in_the_other_direction(predicted, start, goal))
-    return any(deviation(rows, path) <= PREDICTED * size(start, goal) for path in paths)
-
-
 def in_the_other_direction(rows, start, goal):
     """Return the mirror image of a path by half a revolution: x and y at the line from start to
     goal."""
@@ -97,105 +83,65 @@ def in_the_other_direction(rows, start, goal):
     return np.column_stack([start[:2] + aside, 2 * start[2] - rows[:, 2]])
 
 
-def close(rows, wanted, start, goal):
-    """Return whether rows are those wanted within a tolerance for rounding, up to multiples of 2 pi
-    in the angle."""
-    return deviation(rows, wanted) <= EXACT * size(start, goal)
-
-
 def change(start, goal):
     """Return the change from start to goal, the angle along the shorter arc."""
     apart = np.subtract(goal, start).astype(float)
     return np.where(BODY, wrap_angle(apart), apart)
 
 
-def one_arc_is_shorter(start, goal, n):
+def one_arc_is_shorter(start, goal):
     """Return whether the angles are less than half a revolution apart, so that one arc is the
     shorter."""
-    return abs(change(start, goal)[2]) < np.pi - 1e-9
+    return abs(change(start, goal)[2]) < np.pi - _ROUNDING
 
 
-def half_a_revolution(start, goal, n):
-    """Return whether the angles are half a revolution apart, so that both arcs are equally long."""
-    return not one_arc_is_shorter(start, goal, n)
+def distance_of_paths(rows, right, start, goal, n):
+    """Return how far a path is from the right one, or at half a revolution from its mirror image
+    if that is nearer."""
+    if one_arc_is_shorter(start, goal):
+        return deviation(rows, right)
+    return min(deviation(rows, right), deviation(rows, in_the_other_direction(right, start, goal)))
 
 
-read_path = numbers(lambda start, goal, n: (n, 3))  # n rows (x, y, theta)
+def same_path(rows, predicted, start, goal, n):
+    """Return whether an answer is the path that a mistake predicts."""
+    return distance_of_paths(rows, predicted, start, goal, n) <= PREDICTED * size(start, goal)
 
 
-ENDS = tuple(
-    Property(
-        f"the {word} pose is {name}",
-        lambda rows, start, goal, n, k=k: close(rows[k], (start, goal)[k], start, goal),
-        says=lambda rows, start, goal, n, k=k: (
-            f"The right row is {compared((start, goal)[k], rows[k])}."
-        ),
-        where=one_arc_is_shorter,
-    )
-    for k, word, name in ((0, "first", "start"), (-1, "last", "goal"))
-)
+def first_wrong_row(right_path):
+    """Return `found` of an exercise on a path: where the body should be at the first row that is
+    off."""
+
+    def found(rows, start, goal, n):
+        right = right_path(start, goal, n)
+        apart = [deviation(*pair) for pair in zip(rows, right, strict=True)]
+        k = int(np.argmax(np.array(apart) > EXACT * size(start, goal)))
+        u = k / (n - 1)
+        return (
+            f"The row with index {k} belongs to u = {u:.4g}, and s is {cubic(u):.4g} there. It "
+            f"should be {compared(right[k], rows[k])}."
+        )
+
+    return found
 
 
-def _on_the_shorter_arc(rows, start, goal, n):
-    """Return whether theta never leaves the shorter arc between the ends."""
+def _leaves_the_shorter_arc(rows, start, goal):
+    if not one_arc_is_shorter(start, goal):
+        return False
     angle = change(start, goal)[2]
     ahead = np.copysign(1.0, angle) * (rows[:, 2] - start[2])
-    return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() <= abs(angle) + 1e-6
+    return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() > abs(angle) + 1e-6
 
 
-SHORTER_ARC = Property(
-    "theta takes the shorter arc from start to goal",
-    _on_the_shorter_arc,
-    says=lambda rows, start, goal, n: (
-        f"From {start[2]:.4g} to {goal[2]:.4g} rad the shorter arc is a rotation by "
-        f"{change(start, goal)[2]:.4g} rad."
-    ),
-    where=one_arc_is_shorter,
-    mistake=Mistake(
-        "the body takes the longer arc",
-        "Between which bounds should the difference of two directions lie?",
-    ),
+_LONGER_ARC = Mistake(
+    "the body takes the longer arc",
+    "Between which bounds should the difference of two directions lie?",
 )
 
 
-def on_a_line(rows, start, goal, n):
-    """Return whether x and y lie on the straight line from start to goal."""
-    p, q = np.asarray(start, float)[:2], np.asarray(goal, float)[:2]
-    length = np.linalg.norm(q - p)
-    ahead = (q - p) / length if length else np.zeros(2)
-    aside = rows[:, :2] - p
-    along = np.clip(aside @ ahead, 0, length)
-    return np.linalg.norm(aside - along[:, None] * ahead, axis=1).max() <= EXACT * size(start, goal)
-
-
-def timed(right, fits=close):
-    """Return the properties that each row is on time; right(start, goal, s, angle): the right rows
-    for any angle."""
-    text = "at evenly spaced u from 0 to 1, the part s = 3 u^2 - 2 u^3 of the change is made"
-
-    def path(start, goal, n, sign=1):
-        return right(start, goal, scaling(n), sign * change(start, goal)[2])
-
-    def seen(rows, start, goal, n):
-        missed = [deviation(*pair) for pair in zip(rows, path(start, goal, n), strict=True)]
-        k = int(np.argmax(np.array(missed) > EXACT * size(start, goal)))
-        u = k / (n - 1)
-        return f"The row with index {k} belongs to u = {u:.4g}, and s is {cubic(u):.4g} there."
-
-    def holds(rows, start, goal, n):
-        return fits(rows, path(start, goal, n), start, goal)
-
-    def in_either_direction(rows, start, goal, n):
-        return any(fits(rows, path(start, goal, n, sign), start, goal) for sign in (1, -1))
-
-    return (
-        Property(text, holds, seen, where=one_arc_is_shorter),
-        Property(
-            f"for half a revolution, in either direction: {text}",
-            in_either_direction,
-            where=half_a_revolution,
-        ),
-    )
+def longer_arc(rows, start, goal, n):
+    """Return the Mistake of a path on which the body takes the longer arc; None for another."""
+    return _LONGER_ARC if _leaves_the_shorter_arc(rows, start, goal) else None
 
 
 def lengths(duration, dt):
@@ -224,66 +170,74 @@ def follow(move, lengths=lengths):
     return answer
 
 
-def add_path_mistakes(exercise, path):
-    """Add the mistakes in the timing of a path; path(start, goal, n, s): the answer with another
+def path_mistakes(path):
+    """Return the mistakes in the timing of a path; path(start, goal, n, s): the answer with another
     time scaling."""
 
-    exercise.mistake(MATRICES, form=lambda array, start, goal, n: array.shape == (n, 3, 3))
+    def timed(s_of):
+        return lambda start, goal, n: path(start, goal, n, s_of(n))
 
-    @exercise.mistake(
-        "s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients",
-        "The cubic is 0, 1/2 and 1 at u = 0, 1/2 and 1, and its derivative is 0 at both ends. What "
-        "is the derivative of your s?",
-        s=TIME_SCALINGS,
+    others = (lambda n, s=s: s(np.linspace(0, 1, n)) for s in TIME_SCALINGS)
+    return (
+        Mistake(
+            "s is not the cubic: it is linear, a cosine, the quintic, or has other coefficients",
+            "The cubic is 0, 1/2 and 1 at u = 0, 1/2 and 1, and its derivative is 0 at both ends. "
+            "What is the derivative of your s?",
+            *map(timed, others),
+        ),
+        Mistake(
+            "u does not go from 0 to 1: one of the ends has no pose",
+            "Print your u: what are its first and its last value?",
+            timed(lambda n: cubic(np.arange(n) / n)),
+            timed(lambda n: cubic(np.arange(1, n + 1) / n)),
+        ),
     )
-    def other_time_scaling(start, goal, n, s):
-        return path(start, goal, n, s(np.linspace(0, 1, n)))
-
-    @exercise.mistake(
-        "u does not go from 0 to 1: one of the ends has no pose",
-        "Print your u: what are its first and its last value?",
-        u=(lambda n: np.arange(n) / n, lambda n: np.arange(1, n + 1) / n),
-    )
-    def an_end_missing(start, goal, n, u):
-        return path(start, goal, n, cubic(u(n)))
 
 
-def add_step_mistakes(exercise, move):
-    """Add the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
+def step_mistakes(move):
+    """Return the mistakes in the steps of a plan; move(row, velocity, h): a step of the answer."""
 
-    def of_equal_steps(count, *case):
-        """Return the answer with `count` steps of length dt for each pair."""
-        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))(*case)
+    def of_equal_steps(count):
+        """Return the answer with count(duration / dt) steps of length dt for each pair."""
+        return follow(move, lambda duration, dt: np.full(int(count(duration / dt)), dt))
 
-    @exercise.mistake(
-        "a pair ends too late, because its last step is not shortened",
-        "How much time of its duration remains for the last step?",
-    )
-    def too_late(*case):
-        return of_equal_steps(lambda ratio: np.ceil(ratio - 1e-6), *case)
-
-    @exercise.mistake(
-        "a pair ends too early, because its last, shorter step is missing",
-        "How much time of its duration remains after the steps of length dt?",
-    )
-    def too_early(*case):
-        return of_equal_steps(lambda ratio: np.floor(ratio + 1e-6), *case)
-
-    @exercise.mistake(
-        "the number of steps is rounded, so that a pair ends too early or too late",
-        "How much time of its duration remains for the last step?",
-        count=(np.round, lambda ratio: max(1, round(ratio))),
-    )
-    def rounded(*case, count):
-        return of_equal_steps(count, *case)
-
-    @exercise.mistake(
-        "each pair begins at start again",
-        "Where did the previous pair end?",
-    )
     def start_again(start, plan, dt):
         parts = [follow(move)(start, [pair], dt)[1:] for pair in plan]
         return np.concatenate([np.array([start], float), *parts])
+
+    return (
+        Mistake(
+            "a pair ends too late, because its last step is not shortened",
+            "How much time of its duration remains for the last step?",
+            of_equal_steps(lambda ratio: np.ceil(ratio - 1e-6)),
+        ),
+        Mistake(
+            "a pair ends too early, because its last, shorter step is missing",
+            "How much time of its duration remains after the steps of length dt?",
+            of_equal_steps(lambda ratio: np.floor(ratio + 1e-6)),
+        ),
+        Mistake(
+            "the number of steps is rounded, so that a pair ends too early or too late",
+            "How much time of its duration remains for the last step?",
+            of_equal_steps(np.round),
+            of_equal_steps(lambda ratio: max(1, round(ratio))),
+        ),
+        Mistake("each pair begins at start again", "Where did the previous pair end?", start_again),
+        Mistake(
+            "the time since the pair began is taken for the length of a step",
+            "How much time passes between the previous row and this one?",
+            follow(move, lambda duration, dt: np.cumsum(lengths(duration, dt))),
+        ),
+        Mistake(
+            "the steps of a pair are equally long, and not those of step_lengths(duration, dt)",
+            "How long is each step that step_lengths returns for this pair?",
+            follow(move, lambda duration, dt: _equal(duration, len(lengths(duration, dt)))),
+        ),
+    )
+
+
+def _equal(duration, number):
+    return np.full(number, duration / number)
 
 
 def rotated(theta, v):
@@ -364,28 +318,21 @@ def form(angles):
     )
 
 
-def each_step(text, move, angles, part=slice(None), where=None):
-    """Return the Property that each step leads where move(row, velocity, h) does, in some
-    columns."""
+def first_wrong_step(right_rows, angles):
+    """Return `found` of an exercise on a plan: where the first step that is off should lead."""
 
-    def first_off(rows, plan, dt):
-        for k, (velocity, h) in enumerate(zip(*steps(plan, dt), strict=True)):
-            right = move(rows[k], velocity, h)
-            if not near(rows[k + 1, part], right[part], np.asarray(angles)[part], EXACT):
-                return k, velocity, h, right[part]
-        return None
-
-    def says(rows, start, plan, dt):
-        k, velocity, h, right = first_off(rows, plan, dt)
+    def found(rows, start, plan, dt):
+        right = right_rows(start, plan, dt)
+        apart = [deviation(*pair, angles) for pair in zip(rows, right, strict=True)]
+        k = int(np.argmax(np.array(apart) > EXACT * max(1, np.abs(right).max())))
+        velocities, times = steps(plan, dt)
         return (
-            f"Step {k + 1} is {h:.4g} s long, with the velocities {format_tuple(velocity)}: it "
-            f"leads from "
-            f"{format_tuple(rows[k, part])} to {compared(right, rows[k + 1, part])}."
+            f"Step {k} is {times[k - 1]:.4g} s long, with the velocities "
+            f"{format_tuple(velocities[k - 1])}: it leads from {format_tuple(right[k - 1])} to "
+            f"{compared(right[k], rows[k])}."
         )
 
-    return Property(
-        text, lambda rows, start, plan, dt: first_off(rows, plan, dt) is None, says, where=where
-    )
+    return found
 
 
 def slow_motions(columns):
@@ -398,34 +345,3 @@ def slow_motions(columns):
         return start, plan, 0.25
 
     return Sweep("a start near 0, and slow motions", case, SMALL_NUMBERS)
-
-
-def goes_straight(start, plan, dt):
-    """Return whether a plan has no rotation, and no rest."""
-    return all(velocity[2] == 0 and np.any(velocity) for velocity, _ in plan)
-
-
-def _lengths_covered(rows, plan, dt):
-    ahead, left = rotated(-rows[0, 2], np.diff(rows[:, :2], axis=0)).T
-    return np.where(np.abs(left) < EXACT, ahead, 0) / steps(plan, dt)[0][:, 0]
-
-
-STEP_LENGTHS = Property(
-    "each step is dt long, and the last one of a pair is shortened if otherwise the pair would end "
-    "too late",
-    # A step in another direction has no length here: of its direction other properties speak.
-    lambda rows, start, plan, dt: (
-        (covered := _lengths_covered(rows, plan, dt)).min() < EXACT
-        or np.abs(covered - steps(plan, dt)[1]).max() < EXACT
-    ),
-    says=lambda rows, start, plan, dt: (
-        f"By the distance covered, yours are {format_tuple(_lengths_covered(rows, plan, dt))} s "
-        f"long; "
-        f"they should be {format_tuple(steps(plan, dt)[1])}."
-    ),
-    where=lambda start, plan, dt: all(ahead and not any(rest) for (ahead, *rest), _ in plan),
-    mistake=Mistake(
-        "the steps have other lengths than step_lengths(duration, dt)",
-        "A step begins where the previous step has ended: how long is each step itself?",
-    ),
-)

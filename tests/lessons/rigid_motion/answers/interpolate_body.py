@@ -22,3 +22,12 @@ def right_theta_wrapped(start, goal, n):
     poses = right_arrays(start, goal, n)
     poses[:, 2] = np.arctan2(np.sin(poses[:, 2]), np.cos(poses[:, 2]))
     return poses
+
+
+def wrong_larger_change(start, goal, n):
+    """the body takes the longer arc"""
+    change = np.subtract(goal, start).astype(float)
+    change[2] = np.angle(np.exp(1j * change[2]))
+    change[2] -= np.copysign(2 * np.pi, change[2])
+    u = np.linspace(0, 1, n)[:, None]
+    return start + (3 * u**2 - 2 * u**3) * change

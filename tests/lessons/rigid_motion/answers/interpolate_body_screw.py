@@ -34,3 +34,21 @@ def right_exponential_of_scipy(start, goal, n):
     omega, vx, vy = rigid.log_se2(rigid.inverse(T0) @ T1)
     V = np.array([[0, -omega, vx], [omega, 0, vy], [0, 0, 0]])
     return [_pose(T0 @ scipy.linalg.expm(s * V)) for s in _scaling(n)]
+
+
+def wrong_theta_not_wrapped(start, goal, n):
+    """the body takes the longer arc"""
+    rows = right_in_the_world(start, goal, n)
+    rows[:, 2] = start[2] + _scaling(n) * (goal[2] - start[2])
+    return rows
+
+
+def wrong_spiral(start, goal, n):
+    """the path is not an arc about one point"""
+    T0, T1 = pose_matrix(start), pose_matrix(goal)
+    omega, *v = rigid.log_se2(rigid.inverse(T0) @ T1)
+    rows = []
+    for s in _scaling(n):
+        R = pose_matrix([0, 0, start[2] + s * omega])[:2, :2]
+        rows.append([*(start[:2] + R @ v * s), start[2] + s * omega])
+    return rows

@@ -69,7 +69,7 @@ def wrong_components(start, plan, dt):
 
 
 def wrong_time_since_the_beginning(start, plan, dt):
-    """the steps have other lengths than step_lengths(duration, dt)"""
+    """the time since the pair began is taken for the length of a step"""
     poses = [np.array(start, float)]
     for (vx, vy, omega), duration in plan:
         for t in np.cumsum(step_lengths(duration, dt)):
