@@ -9,8 +9,13 @@ import nbformat
 import numpy as np
 import pytest
 
+from course_lib.checks.exercise import PUBLIC_SEED, Exercise
+
 ROOT = Path(__file__).parents[1]
 BANK = sorted((ROOT / "tests/lessons").glob("*/answers/*.py"))
+# What may come as an argument, and the words of which a task has one if its check asks it.
+WHOLE_NUMBERS = ("whole number",)
+REVOLUTIONS = ("revolution",)
 
 
 def graded(notebook):
@@ -90,6 +95,44 @@ def test_a_task_states_the_tolerance_of_its_check(path):
     if exercise.tolerance is not None:
         task = cells_of(path.parents[1].name)[f"task_{path.stem}"].source
         assert states(exercise.tolerance, task), f"the task of {path.stem} does not state it"
+
+
+def holds_whole_numbers(argument):
+    """Return whether an argument is an array of type int, or a list with such numbers."""
+    if isinstance(argument, np.ndarray):
+        return argument.dtype.kind == "i"
+    if isinstance(argument, list | tuple):
+        return any(type(item) is int or holds_whole_numbers(item) for item in argument)
+    return False
+
+
+def needed_words(exercise):
+    """Return the groups of words of each of which a task needs one, for what its check asks.
+
+    An argument that is whole in every case, such as the number of a cell, is no surprise.
+    """
+    cases, _ = exercise.questions(PUBLIC_SEED)
+    whole = [[holds_whole_numbers(argument) for argument in column] for column in zip(*cases)]
+    needed = [WHOLE_NUMBERS] if any(any(column) and not all(column) for column in whole) else []
+    return [*needed, REVOLUTIONS] if exercise.angles else needed
+
+
+def test_whole_numbers_are_found_in_arrays_and_in_lists():
+    assert holds_whole_numbers(np.array([1, 2]))
+    assert holds_whole_numbers([((1, 0.5), 0.25)])
+    assert not holds_whole_numbers([True, 1.0])
+    assert not holds_whole_numbers(np.array([1.0]))
+
+
+@pytest.mark.parametrize("path", BANK, ids=[f"{path.parents[1].name}-{path.stem}" for path in BANK])
+def test_a_task_says_what_may_come(path):
+    package = importlib.import_module(f"course_lib.lessons.{path.parents[1].name}.check")
+    exercise = getattr(package, path.stem).exercise
+    if not isinstance(exercise, Exercise) or not exercise.arguments:
+        return
+    task = cells_of(path.parents[1].name)[f"task_{path.stem}"].source
+    missing = [words for words in needed_words(exercise) if not any(w in task for w in words)]
+    assert not missing, f"the task of {path.stem} does not say {missing}, which its check asks"
 
 
 @pytest.mark.parametrize("path", BANK, ids=[f"{path.parents[1].name}-{path.stem}" for path in BANK])
