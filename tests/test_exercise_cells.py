@@ -106,14 +106,18 @@ def holds_whole_numbers(argument):
     return False
 
 
-def needed_words(exercise):
-    """Return the groups of words of each of which a task needs one, for what its check asks.
+def may_be_whole(column):
+    """Return whether an argument holds whole numbers in some cases; one that does in all of them,
+    such as the number of a cell, is no surprise."""
+    whole = list(map(holds_whole_numbers, column))
+    return any(whole) and not all(whole)
 
-    An argument that is whole in every case, such as the number of a cell, is no surprise.
-    """
+
+def needed_words(exercise):
+    """Return the groups of words of each of which a task needs one, for what its check asks."""
     cases, _ = exercise.questions(PUBLIC_SEED)
-    whole = [[holds_whole_numbers(argument) for argument in column] for column in zip(*cases)]
-    needed = [WHOLE_NUMBERS] if any(any(column) and not all(column) for column in whole) else []
+    columns = zip(*cases, strict=True)
+    needed = [WHOLE_NUMBERS] if any(map(may_be_whole, columns)) else []
     return [*needed, REVOLUTIONS] if exercise.angles else needed
 
 
