@@ -228,7 +228,8 @@ def is_rotation(R):
     return orthogonality_error(R) < EXACT and np.linalg.det(R) > 0
 
 
-def _no_rotation(R):
+def no_rotation(R):
+    """Return in words why R is no rotation."""
     if orthogonality_error(R) < EXACT:
         return f"The determinant of your R is {np.linalg.det(R):.4g}."
     return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
@@ -241,7 +242,7 @@ def rotation(
     return Property(
         text,
         lambda answer, *case: is_rotation(block(answer)),
-        says=lambda answer, *case: _no_rotation(block(answer)),
+        says=lambda answer, *case: no_rotation(block(answer)),
         mistake=mistake,
     )
 
