@@ -5,12 +5,16 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, rows
 from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import inside, remembered
 from course_lib.rotations import exp_so3
 
 # Where two solutions coincide, half of the digits are lost, and some more in the root.
 TOUCHING = SIX_DIGITS
+
+# Metres, down to 1e-5: a product of two lengths that is below 1e-12 may be taken for 0.
+_LENGTHS = SMALL_NUMBERS[:4]
 
 _NOT_ONE = Mistake(
     "nan is returned where there is no solution", "Which number shows that there is no solution?"
@@ -103,6 +107,20 @@ def in_general_position(rng, reachable):
         reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(1.9, 2.7), 0.2),
         reachable(rng, rng.uniform(1.2, 1.9), rng.uniform(-2.7, -1.9), 30),
     ]
+
+
+def near_the_origin(case, *powers):
+    """Return the Sweep of the problem case(rng) in smaller and smaller units of length.
+
+    powers: of the unit of length, for each argument: 0 for an axis, 1 for a point.
+    """
+
+    def smaller(rng, size):
+        return tuple(
+            argument * size**power for argument, power in zip(case(rng), powers, strict=True)
+        )
+
+    return Sweep("points near the origin", smaller, _LENGTHS)
 
 
 def extremes(measure, k, p, g):

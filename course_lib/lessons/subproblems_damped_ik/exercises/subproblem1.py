@@ -11,6 +11,7 @@ from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles,
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
     angle_about,
+    near_the_origin,
     nearly_along,
     rotated,
     single,
@@ -72,11 +73,15 @@ def _nearly_vertical(rng, size):
     return k, p, rotated(k, some_angle(rng, 1), p)
 
 
-def _near_the_origin(rng, size):
-    """A point that is near the axis, but not when compared with its distance from the origin."""
-    k = unit(rng)
-    p = size * off_axis(k, rng)
-    return k, p, rotated(k, some_angle(rng, 1), p)
+def _reached_by(angle):
+    """Return a problem that this angle solves."""
+
+    def case(rng):
+        k = unit(rng)
+        p = off_axis(k, rng)
+        return k, p, rotated(k, angle, p)
+
+    return case
 
 
 def _near_the_axis(rng, size):
@@ -158,7 +163,7 @@ EXERCISE = Exercise(
         _rotating_by(0.0),
         _rotating_by(np.pi),
         Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
-        Sweep("a point near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
+        near_the_origin(_reached_by(0.8), 0, 1, 1),
         Sweep("p near the axis", _near_the_axis, SMALL_NUMBERS[:6]),
         Sweep("g near the axis", _goal_near_the_axis, SMALL_NUMBERS[:6]),
         Sweep("p near the origin", _one_near_the_origin(first=True), _TINY),

@@ -58,6 +58,14 @@ def _small(rng, size):
     return k1, k2, rotated(k1, -0.7 * size, meet), rotated(k2, 0.8, meet)
 
 
+# Radians. The task says that axes are not nearer to parallel than the last of these.
+_BETWEEN_AXES = (0.3, 0.1, 0.03, 0.01)
+
+
+def _nearly_parallel(rng, angle):
+    return _meeting(rng, rng.choice([-1, 1]) * np.cos(angle), (0.7, -0.9), 1.0)
+
+
 def _cases(rng):
     def small(sign):
         return sign * rng.uniform(0.3, 1.2)
@@ -141,11 +149,8 @@ EXERCISE = Exercise(
             (*JUST_WITHIN, 1e-9, 1e-10),
         ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
-        Sweep(
-            "points near the origin",
-            lambda rng, size: _meeting(rng, 0.5, (0.7, -0.9), size),
-            SMALL_NUMBERS[:5],
-        ),
+        shared.near_the_origin(lambda rng: _meeting(rng, 0.5, (0.7, -0.9), 1.0), 0, 0, 1, 1),
+        Sweep("nearly parallel axes", _nearly_parallel, _BETWEEN_AXES),
     ),
     properties=shared.all_of_them(
         "each pair brings the points together: R(k1, theta1) p1 = R(k2, theta2) p2",

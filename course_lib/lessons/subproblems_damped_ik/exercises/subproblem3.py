@@ -137,6 +137,7 @@ EXERCISE = Exercise(
         _within(-1),
         Sweep("a negative distance, nearly 0", _negative, _NEGATIVE),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+        shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 1),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",

@@ -54,12 +54,6 @@ def _whole_points(rng):
     return [(k, h, p, float(h @ rotated(k, rng.uniform(0.5, 2.5), p)))]
 
 
-def _near_the_origin(rng, size):
-    """Vectors h and p of this length, with two solutions far apart."""
-    k, h, p, d = _reachable(rng, 0.8, 1.1, 1)
-    return k, size * h, size * p, size**2 * d
-
-
 def _small(rng, size):
     """An axis with small entries, and two solutions one of which is small."""
     return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
@@ -76,12 +70,6 @@ def _beyond(side):
         return k, h, p, float(middle + side * (1 + beyond) * half)
 
     return Sweep("a height just out of reach", case, OUT_OF_REACH)
-
-
-def _beyond_near_the_origin(rng, size):
-    """A height that is out of reach by a part of it, between vectors that are short."""
-    k, h, p, d = _beyond(1).case(rng, 1e-3)
-    return k, size * h, size * p, size**2 * d
 
 
 def _within(side):
@@ -129,8 +117,8 @@ EXERCISE = Exercise(
         _within(1),
         _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
-        Sweep("points near the origin", _near_the_origin, SMALL_NUMBERS[:4]),
-        Sweep("out of reach, near the origin", _beyond_near_the_origin, SMALL_NUMBERS[:4]),
+        shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 2),
+        shared.near_the_origin(lambda rng: _beyond(1).case(rng, 1e-3), 0, 1, 1, 2),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",
