@@ -1,4 +1,7 @@
-"""two_link_angles: the inverse kinematics of the arm with two links of one metre, both elbows."""
+"""two_link_angles: the inverse kinematics of the arm with two links of one metre, both elbows.
+
+The two pairs may stand in either order, so its properties ask where each of them brings the tip.
+"""
 
 import numpy as np
 

@@ -1,4 +1,7 @@
-"""euler_yxy: the two triples of angles about y, x and y again."""
+"""euler_yxy: the two triples of angles about y, x and y again.
+
+Where sin(b2) is 0 infinitely many triples are right, so its properties multiply the rotations.
+"""
 
 import itertools
 

@@ -1,5 +1,8 @@
-"""subproblem3: the rotations about an axis that bring one point to a given distance from
-another."""
+"""subproblem3: the rotations about an axis that bring one point to a given distance from another.
+
+Two angles that coincide may be in the list once, twice or not at all, so its properties put each
+angle into the equation.
+"""
 
 import numpy as np
 
