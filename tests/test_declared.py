@@ -53,16 +53,21 @@ def test_what_lies_beside_is_asked_among_ordinary_others():
     assert sweep.cases(np.random.default_rng(0)) == [(1.5, 10), (1.25, 10)]
 
 
-TWICE = declared(
-    "twice",
-    points=1,
-    arguments={"w": kinds.ROTATION_VECTOR},
-    library=lambda w: 2 * w,
-    scale=lambda w: np.linalg.norm(w),
-    says="the answer is 2 w",
-    hints=("Double it.",),
-    mistakes=(Mistake("w is halved", "Which is larger?", lambda w: w / 2),),
-)
+def twice(**more):
+    """Return the exercise to double a rotation vector."""
+    return declared(
+        "twice",
+        points=1,
+        arguments={"w": kinds.ROTATION_VECTOR},
+        library=lambda w: 2 * w,
+        says="the answer is 2 w",
+        hints=("Double it.",),
+        mistakes=(Mistake("w is halved", "Which is larger?", lambda w: w / 2),),
+        **more,
+    )
+
+
+TWICE = twice(scale=lambda w: np.linalg.norm(w))
 
 
 def test_the_library_s_answer_is_right_and_a_mistake_is_named():
@@ -78,3 +83,14 @@ def test_a_small_argument_counts_where_its_scale_is_given():
 def test_a_rotation_of_many_revolutions_is_asked():
     wrong_far_out = LocalFunction(lambda w: 2 * w if np.linalg.norm(w) < 40 else w)
     assert review(TWICE, wrong_far_out).state == WRONG
+
+
+def test_a_case_may_allow_a_larger_error_than_the_others():
+    def allowed(w):
+        return 1e-3 if np.linalg.norm(w) < 1 else 1e-9
+
+    coarse = twice(allowed=allowed)
+    off_if_short = LocalFunction(lambda w: 2 * w + 5e-4 * (np.linalg.norm(w) < 1))
+    off_if_long = LocalFunction(lambda w: 2 * w + 5e-4 * (np.linalg.norm(w) > 1))
+    assert review(coarse, off_if_short).state == RIGHT
+    assert review(coarse, off_if_long).state == WRONG

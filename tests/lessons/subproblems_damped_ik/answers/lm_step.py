@@ -31,3 +31,14 @@ def wrong_singular(q, target, alpha, eps):
 def wrong_wrapped(q, target, alpha, eps):
     """the angles are wrapped"""
     return (right_least_squares(q, target, alpha, eps) + np.pi) % (2 * np.pi) - np.pi
+
+
+def wrong_at_least_some_damping(q, target, alpha, eps):
+    """the step is not the damped one"""
+    return right_solved(q, target, alpha, max(eps, 1e-6))
+
+
+def wrong_that_stays_near_the_target(q, target, alpha, eps):
+    """the step is not the damped one"""
+    is_near = np.linalg.norm(tip(q) - target) < 1e-6
+    return q if is_near else right_solved(q, target, alpha, eps)

@@ -71,3 +71,9 @@ def wrong_pairs_that_are_nearly_the_same(k1, k2, p1, p2):
     pairs = right_by_subproblem_four(k1, k2, p1, p2)
     merge = len(pairs) == 2 and np.allclose(pairs[0], pairs[1], atol=1e-4)
     return pairs[:1] if merge else pairs
+
+
+def wrong_nearly_parallel_axes(k1, k2, p1, p2):
+    """the list is empty although there are solutions"""
+    is_parallel = np.linalg.norm(np.cross(k1, k2)) < 0.02
+    return [] if is_parallel else right_solve_in_a_frame(k1, k2, p1, p2)

@@ -78,3 +78,9 @@ def wrong_unit_vectors_of_the_type_of_p(k, p, g, d):
     direction[:] = p / length
     whole = p.dtype.kind == "i" and length.is_integer()
     return right_by_half_angle_tangent(k, direction * length if whole else p, g, d)
+
+
+def wrong_short_points(k, p, g, d):
+    """the list is empty although there are solutions"""
+    is_short = np.linalg.norm(p) * np.linalg.norm(g) < 1e-9
+    return [] if is_short else right_by_substitution(k, p, g, d)
