@@ -3,7 +3,6 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import QUARTER, joint_angles
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
@@ -22,24 +21,29 @@ def _rot(angle):
     return pose_matrix([0, 0, angle])
 
 
+def _factors(theta):
+    """Return T_01, T_12 and T_23."""
+    return _rot(theta[0]), _LINK @ _rot(theta[1]), _LINK
+
+
 def _chain(first, second, third):
     """Return the frames as products: T_01, T_01 T_12, T_01 T_12 T_23."""
     return np.array([first, first @ second, first @ second @ third])
 
 
 def _right(theta):
-    return _chain(_rot(theta[0]), _LINK @ _rot(theta[1]), _LINK)
+    return _chain(*_factors(theta))
+
+
+def _with_products(frames):
+    """Return the answer frames(T_01, T_12, T_23)."""
+    return lambda theta: np.array(frames(*_factors(theta)))
 
 
 def _found(frames, theta):
-    """Return in words what is off in the first frame that is."""
     right = _right(theta)
     k = next(k for k in range(3) if not near(frames[k], right[k]))
-    name = f"T_0{k + 1}"
-    if near(frames[k][:2, :2], right[k][:2, :2]) and near(frames[k][2], right[k][2]):
-        origin, yours = format_tuple(right[k][:2, 2]), format_tuple(frames[k][:2, 2])
-        return f"The origin of {name} should be at {origin}; yours is at {yours}."
-    return first_off(frames[k], right[k], what=f"In {name} the {{}} column")
+    return first_off(frames[k], right[k], what=f"In T_0{k + 1} the {{}} column")
 
 
 def _from_the_world(theta):
@@ -64,22 +68,6 @@ def _second_frame_as_first(theta):
     return _chain(_rot(theta[0]), _LINK, _rot(theta[1]) @ _LINK)
 
 
-def _from_the_previous(*which):
-    """Return the answer in which these frames are given relative to the previous frame."""
-
-    def answer(theta):
-        relative = [_rot(theta[0]), _LINK @ _rot(theta[1]), _LINK]
-        right = _right(theta)
-        return np.array([relative[k] if k in which else right[k] for k in range(3)])
-
-    return answer
-
-
-def _last_from_joint_2(theta):
-    T = _from_the_previous(1)(theta)
-    return np.array([*T[:2], T[1] @ _LINK])
-
-
 def _tip_rotated_by(angle):
     """Return the answer whose last frame is rotated by angle(theta) more."""
 
@@ -88,16 +76,6 @@ def _tip_rotated_by(angle):
         return np.array([*T[:2], T[2] @ _rot(angle(theta))])
 
     return answer
-
-
-def _in_reverse_order(theta):
-    T_01, T_12, T_23 = _rot(theta[0]), _LINK @ _rot(theta[1]), _LINK
-    return np.array([T_01, T_12 @ T_01, T_23 @ T_12 @ T_01])
-
-
-def _entry_by_entry(theta):
-    T_01, T_12, T_23 = _rot(theta[0]), _LINK @ _rot(theta[1]), _LINK
-    return np.array([T_01, T_01 * T_12, T_01 * T_12 * T_23])
 
 
 EXERCISE = declared(
@@ -153,9 +131,9 @@ EXERCISE = declared(
         Mistake(
             "each frame is given relative to the previous frame, not to the base",
             "What takes T_12 to T_02?",
-            _from_the_previous(1, 2),
-            _from_the_previous(2),
-            _last_from_joint_2,
+            _with_products(lambda A, B, C: (A, B, C)),
+            _with_products(lambda A, B, C: (A, A @ B, C)),
+            _with_products(lambda A, B, C: (A, B, B @ C)),
         ),
         Mistake(
             "the tip's frame is not rotated as link 2 is",
@@ -168,12 +146,12 @@ EXERCISE = declared(
         Mistake(
             "the chain is multiplied in the reverse order",
             "T_02 = T_01 T_12: which letters stand next to each other?",
-            _in_reverse_order,
+            _with_products(lambda A, B, C: (A, B @ A, C @ B @ A)),
         ),
         Mistake(
             "the answer is not a product of rotations",
             "In numpy the product of matrices is @; * works entry by entry.",
-            _entry_by_entry,
+            _with_products(lambda A, B, C: (A, A * B, A * B * C)),
         ),
     ),
 )
