@@ -265,6 +265,14 @@ ANGLE = Kind(
 )
 
 
+# Of a row of a Denavit-Hartenberg table: of either sign, also 0.
+LENGTH = Kind(
+    drawn=lambda rng: float(away_from_zero(rng, ())),
+    named=lambda rng: [0.5, 2.0, -0.0825, 0.0],
+    small=True,
+)
+
+
 def joint_angles(n, **more):
     """Return the Kind of the angles (n,) of an arm's joints: of either sign, below and above 90
     degrees, and several revolutions."""

@@ -7,7 +7,6 @@ from course_lib import ik
 from course_lib.arms import PANDA_ROWS, panda
 from course_lib.checks.vocabulary import remembered
 from course_lib.rigid import transform
-from course_lib.rotations import rot_x, rot_z
 
 T_W0 = transform(np.eye(3), [-0.2, 0.13, 0.6])
 TABLE = np.array(PANDA_ROWS)
@@ -19,12 +18,14 @@ FLAT = np.array([[1.0, 0, 0], [0, 1, 0]])  # a Jacobian to compute with by hand
 
 def about_x(alpha, a=0.0):
     """Return the pose of a rotation about x by `alpha` and a translation along x by `a`."""
-    return transform(rot_x(alpha), [a, 0, 0])
+    c, s = np.cos(alpha), np.sin(alpha)
+    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
 
 
 def about_z(theta, d=0.0):
     """Return the pose of a rotation about z by `theta` and a translation along z by `d`."""
-    return transform(rot_z(theta), [0, 0, d])
+    c, s = np.cos(theta), np.sin(theta)
+    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
 
 
 def modified(a, alpha, d, theta):
