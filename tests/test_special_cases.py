@@ -78,6 +78,13 @@ def test_the_same_arrays_are_asked_with_other_numbers():
     assert not np.array_equal(before[0], after[0])
 
 
+def test_a_case_with_nan_is_not_taken_for_another_one():
+    with_nan, other = np.array([1.5, np.nan, 2.5]), np.array([0.5, np.nan, 0.5])
+    *_, before, after = made([(with_nan,), (other,)])
+    np.testing.assert_array_equal(before[0], with_nan)
+    np.testing.assert_array_equal(after[0], other)
+
+
 def test_zeros_that_rounding_has_left_count_as_whole():
     quarter = np.array([[np.cos(np.pi / 2), -1.0], [1.0, np.cos(np.pi / 2)]])
     (again,) = made([(quarter,)])

@@ -130,8 +130,10 @@ def in_the_same_arrays(cases):
         form = tuple((array.shape, array.dtype.str) for array in arrays)
         if not any(array.size for array in arrays):
             continue
-        before = by_form.setdefault(form, case)
-        if any(not np.array_equal(a, b) for a, b in zip(before, case, strict=True)):
+        before, earlier = by_form.setdefault(form, (case, arrays))
+        if any(
+            not np.array_equal(a, b, equal_nan=True) for a, b in zip(earlier, arrays, strict=True)
+        ):
             return [MadeCase(before), InPlace(case)]
     return []
 
