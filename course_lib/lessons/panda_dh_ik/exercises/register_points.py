@@ -33,6 +33,8 @@ _WHOLE_APART = np.array([[1, 2, 3], [2, 5, 3], [-1, 2, 4], [1, 2, 5]])
 _WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
 
 
+# A smaller one shows in no digit that is asked for.
+_SMALL_WEIGHTS = (0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-5)
 _ROUNDING = 1e-12  # relative: a sum of squares that rounding alone has made
 
 
@@ -70,8 +72,6 @@ def _cases(rng):
     weightless = [*_without_weight(rng, 4, 0), *_without_weight(rng, 5, 0.3)]
     noise = [noisy(rng, weights) for weights in (three, np.ones(4), four, many)]
     src, dst, _ = noise[2]
-    # Weights that are small beside the others, and still count.
-    noise += [noisy(rng, np.array([1.0, 2, 0.009, 3, 1])), noisy(rng, np.array([4.0, 0.03, 3, 2]))]
     scaled = [(src, dst, factor * four) for factor in (1 / four.sum(), 1 / 230, 250, 1e-9)]
     centred = moved(about_x @ any_pose(rng), src)
     centred = centred - four @ centred / four.sum()
@@ -85,6 +85,13 @@ def _cases(rng):
 
 def _of_size(rng, n):
     return noisy(rng, _uneven(rng, n))
+
+
+def _small_weight(rng, size):
+    """Return a case with a weight that is small beside the others, and counts."""
+    weights = _uneven(rng, 5)
+    weights[0] = size
+    return noisy(rng, weights, 0.6)
 
 
 def _small(rng, size):
@@ -181,6 +188,7 @@ EXERCISE = Exercise(
     sweeps=(
         Sweep("the number of points", _of_size, tuple(n for n in SIZES if n > 2)),
         Sweep("points nearly in a plane", nearly_in_a_plane),
+        Sweep("a weight that is small beside the others", _small_weight, _SMALL_WEIGHTS),
         Sweep("small coordinates, and a pose nearly the identity", _small, SMALL_NUMBERS),
     ),
     broken=_broken,
