@@ -184,6 +184,21 @@ def distance_of_angles(value, right, *arguments):
     return angle_gap(value, right) if np.shape(value) == np.shape(right) else np.inf
 
 
+def wrapped(right):
+    """Return the Mistake of angles that are right(*arguments) up to whole revolutions.
+
+    Rounding may decide between 0 and 2 pi, so the angles are not compared with the two forms.
+    """
+    return Mistake(
+        "the angles are brought between -pi and pi, or between 0 and 2 pi",
+        "Does the formula in the task change an angle by whole revolutions? What does a joint do "
+        "whose angle jumps by one?",
+        lambda *case: np.angle(np.exp(1j * right(*case))),
+        lambda *case: right(*case) % (2 * np.pi),
+        alike=same_angles,
+    )
+
+
 def same_list(answer, right, *arguments):
     """Return whether two lists hold the same angles, or rows of them, in any order and however
     often."""

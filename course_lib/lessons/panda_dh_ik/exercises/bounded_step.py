@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.naming import difference
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT, FOUR_DIGITS
 from course_lib.checks.vocabulary import away_from_zero, remembered
@@ -29,7 +29,7 @@ def _free(J, v, bound, eps):
 
 
 @remembered
-def right(J, v, bound, eps):
+def _right(J, v, bound, eps):
     """Return the right answer, by scipy's solver for linear least squares with bounds."""
     # LAPACK, called with something else, writes "** On entry to DLASCL ..." above the message.
     if not all(np.isfinite(part).all() for part in (J, v, bound, eps)) or bound <= 0 or eps < 0:
@@ -46,7 +46,7 @@ def _case(rng, J, bound, eps):
     is worse."""
     while True:
         case = J, np.round(rng.uniform(-1, 1, len(J)), 2), bound, eps
-        best, clipped = right(*case), np.clip(_free(*case), -bound, bound)
+        best, clipped = _right(*case), np.clip(_free(*case), -bound, bound)
         at_bound = np.abs(best) > bound - EXACT
         if (
             at_bound.any()
@@ -105,11 +105,11 @@ def _small(rng, size):
     return size * _EXACT_JACOBIAN, size * v, 20.0, 0.05 * size**2
 
 
-def _excess(q_dot, *case):
-    least = _cost(right(*case), *case)
+def _found(q_dot, *case):
+    _, _, bound, _ = case
+    least = _cost(_right(*case), *case)
     excess = _cost(q_dot, *case) - least
-    if excess <= 0:  # by velocities just outside the bounds
-        _, _, bound, _ = case
+    if np.abs(q_dot).max() > bound + FOUR_DIGITS or excess <= 0:
         return f"Your fastest joint exceeds the bound by {np.abs(q_dot).max() - bound:.2g}."
     return f"Your answer makes this sum {excess:.2g} larger than the least sum, {least:.6g}."
 
@@ -125,10 +125,8 @@ _OTHERS_ARE_BETTER = Mistake(
 )
 
 
-def _of_velocities(q_dot, *case):
-    """Return the Mistake of velocities that are not the best ones."""
-    is_better = _cost(q_dot, *case) <= _cost(right(*case), *case)
-    return _FASTER if is_better else _OTHERS_ARE_BETTER
+def _otherwise(q_dot, J, v, bound, eps):
+    return _FASTER if np.abs(q_dot).max() > bound + FOUR_DIGITS else _OTHERS_ARE_BETTER
 
 
 def _alike(answer, predicted, *case):
@@ -137,86 +135,71 @@ def _alike(answer, predicted, *case):
     )
 
 
-EXERCISE = Exercise(
-    name="bounded_step",
+def _cut_afterwards(cut):
+    """Return the answer that cuts the best step without bounds, where it exceeds them."""
+
+    def answer(J, v, bound, eps):
+        q_dot = _free(J, v, bound, eps)
+        return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
+
+    return answer
+
+
+def _forwards_only(J, v, bound, eps):
+    A, b = _stacked(J, v, eps)
+    return lsq_linear(A, b, bounds=(0, bound), method="bvls", tol=1e-14).x
+
+
+EXERCISE = declared(
+    "bounded_step",
     points=2,
-    arguments=("J", "v", "bound", "eps"),
+    arguments={"J": OWN_CASES, "v": OWN_CASES, "bound": OWN_CASES, "eps": OWN_CASES},
     cases=_cases,
-    returns=numbers(lambda J, *rest: (J.shape[1],)),
-    properties=(
-        Property(
-            "no joint is faster than `bound`",
-            lambda q_dot, J, v, bound, eps: np.abs(q_dot).max() <= bound + FOUR_DIGITS,
-            says=lambda q_dot, J, v, bound, eps: (
-                f"Your fastest joint exceeds it by {np.abs(q_dot).max() - bound:.2g}."
-            ),
-            mistake=_FASTER,
-        ),
-        Property(
-            "no joint velocities within the bounds make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
-            # By the velocities: the sum differs only by the square of their errors.
-            lambda q_dot, *case: difference(q_dot, right(*case)) <= FOUR_DIGITS,
-            says=_excess,
-            mistake=_of_velocities,
-        ),
-    ),
-    hints=(
-        "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more "
-        "rows than J has.",
-        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x "
-        "- "
-        "b|^2 within bounds.",
-        "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), "
-        "bounds=(-bound, bound)).x",
-    ),
-    library=right,
     tolerance=FOUR_DIGITS,
+    library=_right,
+    alike=_alike,
+    says="no joint velocities within `bound` make |J q_dot - v|^2 + eps |q_dot|^2 smaller",
+    found=_found,
+    otherwise=_otherwise,
     sweeps=(
         Sweep("a joint nearly at its bound", _beside_the_bound, _GAPS),
         Sweep("a small Jacobian and a tiny eps", _small, (0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4)),
     ),
-    alike=_alike,
+    hints=(
+        "|J q_dot - v|^2 + eps |q_dot|^2 is one sum of squares: that of A q_dot - b, with more "
+        "rows than J has.",
+        "A is J above sqrt(eps) I, b is v above zeros. scipy.optimize.lsq_linear minimizes |A x - "
+        "b|^2 within bounds.",
+        "lsq_linear(np.vstack([J, np.sqrt(eps) * np.eye(n)]), np.append(v, np.zeros(n)), "
+        "bounds=(-bound, bound)).x",
+    ),
+    mistakes=(
+        Mistake(
+            "the bounds are ignored",
+            "How fast is the fastest joint of your answer, and how fast may it be?",
+            _free,
+        ),
+        Mistake(
+            "the best step without bounds is clipped, or scaled down, afterwards",
+            "If one joint is at its bound, could other joints do a part of its work?",
+            _cut_afterwards(lambda q_dot, bound: np.clip(q_dot, -bound, bound)),
+            _cut_afterwards(lambda q_dot, bound: q_dot * bound / np.abs(q_dot).max()),
+        ),
+        Mistake(
+            "eps stands for its square root",
+            "A row r of the stacked matrix adds (r q_dot)^2 to the sum. Which r makes this eps "
+            "q_dot^2?",
+            lambda J, v, bound, eps: _right(J, v, bound, eps**2),
+        ),
+        Mistake(
+            "eps is left out",
+            "Which of the two terms of the sum contains eps, and where does it stand in your code?",
+            lambda J, v, bound, eps: _right(J, v, bound, 1e-12),
+        ),
+        Mistake(
+            "the bounds go from 0 to `bound`",
+            "May a joint move backwards?",
+            _forwards_only,
+        ),
+    ),
 )
-
-
-@EXERCISE.mistake(
-    "the bounds are ignored",
-    "How fast is the fastest joint of your answer, and how fast may it be?",
-)
-def unbounded(J, v, bound, eps):
-    return _free(J, v, bound, eps)
-
-
-@EXERCISE.mistake(
-    "the best step without bounds is clipped, or scaled down, afterwards",
-    "If one joint is at its bound, could other joints do a part of its work?",
-    cut=(lambda x, bound: np.clip(x, -bound, bound), lambda x, bound: x * bound / np.abs(x).max()),
-)
-def cut_afterwards(J, v, bound, eps, cut):
-    q_dot = _free(J, v, bound, eps)
-    return cut(q_dot, bound) if np.abs(q_dot).max() > bound else q_dot
-
-
-@EXERCISE.mistake(
-    "eps stands for its square root",
-    "A row r of the stacked matrix adds (r q_dot)^2 to the sum. Which r makes this eps q_dot^2?",
-)
-def eps_not_a_root(J, v, bound, eps):
-    return right(J, v, bound, eps**2)
-
-
-@EXERCISE.mistake(
-    "eps is left out",
-    "Which of the two terms of the sum contains eps, and where does it stand in your code?",
-)
-def without_eps(J, v, bound, eps):
-    return right(J, v, bound, 1e-12)
-
-
-@EXERCISE.mistake(
-    "the bounds go from 0 to `bound`",
-    "May a joint move backwards?",
-)
-def forwards_only(J, v, bound, eps):
-    A, b = _stacked(J, v, eps)
-    return lsq_linear(A, b, bounds=(0, bound), method="bvls", tol=1e-14).x

@@ -6,8 +6,10 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import T_W0, modified, standard
@@ -59,9 +61,98 @@ def _best(table, costs):
     return _patterns(table)[np.argmin(np.round(costs, 9))]
 
 
-def right(table, q, poses):
+def _right(table, q, poses):
     """Return the pattern whose worst configuration is best."""
     return _best(table, _gaps(table, q, poses).max((1, 2)))
+
+
+def _judged(cost):
+    """Return the answer whose pattern has the least cost(gaps), of gaps (2^n, m, 2)."""
+    return lambda table, q, poses: _best(table, cost(_gaps(table, q, poses)))
+
+
+def _other_convention(table, q, poses):
+    return _best(table, _gaps(table, q, poses, modified).max((1, 2)))
+
+
+def _differences(table, q, poses):
+    """Return the poses of each pattern minus those measured, (2^n, m, 4, 4)."""
+    return _all_ends(table, q) - poses
+
+
+def _largest(differences):
+    return np.abs(differences).max((1, 2, 3))
+
+
+def _squares(differences):
+    return (differences**2).sum((1, 2, 3))
+
+
+def _with_signs(part, size):
+    """Return the answer that adds up a part of the differences with their signs."""
+
+    def answer(table, q, poses):
+        differences = _differences(table, q, poses)[part]
+        return _best(table, size(differences.reshape(len(differences), -1).sum(1)))
+
+    return answer
+
+
+_SIGNED = tuple(
+    _with_signs(part, size)
+    for part in (np.s_[..., :3, 3], np.s_[...])
+    for size in (np.positive, np.abs)
+)
+
+
+def _one_at_a_time(from_last, size, rounds):
+    """Return the answer that decides the sign of one joint after the other."""
+
+    def answer(table, q, poses):
+        costs = np.round(size(_differences(table, q, poses)), 9)
+        cost_of = dict(zip(map(tuple, _patterns(table)), costs, strict=True))
+        joints = range(len(table))
+        order = joints[::-1] if from_last else joints
+        signs = [1] * len(table)
+        for i in [*order] * rounds:
+            plus, minus = ((*signs[:i], sign, *signs[i + 1 :]) for sign in (1, -1))
+            signs[i] = 1 if cost_of[plus] <= cost_of[minus] else -1
+        return np.array(signs)
+
+    return answer
+
+
+_JOINT_BY_JOINT = tuple(
+    _one_at_a_time(*form) for form in itertools.product((False, True), (_largest, _squares), (1, 8))
+)
+
+
+def _between_frames(seen_from, size):
+    return lambda table, q, poses: _best(table, size(seen_from(_all_ends(table, q), poses)))
+
+
+_IN_THE_WORLD = tuple(
+    _between_frames(seen_from, size)
+    for seen_from in (
+        lambda ends, poses: T_W0 @ ends - poses,
+        lambda ends, poses: ends - T_W0 @ poses,
+        lambda ends, poses: ends - inverse(T_W0) @ poses,
+    )
+    for size in (_largest, _squares)
+)
+
+
+def _signs_pile_up(table, q, poses):
+    piled = np.cumprod(_patterns(table), axis=0)
+    return _best(table, np.abs(_ends(table, q, piled) - poses).max((1, 2, 3)))
+
+
+def _first_within(tolerance):
+    def answer(table, q, poses):
+        close = np.abs(_differences(table, q, poses)).max((1, 2, 3)) < tolerance
+        return _patterns(table)[np.argmax(close)] if close.any() else _right(table, q, poses)
+
+    return answer
 
 
 def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small=False):
@@ -98,7 +189,7 @@ def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small
 def _cases(rng):
     table, q = np.array([[0.5, np.pi / 2, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
     simple = table, q, _ends(table, q, [[1, -1]])[0]
-    drawn = [_case(rng, 3, zero=zero, deceives=[other_convention]) for zero in (None, 0, -1)]
+    drawn = [_case(rng, 3, zero=zero, deceives=[_other_convention]) for zero in (None, 0, -1)]
     noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
     given = [simple, *drawn, noisy, *many, *_equal_orientations(rng), _one_joint_moves(rng)]
@@ -166,21 +257,22 @@ def _unlucky(rng, shortcuts, cases, small=False):
 
 
 def _is_wrong(shortcut, case):
-    return not np.array_equal(shortcut(*case), right(*case))
+    return not np.array_equal(shortcut(*case), _right(*case))
 
 
-def _off(answer, table, q, poses):
+def _found(answer, table, q, poses):
     k = int((_patterns(table) == answer).all(1).argmax())
     return f"With your signs the poses differ by up to {_gaps(table, q, poses)[k].max():.2g}."
 
 
-EXERCISE = Exercise(
-    name="find_signs",
+EXERCISE = declared(
+    "find_signs",
     points=2,
     sets=1,
-    arguments=("table", "q", "poses"),
+    arguments={"table": OWN_CASES, "q": OWN_CASES, "poses": OWN_CASES},
     cases=_cases,
-    returns=numbers(lambda table, q, poses: (len(table),)),
+    library=_right,
+    tries_arguments=False,
     properties=(
         Property(
             "the answer holds 1 and -1 only",
@@ -190,165 +282,79 @@ EXERCISE = Exercise(
                 "Return the best pattern itself, which holds 1 and -1.",
             ),
         ),
-        Property(
-            "with the signs applied to its angles, the table gives the poses that were measured",
-            lambda answer, *case: np.array_equal(answer, right(*case)),
-            says=_off,
-            mistake=Mistake(
-                "another pattern fits better",
-                "For the case below, print the largest difference between your poses and the "
-                "measured "
-                "poses for each of the 2^n patterns. Is the pattern that you return the one "
-                "with the "
-                "least difference?",
-            ),
-        ),
     ),
+    says="with the signs applied to its angles, the table gives the poses that were measured",
+    found=_found,
+    otherwise=Mistake(
+        "another pattern fits better",
+        "For the case below, print the largest difference between your poses and the measured "
+        "poses for each of the 2^n patterns. Is the pattern that you return the one with the least "
+        "difference?",
+    ),
+    # Poses are compared to nine digits, so a smaller angle shows nothing.
+    sweeps=(Sweep("two patterns hardly differ", _nearly_alike, _VISIBLE),),
     hints=(
         "itertools.product([1, -1], repeat=n) runs through all patterns. For each one, compute the "
-        "pose of every "
-        "configuration and compare it with the one measured.",
+        "pose of every configuration and compare it with the one measured.",
         "A pattern is as good as its worst configuration. Keep the pattern whose worst difference "
         "is the least.",
         "The pose of one configuration: T = np.eye(4), then T = T @ dh_standard(a, alpha, d, "
-        "theta) for each row, with "
-        "theta the sign times the angle.",
+        "theta) for each row, with theta the sign times the angle.",
     ),
-    library=right,
-    # Poses are compared to nine digits, so a smaller angle shows nothing.
-    sweeps=(Sweep("two patterns hardly differ", _nearly_alike, _VISIBLE),),
-    tries_arguments=False,
-)
-
-
-@EXERCISE.mistake(
-    "only positions are compared",
-    "Which joint may rotate the end-effector without changing its position?",
-)
-def positions_only(table, q, poses):
-    return _best(table, _gaps(table, q, poses)[..., 0].max(1))
-
-
-@EXERCISE.mistake(
-    "only one configuration is compared",
-    "May a wrong pattern fit one configuration by chance?",
-    k=(0, -1),
-)
-def one_configuration(table, q, poses, k):
-    return _best(table, _gaps(table, q, poses)[:, k].max(1))
-
-
-@EXERCISE.mistake(
-    "only some of the configurations are compared",
-    "May a wrong pattern fit two configurations, if some of their angles are 0?",
-    some=(slice(2), slice(-2, None)),
-)
-def some_configurations(table, q, poses, some):
-    return _best(table, _gaps(table, q, poses)[:, some].max((1, 2)))
-
-
-@EXERCISE.mistake(
-    "only orientations are compared",
-    "Two axes are parallel. What do the orientations say of their two signs if the angles are "
-    "equal?",
-)
-def orientations_only(table, q, poses):
-    return _best(table, _gaps(table, q, poses)[..., 1].max(1))
-
-
-def _largest(differences):
-    return np.abs(differences).max((1, 2, 3))
-
-
-def _squares(differences):
-    return (differences**2).sum((1, 2, 3))
-
-
-def _differences(table, q, poses):
-    """Return the poses of each pattern minus those measured, (2^n, m, 4, 4)."""
-    return _all_ends(table, q) - poses
-
-
-@EXERCISE.mistake(
-    "differences are added up with their signs",
-    "What is the sum of the differences 0.3 and -0.3?",
-    whole=(False, True),
-    absolute=(False, True),
-)
-def signed_differences(table, q, poses, whole, absolute):
-    differences = _differences(table, q, poses)
-    if not whole:
-        differences = differences[..., :3, 3]
-    total = differences.reshape(len(differences), -1).sum(1)
-    return _best(table, np.abs(total) if absolute else total)
-
-
-_SIGNED = EXERCISE.mistakes[-1].answers
-
-
-@EXERCISE.mistake(
-    "the sign of one joint is decided after the other",
-    "Does the best sign of one joint depend on those of the others?",
-    from_last=(False, True),
-    size=(_largest, _squares),
-    rounds=(1, 8),
-)
-def one_joint_at_a_time(table, q, poses, from_last, size, rounds):
-    costs = np.round(size(_differences(table, q, poses)), 9)
-    cost_of = dict(zip(map(tuple, _patterns(table)), costs, strict=True))
-    joints = range(len(table))
-    order = joints[::-1] if from_last else joints
-    signs = [1] * len(table)
-    for i in [*order] * rounds:
-        plus, minus = ((*signs[:i], sign, *signs[i + 1 :]) for sign in (1, -1))
-        signs[i] = 1 if cost_of[plus] <= cost_of[minus] else -1
-    return np.array(signs)
-
-
-_JOINT_BY_JOINT = EXERCISE.mistakes[-1].answers
-
-
-@EXERCISE.mistake(
-    "the table is read in the modified convention",
-    "Which convention does the task name for the table?",
-)
-def other_convention(table, q, poses):
-    return _best(table, _gaps(table, q, poses, modified).max((1, 2)))
-
-
-@EXERCISE.mistake(
-    "the table's poses and the measured poses are seen from two different frames",
-    "From which frame are the measured poses seen, and does T_w0 belong into your product?",
-    seen_from=(
-        lambda ends, poses: T_W0 @ ends - poses,
-        lambda ends, poses: ends - T_W0 @ poses,
-        lambda ends, poses: ends - inverse(T_W0) @ poses,
+    mistakes=(
+        Mistake(
+            "only positions are compared",
+            "Which joint may rotate the end-effector without changing its position?",
+            _judged(lambda gaps: gaps[..., 0].max(1)),
+        ),
+        Mistake(
+            "only one configuration is compared",
+            "May a wrong pattern fit one configuration by chance?",
+            _judged(lambda gaps: gaps[:, 0].max(1)),
+            _judged(lambda gaps: gaps[:, -1].max(1)),
+        ),
+        Mistake(
+            "only some of the configurations are compared",
+            "May a wrong pattern fit two configurations, if some of their angles are 0?",
+            _judged(lambda gaps: gaps[:, :2].max((1, 2))),
+            _judged(lambda gaps: gaps[:, -2:].max((1, 2))),
+        ),
+        Mistake(
+            "only orientations are compared",
+            "Two axes are parallel. What do the orientations say of their two signs if the angles "
+            "are equal?",
+            _judged(lambda gaps: gaps[..., 1].max(1)),
+        ),
+        Mistake(
+            "differences are added up with their signs",
+            "What is the sum of the differences 0.3 and -0.3?",
+            *_SIGNED,
+        ),
+        Mistake(
+            "the sign of one joint is decided after the other",
+            "Does the best sign of one joint depend on those of the others?",
+            *_JOINT_BY_JOINT,
+        ),
+        Mistake(
+            "the table is read in the modified convention",
+            "Which convention does the task name for the table?",
+            _other_convention,
+        ),
+        Mistake(
+            "the table's poses and the measured poses are seen from two different frames",
+            "From which frame are the measured poses seen, and does T_w0 belong into your product?",
+            *_IN_THE_WORLD,
+        ),
+        Mistake(
+            "the signs of all patterns so far are multiplied to the same angles",
+            "Which angles does the second pattern find after q *= signs?",
+            _signs_pile_up,
+        ),
+        Mistake(
+            "the first pattern within a tolerance is returned",
+            "May several patterns come close to the measured poses? Which of them does the task "
+            "ask for?",
+            *map(_first_within, (0.1, 0.02, 0.01, 1e-3, 1e-4)),
+        ),
     ),
-    size=(_largest, _squares),
 )
-def in_the_world(table, q, poses, seen_from, size):
-    return _best(table, size(seen_from(_all_ends(table, q), poses)))
-
-
-_IN_THE_WORLD = EXERCISE.mistakes[-1].answers
-
-
-@EXERCISE.mistake(
-    "the signs of all patterns so far are multiplied to the same angles",
-    "Which angles does the second pattern find after q *= signs?",
-)
-def signs_pile_up(table, q, poses):
-    piled = np.cumprod(_patterns(table), axis=0)
-    gaps = np.abs(_ends(table, q, piled) - poses).max((1, 2, 3))
-    return _best(table, gaps)
-
-
-@EXERCISE.mistake(
-    "the first pattern within a tolerance is returned",
-    "May several patterns come close to the measured poses? Which of them does the task ask for?",
-    tolerance=(0.1, 0.02, 0.01, 1e-3, 1e-4),
-)
-def first_within_a_tolerance(table, q, poses, tolerance):
-    gaps = np.abs(_differences(table, q, poses)).max((1, 2, 3))
-    close = gaps < tolerance
-    return _patterns(table)[np.argmax(close)] if close.any() else right(table, q, poses)

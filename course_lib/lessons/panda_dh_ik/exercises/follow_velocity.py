@@ -3,16 +3,21 @@ only."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import Sweep
-from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SOLVED
+from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, READY, damped, panda_jacobian
 
 _OUT = np.array([0.25, 0, 0, 0, 0, 0])  # m/s, away from the base
 # Relative to `near`. With less damping than these leave, rounding in J^T J would decide.
 _GAPS = (0.3, -0.3, 0.1, -0.1, 0.03, -0.03, 0.01, -0.01, 1e-3, -1e-3)
+# Of the smallest singular value, about. With smaller ones, rounding would show in the step, which
+# has no damping, or one of the value itself, or of its square.
+_NEARLY_SINGULAR = (0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4, 1e-5)
+_LITTLE_DAMPING = (0.1, 0.03, 0.01, 3e-3, 1e-3)
 _EARLY = np.array([0.0, 0.5, 0, -0.6, 0, 1.6, 0.8])  # nearly stretched
 
 
@@ -34,13 +39,13 @@ def _walked(q, v, dt, n, near, most, eps_of=_eps, step=-1, limits=None):
 
 
 @remembered
-def _right(q, v, numbers):
+def _remembered(q, v, numbers):
     return _walked(q, v, *numbers)
 
 
-def right(q, v, *numbers):
+def _right(q, v, *numbers):
     """Return the right answer, computed once for equal arguments."""
-    return _right(q, v, np.array(numbers, float))
+    return _remembered(q, v, np.array(numbers, float))
 
 
 def _drawn(rng):
@@ -56,7 +61,7 @@ def _leaves_the_limits(rng, v):
     while True:
         q = _drawn(rng)
         q[5] = HIGH[5] - 0.005
-        path = right(q, v, 0.1, 4, 0.01, 0.05)
+        path = _right(q, v, 0.1, 4, 0.01, 0.05)
         if path[1:, 5].min() > HIGH[5] + 0.005 and min(map(_smallest, path)) > 0.05:
             return q, v, 0.1, 4, 0.01, 0.05
 
@@ -84,87 +89,79 @@ def _beside_near(rng, gap):
     return q, np.round(rng.uniform(0.1, 0.4, 6), 2), 0.1, 1, _smallest(q) * (1 + gap), 0.05
 
 
-def _first_off(path, *case):
-    k = int(np.argmax(np.abs(path - right(*case)).max(1) > SOLVED))
+def _beyond(near, most):
+    """Return the case(rng, size) of a step from a nearly singular configuration, with near and most
+    of its smallest singular value s."""
+
+    def case(rng, size):
+        q = size * _drawn(rng)  # with all angles 0 the arm is singular
+        s = _smallest(q)
+        return q, s * np.round(rng.uniform(0.1, 0.4, 6), 2), 0.1, 1, near * s, most(s)
+
+    return case
+
+
+def _found(path, *case):
+    k = int(np.argmax(np.abs(path - _right(*case)).max(1) > SOLVED))
     return f"Configuration {k} is the first that differs."
 
 
-_OTHER_STEP = Mistake(
-    "a step is not dt q_dot, with q_dot of the configuration before the step",
-    "Compute the step to the configuration named below by hand, from the configuration before it: "
-    "J, its smallest singular value, eps, q_dot and dt q_dot. What differs in your code?",
-)
+def _with_damping(eps_of):
+    return lambda *case: _walked(*case, eps_of=eps_of)
 
-EXERCISE = Exercise(
-    name="follow_velocity",
+
+EXERCISE = declared(
+    "follow_velocity",
     points=2,
-    arguments=("q", "v", "dt", "n", "near", "most"),
+    arguments=dict.fromkeys(("q", "v", "dt", "n", "near", "most"), OWN_CASES),
     cases=_cases,
-    returns=numbers(lambda q, v, dt, n, *rest: (n + 1, 7)),
-    properties=(
-        Property(
-            "the first configuration is q", lambda path, q, *rest: np.abs(path[0] - q).max() < EXACT
-        ),
-        Property(
-            "away from singularities, s > near, the flange moves with v: q_dot is J^+ v",
-            lambda path, *case: np.abs(path - right(*case)).max() < SOLVED,
-            _first_off,
-            mistake=_OTHER_STEP,
-            where=lambda q, v, dt, n, near, most: (
-                min(map(_smallest, right(q, v, dt, n, near, most))) > near
-            ),
-        ),
-        Property(
-            "each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration "
-            "before it, "
-            "eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
-            lambda path, *case: np.abs(path - right(*case)).max() < HALF_THE_DIGITS,
-            _first_off,
-            mistake=_OTHER_STEP,
-        ),
+    tolerance=SOLVED,
+    library=_right,
+    says="each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration before "
+    "it, eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
+    found=_found,
+    otherwise=Mistake(
+        "a step is not dt q_dot, with q_dot of the configuration before the step",
+        "Compute the step to the configuration named below by hand, from the configuration before "
+        "it: J, its smallest singular value, eps, q_dot and dt q_dot. What differs in your code?",
+    ),
+    sweeps=(
+        Sweep("s nearly as large as near", _beside_near, _GAPS),
+        Sweep("s is small, and larger than near", _beyond(0.6, lambda s: s), _NEARLY_SINGULAR),
+        Sweep("s and near are small", _beyond(1.5, lambda s: s), _NEARLY_SINGULAR),
+        Sweep("s, near and most are small", _beyond(1.5, np.square), _LITTLE_DAMPING),
     ),
     hints=(
         "A loop of n steps, in each: J at the configuration, its smallest singular value, the "
         "damping, the step.",
         "np.linalg.svd(J, compute_uv=False) has the singular values, the smallest last. With eps = "
-        "0 the step is that "
-        "of the pseudoinverse, so one formula serves both cases.",
+        "0 the step is that of the pseudoinverse, so one formula serves both cases.",
         "ik_step_dls(q, J, dt * v, eps) is the next configuration.",
     ),
-    library=right,
-    sweeps=(Sweep("s nearly as large as near", _beside_near, _GAPS),),
-)
-
-EXERCISE.mistake(
-    Mistake(
-        "J^T J is inverted where eps is 0",
-        "Which of J J^T and J^T J has an inverse for seven joints?",
+    mistakes=(
+        Mistake(
+            "J^T J is inverted where eps is 0",
+            "Which of J J^T and J^T J has an inverse for seven joints?",
+            raises=("LinAlgError", "Singular"),
+        ),
+        Mistake(
+            "the damping is not that of the task",
+            "Print your eps for s = 0, s = near / 2, s slightly below near and s above near, and "
+            "compare these four numbers with the formula of the task.",
+            _with_damping(lambda s, near, most: most),
+            _with_damping(lambda s, near, most: 0.0),
+            _with_damping(lambda s, near, most: most if s < near else 0.0),
+            _with_damping(lambda s, near, most: most * (1 - s / near) if s < near else 0.0),
+            _with_damping(lambda s, near, most: most * (1 - s / near) ** 2 if s < near else 0.0),
+            _with_damping(lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0),
+            _with_damping(
+                lambda s, near, most: most * (1 - (s**2 / near) ** 2) if s**2 < near else 0.0
+            ),
+        ),
+        Mistake(
+            "the configurations are clipped to the joint limits",
+            "What does the task say about the joint limits?",
+            lambda *case: _walked(*case, limits=(LOW, HIGH)),
+        ),
     ),
-    raises=("LinAlgError", "Singular"),
 )
-
-
-@EXERCISE.mistake(
-    "the damping is not that of the task",
-    "Print your eps for s = 0, s = near / 2, s slightly below near and s above near, and compare "
-    "these four numbers with the formula of the task.",
-    eps_of=(
-        lambda s, near, most: most,
-        lambda s, near, most: 0.0,
-        lambda s, near, most: most if s < near else 0.0,
-        lambda s, near, most: most * (1 - s / near) if s < near else 0.0,
-        lambda s, near, most: most * (1 - s / near) ** 2 if s < near else 0.0,
-        lambda s, near, most: most * (1 - (s**2 / near) ** 2) if s**2 < near else 0.0,
-        lambda s, near, most: most * (s / near) ** 2 if s < near else 0.0,
-    ),
-)
-def other_damping(*case, eps_of):
-    return _walked(*case, eps_of=eps_of)
-
-
-@EXERCISE.mistake(
-    "the configurations are clipped to the joint limits",
-    "What does the task say about the joint limits?",
-)
-def clipped(*case):
-    return _walked(*case, limits=(LOW, HIGH))

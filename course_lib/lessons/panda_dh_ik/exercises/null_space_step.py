@@ -3,62 +3,54 @@ end-effector."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.comparisons import difference
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import joint_angles, number, table
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import away_from_zero, near
+from course_lib.checks.vocabulary import away_from_zero, wrapped
 from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, panda_jacobian
 
-_OTHER_SIZE = Mistake(
-    "J J^+ stands for J^+ J, or I has another size",
-    "Which shape does a matrix have that acts on joint angles?",
-)
-_PROJECTOR = Mistake(
-    "the projector is returned, not the joint angles",
-    "To which vector does the task apply the projector, and what does it add to q?",
-)
+_ROUNDING = 1e-14  # of J J^T, relative: what it does to J^+ is divided by the square of the least s
+_SINGULAR = np.array([[1.0, 2, 0], [2, 4, 0]])
+_SINGULAR_SQUARE = np.array([[1.0, 2, 0], [2, 4, 0], [0, 1, 1]])
+# With a smaller singular value, that error is as large as a direction of the null space.
+_LEAST_VALUES = tuple(size for size in BESIDE if size > 1e-6)
 
 
-def _projector(J):
-    return np.eye(J.shape[1]) - np.linalg.pinv(J) @ J
+def _step(q, J, q_middle, gain):
+    return gain * (q_middle - q)
 
 
-def right(q, J, q_middle, gain):
-    """Return the right answer."""
-    return q + gain * _projector(J) @ (q_middle - q)
+def _through(projected, answer=_step):
+    """Return the answer q + projected(J, step)."""
+    return lambda q, *rest: q + projected(rest[0], answer(q, *rest))
+
+
+def _into_the_null_space(J, step):
+    return step - np.linalg.pinv(J) @ (J @ step)
+
+
+_right = _through(_into_the_null_space)
 
 
 def _cases(rng):
     middle = (LOW + HIGH) / 2
+    q, ones = np.array([0.1, 0.2, 0.3]), np.ones(3)
     drawn = [
         (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, n), gain)
-        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (3, 5, -0.4), (2, 3, 2.5))
+        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (2, 3, 2.5))
     ]
-    panda = [np.round(rng.uniform(LOW, HIGH), 2) for _ in range(3)]
-    drawn += [
-        (q, panda_jacobian(q), middle, gain)
-        for q, gain in zip(panda, (0.1, 1.0, 0.05), strict=True)
-    ]
-    stretched = np.array([0.2, 0, 0.4, 0, 0.3, 0, 0.5])  # a singularity: J J^T has no inverse
+    panda, stretched = np.round(rng.uniform(LOW, HIGH), 2), np.array([0.2, 0, 0.4, 0, 0.3, 0, 0.5])
     return [
-        (np.array([0.1, 0.2, 0.3]), FLAT, np.array([1.0, 1, 1]), 0.5),
+        (q, FLAT, ones, 0.5),
         *drawn,
-        (panda[0], panda_jacobian(panda[0]), panda[0], 0.3),
+        (panda, panda_jacobian(panda), middle, 0.1),
+        (panda, panda_jacobian(panda), panda, 0.3),
         (stretched, panda_jacobian(stretched), middle, 0.2),
-        (
-            np.array([0.1, 0.2, 0.3]),
-            np.array([[1.0, 2, 0], [2, 4, 0]]),
-            np.array([1.0, 1, 1]),
-            0.5,
-        ),  # exactly singular
-        (
-            np.array([0.1, 0.2, 0.3]),
-            np.array([[1.0, 2, 0], [2, 4, 0], [0, 1, 1]]),
-            away_from_zero(rng, 3),
-            0.5,
-        ),  # square, and singular
-        (np.array([1, 2, 3]), np.array([[1, 1, 0], [0, 1, 1]]), np.array([3, 1, 1]), 0.25),
+        (q, _SINGULAR, ones, 0.5),
+        (q, _SINGULAR_SQUARE, away_from_zero(rng, 3), 0.5),
     ]
 
 
@@ -69,97 +61,106 @@ def _nearly_singular(rng, size):
     return away_from_zero(rng, 5), J, away_from_zero(rng, 5), 0.5
 
 
-EXERCISE = Exercise(
-    name="null_space_step",
+def _least_value(J):
+    """Return the smallest singular value that is not 0; inf if all are 0."""
+    values = np.linalg.svd(J, compute_uv=False)
+    return values[values > EXACT].min(initial=np.inf)
+
+
+def _distance(answer, right, q, J, *rest):
+    """Return how far an answer is from the right one, near a singularity as a share of what
+    rounding does there."""
+    return difference(answer, right) / max(1, _ROUNDING / EXACT / _least_value(J) ** 2)
+
+
+def _found(answer, q, J, *rest):
+    moved = np.abs(J @ (answer - q)).max()
+    if moved > EXACT:
+        return f"J times the change in your answer has an entry of {moved:.3g}, and not 0."
+    return "J times the change in your answer is 0, and another change is closer."
+
+
+_MOVES = Mistake(
+    "the step still moves the end-effector",
+    "Print J times your matrix in place of I - J^+ J. Which of your steps makes it differ from 0: "
+    "the inverse, a damping, or a cut-off of singular values?",
+)
+_OTHER_STEP = Mistake(
+    "the step is not gain (I - J^+ J)(q_middle - q)",
+    "Compare your change of q with this product for the case below, factor by factor.",
+)
+_OTHER_SIZE = (
+    "J J^+ stands for J^+ J, or I has another size",
+    "Which shape does a matrix have that acts on joint angles?",
+)
+
+
+def _of_full_rank(answer, q, J, *rest):
+    return np.linalg.svd(J, compute_uv=False)[-1] < EXACT
+
+
+EXERCISE = declared(
+    "null_space_step",
     points=2,
-    arguments=("q", "J", "q_middle", "gain"),
+    arguments={
+        "q": joint_angles(5, small=True),
+        "J": table(3, 5),
+        "q_middle": joint_angles(5, small=True),
+        "gain": number(0.1, 0.9, 0.5, 1.0, 2.5, -0.4, 0.0),
+    },
     cases=_cases,
-    small=("q", "q_middle"),
-    returns=numbers(
-        lambda q, *rest: (len(q),),
+    library=_right,
+    distance=_distance,
+    says="the answer is q + gain (I - J^+ J)(q_middle - q): to first order the end-effector stays, "
+    "and no other such change is closer to gain (q_middle - q)",
+    found=_found,
+    otherwise=lambda answer, q, J, *rest: (
+        _MOVES if np.abs(J @ (answer - q)).max() > EXACT else _OTHER_STEP
     ),
-    properties=(
-        Property(
-            "to first order the end-effector stays: J times the change of q is 0",
-            lambda answer, q, J, *rest: near(J @ (answer - q), np.zeros(len(J))),
-            says=lambda answer, q, J, *rest: (
-                f"J times the change in your answer has an entry of "
-                f"{np.abs(J @ (answer - q)).max():.3g}."
-            ),
-            mistake=Mistake(
-                "the step still moves the end-effector",
-                "Print J times your matrix in place of I - J^+ J. Which of your steps makes it "
-                "differ "
-                "from 0: the inverse, a damping, or a cut-off of singular values?",
-            ),
-        ),
-        Property(
-            "of all such changes this one is closest to gain (q_middle - q)",
-            lambda answer, *case: near(answer, right(*case)),
-            mistake=Mistake(
-                "the step is not gain (I - J^+ J)(q_middle - q)",
-                "Compare your change of q with this product for the case below, factor by factor.",
-            ),
-        ),
-    ),
+    sweeps=(Sweep("nearly singular", _nearly_singular, _LEAST_VALUES),),
     hints=(
         "The pseudoinverse J^+ gives the shortest joint motion for a motion of the end-effector. "
-        "J^+ J takes out of "
-        "any joint motion the part that moves the end-effector.",
+        "J^+ J takes out of any joint motion the part that moves the end-effector.",
         "The step is gain (I - J^+ J)(q_middle - q). np.linalg.pinv has the pseudoinverse, at "
         "singularities too.",
         "q + gain * (np.eye(len(q)) - np.linalg.pinv(J) @ J) @ (q_middle - q)",
     ),
-    library=right,
-    # With a smaller singular value, rounding in J decides the directions of the null space.
-    sweeps=(Sweep("nearly singular", _nearly_singular, tuple(x for x in BESIDE if x > 1e-5)),),
-    angles=("q",),
-)
-
-EXERCISE.mistake(_PROJECTOR, form=lambda array, q, *rest: array.shape == (len(q), len(q)))
-EXERCISE.mistake(
-    Mistake(
-        "J J^T is inverted, which fails at a singularity",
-        "Which function of numpy gives J^+ at a singularity, too?",
+    mistakes=(
+        Mistake(
+            "the projector is returned, not the joint angles",
+            "To which vector does the task apply the projector, and what does it add to q?",
+            form=lambda array, q, *rest: array.shape == (len(q), len(q)),
+        ),
+        Mistake(
+            "J J^T is inverted, which fails at a singularity",
+            "Which function of numpy gives J^+ at a singularity, too?",
+            raises=("LinAlgError", "Singular"),
+        ),
+        Mistake(*_OTHER_SIZE, raises=("ValueError", "core dimension")),
+        Mistake(*_OTHER_SIZE, raises=("ValueError", "could not be broadcast")),
+        Mistake(
+            "J is assumed to have full rank, which is false at a singularity",
+            "J J^T has no inverse at a singularity, and the null space has more dimensions. Which "
+            "part of your formula needs full rank?",
+            seen=_of_full_rank,
+        ),
+        Mistake(
+            "q_middle - q is not projected, or the other part of it is kept",
+            "Which part of q_middle - q is J^+ J (q_middle - q)?",
+            _through(lambda J, step: step),
+            _through(lambda J, step: np.linalg.pinv(J) @ (J @ step)),
+        ),
+        Mistake(
+            "q_middle - q is wrapped to less than half a revolution",
+            "Is a joint at 4 pi in the same place within its range as a joint at 0?",
+            *(
+                _through(
+                    _into_the_null_space,
+                    lambda q, J, q_middle, gain, wrap=wrap: gain * wrap(q_middle - q),
+                )
+                for wrap in (lambda q: np.angle(np.exp(1j * q)), lambda q: q % (2 * np.pi))
+            ),
+        ),
+        wrapped(_right),
     ),
-    raises=("LinAlgError", "Singular"),
 )
-EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "core dimension"))
-EXERCISE.mistake(_OTHER_SIZE, raises=("ValueError", "could not be broadcast"))
-
-
-@EXERCISE.mistake(
-    "J is assumed to have full rank, which is false at a singularity",
-    "J J^T has no inverse at a singularity, and the null space has more dimensions. Which part of "
-    "your formula needs full rank?",
-    recognises=True,
-)
-def full_rank(answer, q, J, *rest):
-    return np.linalg.svd(J, compute_uv=False)[-1] < EXACT
-
-
-@EXERCISE.mistake(
-    "q_middle - q is not projected, or the other part of it is kept",
-    "Which part of q_middle - q is J^+ J (q_middle - q)?",
-    kept=(lambda J: np.eye(J.shape[1]), lambda J: np.linalg.pinv(J) @ J),
-)
-def no_projection(q, J, q_middle, gain, kept):
-    return q + gain * kept(J) @ (q_middle - q)
-
-
-@EXERCISE.mistake(
-    "q_middle - q is wrapped to less than half a revolution",
-    "Is a joint at 4 pi in the same place within its range as a joint at 0?",
-    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
-)
-def difference_wrapped(q, J, q_middle, gain, wrap):
-    return q + gain * _projector(J) @ wrap(q_middle - q)
-
-
-@EXERCISE.mistake(
-    "the answer is brought between -pi and pi, or between 0 and 2 pi",
-    "Does the formula in the task change an angle by whole revolutions?",
-    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
-)
-def wrapped(*case, wrap):
-    return wrap(right(*case))

@@ -5,7 +5,10 @@ import numpy as np
 
 from course_lib import ik
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY
@@ -40,16 +43,24 @@ def _sizes(errors):
 
 
 @remembered
-def right(targets, q0, eps, steps):
+def _right(targets, q0, eps, steps):
     """Return the right answer, computed once for equal arguments."""
     return (_sizes(_descended(targets, q0, eps, steps)[-1]) < _REACHED).all(-1)
 
 
+def _clipped(clip):
+    """Return the answer that ignores the limits, or clips at the "end" only."""
+    return lambda *case: (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1)
+
+
+def _with_eps(number):
+    return lambda targets, q0, eps, steps: _right(targets, q0, float(number(eps)), steps)
+
+
 def _shows_all(case, found):
     """Return whether other limits and another damping show in a case."""
-    ignored = limits_ignored(*case, clip="")
-    others = [limits_ignored(*case, clip="end")]
-    others += [another_damping(*case, number=number) for number in (np.square, np.sqrt)]
+    ignored = _clipped("")(*case)
+    others = [answer(*case) for answer in (_clipped("end"), *map(_with_eps, (np.square, np.sqrt)))]
     return (ignored & ~found).any() and all((other != found).any() for other in others)
 
 
@@ -63,7 +74,7 @@ def _case(rng, n, q0, eps, steps, spread, limited=False):
         targets = PANDA.fk(np.clip(READY + spread * rng.uniform(-1, 1, (4 * n, 7)), LOW, HIGH))
         near_end = _sizes(_descended(targets, q0, eps, steps + 2)[-4:]).max(-1)
         targets = targets[(near_end < _REACHED / 3).all(0) | (near_end > 20 * _REACHED).all(0)][:n]
-        found = right(targets, q0, eps, steps)
+        found = _right(targets, q0, eps, steps)
         if len(targets) < n or found.all() or not found.any():
             continue
         case = targets, q0, eps, steps
@@ -109,20 +120,23 @@ def _beside_the_bound(half):
     return case
 
 
-_ONE_MATRIX = Mistake(
-    "a batch is transposed, multiplied or solved as if it were one matrix",
-    "J has the shape (n, 6, 7). Which shape does J.T have, and which shape does e need?",
-)
+def _never_at_the_start(targets, q0, eps, steps):
+    return _right(targets, q0, eps, steps) if steps else np.zeros(len(targets), bool)
 
-EXERCISE = Exercise(
-    name="reached_targets",
+
+def _one_half(k):
+    return lambda *case: _sizes(_descended(*case)[-1])[:, k] < _REACHED
+
+
+EXERCISE = declared(
+    "reached_targets",
     points=3,
     sets=1,
-    arguments=("targets", "q0", "eps", "steps"),
+    arguments=dict.fromkeys(("targets", "q0", "eps", "steps"), OWN_CASES),
     cases=_cases,
-    returns=numbers(
-        lambda targets, *rest: (len(targets),),
-    ),
+    reads=numbers(lambda targets, *rest: (len(targets),)),
+    library=_right,
+    tries_arguments=False,
     properties=(
         Property(
             "the answer is True or False for each target",
@@ -132,90 +146,70 @@ EXERCISE = Exercise(
                 "With which number does the task compare both errors?",
             ),
         ),
-        Property(
-            "a target is reached if after the last of the damped steps, each clipped to the "
-            "limits, both halves of its "
-            "error are below 1e-3",
-            lambda found, *case: (found == right(*case)).all(),
-            says=lambda found, *case: (
-                f"Of {len(found)} targets, {int(right(*case).sum())} should count as reached; in "
-                f"your answer {int(found.sum())} do."
-            ),
-            mistake=Mistake(
-                "the steps, or the test after them, differ from the task's",
-                "Take one target of the case below, and compare the first step and the last "
-                "test of "
-                "your code with the task, number by number.",
-            ),
-        ),
     ),
-    hints=(
-        "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape "
-        "(n, 4, 4). Begin with "
-        "q = np.zeros((len(targets), 7)) + q0, and take `steps` steps with all targets at once.",
-        "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of "
-        "shape (n, 6, 6), then "
-        "J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
-        "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], "
-        "must be below 1e-3.",
+    says="a target is reached if after the last of the damped steps, each clipped to the limits, "
+    "both halves of its error are below 1e-3",
+    found=lambda found, *case: (
+        f"Of {len(found)} targets, {int(_right(*case).sum())} should count as reached; in your "
+        f"answer {int(found.sum())} do."
     ),
-    library=right,
+    otherwise=Mistake(
+        "the steps, or the test after them, differ from the task's",
+        "Take one target of the case below, and compare the first step and the last test of your "
+        "code with the task, number by number.",
+    ),
     sweeps=tuple(
         Sweep(f"{half} beside the bound", _beside_the_bound(half), _BESIDE_THE_BOUND)
         for half in ("metres", "radians")
     ),
-    tries_arguments=False,
-    forbidden=("course_lib.ik.solve",),
-)
-
-EXERCISE.mistake(
-    Mistake(
-        "one number is returned",
-        "The answer is True or False for each target: its mean is the share.",
+    hints=(
+        "The functions of the library take batches: panda.fk(q) for q of shape (n, 7) has shape "
+        "(n, 4, 4). Begin with q = np.zeros((len(targets), 7)) + q0, and take `steps` steps with "
+        "all targets at once.",
+        "One damped step for all: x = np.linalg.solve(A, e[..., None]) with A = J J^T + eps I of "
+        "shape (n, 6, 6), then J^T x. Swap the last two axes of J with np.swapaxes(J, -1, -2).",
+        "After the last step compute the errors once more: both norms, of e[:, :3] and e[:, 3:], "
+        "must be below 1e-3.",
     ),
-    form=(),
+    forbidden=("course_lib.ik.solve",),
+    mistakes=(
+        Mistake(
+            "one number is returned",
+            "The answer is True or False for each target: its mean is the share.",
+            form=(),
+        ),
+        Mistake(
+            "a batch is transposed, multiplied or solved as if it were one matrix",
+            "J has the shape (n, 6, 7). Which shape does J.T have, and which shape does e need?",
+            raises=("ValueError", "core dimension"),
+        ),
+        Mistake(
+            "the limits are ignored, or applied at the end only",
+            "From which configuration does each step start?",
+            _clipped(""),
+            _clipped("end"),
+        ),
+        Mistake(
+            "with no steps no target counts as reached",
+            "What does the task say about steps = 0?",
+            _never_at_the_start,
+        ),
+        Mistake(
+            "only the position, or only the orientation, is compared with the bound",
+            "Which two lengths does the task compare with 1e-3?",
+            _one_half(0),
+            _one_half(1),
+        ),
+        Mistake(
+            "the number on the diagonal is not eps",
+            "Print the matrix that you invert minus J J^T. Which number stands on its diagonal?",
+            _with_eps(np.square),
+            _with_eps(np.sqrt),
+        ),
+        Mistake(
+            "a target counts as reached as soon as any step comes close to it",
+            "At the end of how many steps does the task judge a target?",
+            lambda *case: (_sizes(_descended(*case)) < _REACHED).all(-1).any(0),
+        ),
+    ),
 )
-EXERCISE.mistake(_ONE_MATRIX, raises=("ValueError", "core dimension"))
-
-
-@EXERCISE.mistake(
-    "the limits are ignored, or applied at the end only",
-    "From which configuration does each step start?",
-    clip=("", "end"),
-)
-def limits_ignored(*case, clip):
-    return (_sizes(_descended(*case, clip)[-1]) < _REACHED).all(-1)
-
-
-@EXERCISE.mistake(
-    "with no steps no target counts as reached",
-    "What does the task say about steps = 0?",
-)
-def never_at_the_start(targets, q0, eps, steps):
-    return right(targets, q0, eps, steps) if steps else np.zeros(len(targets), bool)
-
-
-@EXERCISE.mistake(
-    "only the position, or only the orientation, is compared with the bound",
-    "Which two lengths does the task compare with 1e-3?",
-    half=(0, 1),
-)
-def one_half(*case, half):
-    return _sizes(_descended(*case)[-1])[:, half] < _REACHED
-
-
-@EXERCISE.mistake(
-    "the number on the diagonal is not eps",
-    "Print the matrix that you invert minus J J^T. Which number stands on its diagonal?",
-    number=(np.square, np.sqrt),
-)
-def another_damping(targets, q0, eps, steps, number):
-    return right(targets, q0, float(number(eps)), steps)
-
-
-@EXERCISE.mistake(
-    "a target counts as reached as soon as any step comes close to it",
-    "At the end of how many steps does the task judge a target?",
-)
-def reached_on_the_way(*case):
-    return (_sizes(_descended(*case)) < _REACHED).all(-1).any(0)

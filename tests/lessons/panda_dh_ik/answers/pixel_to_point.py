@@ -29,7 +29,7 @@ def wrong_fourth_entry(pixels, depths, K, T_wc):
 
 
 def wrong_one_focal_length(pixels, depths, K, T_wc):
-    """a number in K, a pixel or a depth is not used as it is given"""
+    """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
     return right_by_the_inverse(pixels, depths, K * [[1], [K[0, 0] / K[1, 1]], [1]], T_wc)
 
 
@@ -39,5 +39,5 @@ def wrong_multiplied_by_K(pixels, depths, K, T_wc):
 
 
 def wrong_far_points_brought_near(pixels, depths, K, T_wc):
-    """a number in K, a pixel or a depth is not used as it is given"""
+    """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
     return right_by_the_inverse(pixels, np.minimum(depths, 10), K, T_wc)
