@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import Kind
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.special_cases import ON_BOTH_SIDES
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
 
 _SMALL = 0.05  # rad: of an angle that somebody may take for 0
 
 
-def right(q):
+def _right(q):
     """Return 0 for each sample with q2 >= 0 and 1 for the others, (m,)."""
     return np.where(q[:, 1] < 0, 1, 0)
 
@@ -23,10 +24,10 @@ def _at_the_widest_gap(q):
 
 
 def _one_elbow(q):
-    return len(set(right(q))) < 2
+    return len(set(_right(q))) < 2
 
 
-def _cases(rng):
+def _named(rng):
     """Return samples whose q2 are special and stand in every set; most of their q1, which decide
     nothing, are drawn."""
     both = np.array([[0.1, 1.0], [1.1, -1.0], [0.2, 1.1], [1.2, -1.1]])
@@ -43,43 +44,54 @@ def _cases(rng):
     tiny = np.array([[0.4, size] for size in (-1e-3, -1e-9, -1e-300, 1e-300)])
     zeros = np.array([[0.3, 0.0], [-0.2, -0.0], [-0.0, 0.1], [0.5, -0.1]])
     far = np.array([[0.1, 3.5], [0.2, -3.5], [-4.0, 6.0], [7.0, -6.5], [0.3, 8.0]])
-    whole = np.array([[1, -2], [0, 0], [-3, 1], [2, -1]])
+    whole = np.array([[1.0, -2], [0, 0], [-3, 1], [2, -1]])
     few = np.array([[0.4, -0.2]]), np.array([[0.4, -0.0]]), np.zeros((0, 2))
     positive, negative, stretched, tiny, far = (
         np.column_stack([np.round(rng.uniform(-0.5, 1.5, len(q)), 2), q[:, 1]])
         for q in (positive, negative, stretched, tiny, far)
     )
     samples = (both, positive, negative, stretched, drawn, lopsided)
-    return [(q,) for q in (*samples, tiny, zeros, far, whole, *few)]
+    return [*samples, tiny, zeros, far, whole, *few]
 
 
-def _first_off(labels, q):
-    k = int(np.argmax(labels != right(q)))
+_SAMPLES = Kind(
+    drawn=lambda rng: rng.uniform([0, -1], [2.9, 1], (int(rng.integers(2, 9)), 2)),
+    named=_named,
+    beside=(("q2 nearly 0", lambda rng, q2: np.array([[0.4, q2], [0.7, 0.3]]), ON_BOTH_SIDES),),
+)
+
+
+def _found(labels, q):
+    k = int(np.argmax(labels != _right(q)))
     return f"Sample {k} has q2 = {float(q[k, 1])!r}; its label in your answer is {labels[k]:g}."
 
 
-EXERCISE = Exercise(
-    name="branch_by_sign",
+def _small_negative_is_zero(labels, q):
+    other = q[labels != _right(q), 1]
+    return bool(((other < 0) & (other > -_SMALL)).all())
+
+
+def _still_split(one_elbow, cut):
+    """Return the answer that cuts only samples of both signs."""
+    return lambda q: one_elbow(q) if _one_elbow(q) else cut(q)
+
+
+def _branch_0(q):
+    return 0 * _right(q)
+
+
+EXERCISE = declared(
+    "branch_by_sign",
     points=1,
-    arguments=("q",),
-    cases=_cases,
-    returns=numbers(lambda q: (len(q),)),
-    library=right,
-    sweeps=(
-        Sweep("q2 nearly 0", lambda rng, q2: (np.array([[0.4, q2], [0.7, 0.3]]),), ON_BOTH_SIDES),
-    ),
+    arguments={"q": _SAMPLES},
+    library=_right,
     broken=_at_the_widest_gap,
-    properties=(
-        Property(
-            "the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0, whatever the other "
-            "samples are",
-            lambda labels, q: np.array_equal(labels, right(q)),
-            says=_first_off,
-            mistake=Mistake(
-                "a sample does not have the label that its own q2 gives",
-                "Which comparison gives the label of the sample named below?",
-            ),
-        ),
+    says="the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0, whatever the other "
+    "samples are",
+    found=_found,
+    otherwise=Mistake(
+        "a sample does not have the label that its own q2 gives",
+        "Which comparison gives the label of the sample named below?",
     ),
     hints=(
         "Run the broken code on samples that all have q2 > 0. How many branches does it report?",
@@ -87,56 +99,39 @@ EXERCISE = Exercise(
         "Compare q[:, 1] with 0; a comparison gives True and False, which astype(int) turns into 1 "
         "and 0.",
     ),
+    mistakes=(
+        Mistake(
+            "q2 = 0 is in branch 1",
+            "On which side of the comparison in the task is 0?",
+            lambda q: q[:, 1] <= 0,
+        ),
+        Mistake(
+            "the zero with a minus sign, -0.0, is in branch 1",
+            "Is -0.0 >= 0 true in Python?",
+            lambda q: np.signbit(q[:, 1]),
+        ),
+        Mistake(
+            "a small negative q2 counts as 0",
+            "Which number does the task compare q2 with?",
+            seen=_small_negative_is_zero,
+        ),
+        Mistake(
+            "the sine of q2 decides",
+            "What is the sign of the sine beyond pi?",
+            lambda q: np.sin(q[:, 1]) < 0,
+        ),
+        Mistake(
+            "samples of both signs are still cut at a gap, or by k-means",
+            "What happens if the two clouds touch?",
+            _still_split(_right, split_branches),
+            _still_split(_right, _at_the_widest_gap),
+            _still_split(_branch_0, split_branches),
+            _still_split(_branch_0, _at_the_widest_gap),
+        ),
+        Mistake(
+            "samples that all have q2 < 0 are in branch 0",
+            "Does their label depend on the other samples of the cell?",
+            lambda q: _branch_0(q) if _one_elbow(q) else None,
+        ),
+    ),
 )
-
-
-@EXERCISE.mistake(
-    "q2 = 0 is in branch 1",
-    "On which side of the comparison in the task is 0?",
-)
-def zero_is_negative(q):
-    return q[:, 1] <= 0
-
-
-@EXERCISE.mistake(
-    "the zero with a minus sign, -0.0, is in branch 1",
-    "Is -0.0 >= 0 true in Python?",
-)
-def sign_of_minus_zero(q):
-    return np.signbit(q[:, 1])
-
-
-@EXERCISE.mistake(
-    "a small negative q2 counts as 0",
-    "Which number does the task compare q2 with?",
-    recognises=True,
-)
-def tiny_angle_is_zero(labels, q):
-    other = q[labels != right(q), 1]
-    return bool(((other < 0) & (other > -_SMALL)).all())
-
-
-@EXERCISE.mistake(
-    "the sine of q2 decides",
-    "What is the sign of the sine beyond pi?",
-)
-def sign_of_the_sine(q):
-    return np.sin(q[:, 1]) < 0
-
-
-@EXERCISE.mistake(
-    "samples of both signs are still cut at a gap, or by k-means",
-    "What happens if the two clouds touch?",
-    one_elbow=(right, lambda q: 0 * right(q)),
-    cut=(split_branches, _at_the_widest_gap),
-)
-def still_split(q, one_elbow, cut):
-    return one_elbow(q) if _one_elbow(q) else cut(q)
-
-
-@EXERCISE.mistake(
-    "samples that all have q2 < 0 are in branch 0",
-    "Does their label depend on the other samples of the cell?",
-)
-def one_elbow_is_branch_0(q):
-    return 0 * right(q) if _one_elbow(q) else None

@@ -3,19 +3,14 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 
-_FLAT = Mistake(
-    "one number is returned for each position, not the column and the row of its cell",
-    "How many numbers does each row of the answer hold?",
-)
-_DROPPED = Mistake(
-    "positions outside the box are left out",
-    "Which row does the task ask for in place of such a position?",
-)
 _read = numbers(lambda xy, *rest: xy.shape)
 
 
@@ -58,6 +53,8 @@ def _beside_a_line(rng, gap):
 
 def _cases(rng):
     box, wide = ([0.0, 0.0], [1.0, 1.0]), ([-1.0, 0.0], [3.0, 2.0])
+    # Here (high + step - low) / ((high - low) / 7) is rounded to less than 7.
+    rounded = ([-3.0, -2.8], [1.4, 1.6])
     high, far = ([0.5, -4.0], [1.5, 4.0]), ([-2.0, -3.0], [-1.0, 5.0])
     found = [
         ([[0.7, 0.3]], *box, 2),
@@ -68,11 +65,8 @@ def _cases(rng):
         ([[3.0, 2.0], [-1.0, 2.0], [3.0, 0.0], [-1.0, 0.0]], *wide, 4),
         ([[1.2, 0.3], [0.3, 1.7], [2.0, 3.0]], *box, 4),
         ([[-0.1, 0.3], [0.3, -0.1], [-0.1, -0.2], [0.3, -0.9]], *box, 4),
-        (
-            [[1 + 1e-13, 0.3], [0.3, 1 + 1e-13], [-1e-13, 0.3], [0.3, -1e-13]],
-            *box,
-            4,
-        ),  # outside, without any tolerance
+        *((xy, *box, 4) for xy in _just_outside(rng, *box)),
+        *((xy, *rounded, 7) for xy in _just_outside(rng, *rounded)),
         # On an edge in one coordinate, and outside in the other.
         ([[1.0, 1.3], [1.2, 1.0], [1.0, -0.1], [-0.1, 1.0], [0.0, 1.1], [1.1, 0.0]], *box, 4),
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
@@ -93,6 +87,18 @@ def _cases(rng):
     return [(np.array(xy), np.array(low), np.array(high), n) for xy, low, high, n in found]
 
 
+def _just_outside(rng, low, high):
+    """Return positions one rounding step outside the box along x, and along y: beside two edges,
+    and in line with the others."""
+    low, high = np.array(low), np.array(high)
+    step = np.spacing(np.maximum(1, np.abs([low, high])))
+    outside = low - step[0], high + step[1]
+    inside = low + rng.uniform(0.1, 0.9, 2) * (high - low)
+    columns = [(x, y) for x in (outside[0][0], outside[1][0]) for y in (inside[1], low[1], high[1])]
+    rows = [(x, y) for y in (outside[0][1], outside[1][1]) for x in (inside[0], low[0], high[0])]
+    return [np.array(columns), np.array(rows)]
+
+
 def _around(rng, m, low, high, n):
     """m positions in the box and as many around it, none of them near a border of cells, and the
     corners."""
@@ -109,57 +115,143 @@ def _parts(xy, low, high, n):
     return (xy - low) / (high - low) * n
 
 
-def _outside(xy, low, high):
+def _outside(xy, low, high, n=None):
     return ((xy < low) | (xy > high)).any(axis=1, keepdims=True)
 
 
-_EDGES = (  # how students treat the upper edge: the same unless there is a mistake
-    lambda index, xy, high, n: np.minimum(index, n - 1),
-    lambda index, xy, high, n: np.where(xy == high, n - 1, index),
-    lambda index, xy, high, n: np.clip(index, 0, n - 1),
+def _last_cell(index, xy, high, n):
+    return np.minimum(index, n - 1)
+
+
+def _on_the_edge_only(index, xy, high, n):
+    return np.where(xy == high, n - 1, index)
+
+
+def _clipped(index, xy, high, n):
+    return np.clip(index, 0, n - 1)
+
+
+def _answer(to_whole=np.floor, edge=_last_cell, outside=_outside):
+    """Return the answer by these functions; outside(xy, low, high, n) says where -1 stands."""
+
+    def answer(xy, low, high, n):
+        index = edge(to_whole(_parts(xy, low, high, n)), xy, high, n)
+        return np.where(outside(xy, low, high, n), -1, index).astype(int)
+
+    return answer
+
+
+_right = _answer()
+
+
+def _first_wrong(index, *case):
+    return int(np.argmax((index != _right(*case)).any(axis=1)))
+
+
+def _found(index, xy, low, high, n):
+    k = _first_wrong(index, xy, low, high, n)
+    yours = f"Your answer for this position is {index[k].tolist()}."
+    beyond = np.concatenate([low - xy[k], xy[k] - high]).max()
+    if beyond > 0:
+        return (
+            f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of the "
+            f"box. {yours}"
+        )
+    widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
+    return f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. {yours}"
+
+
+_NOT_ITS_OWN = Mistake(
+    "a position is not put into its own cell",
+    "Count from 0 at low. How wide is a cell along x, and how wide along y?",
+)
+_NOT_THE_LAST = Mistake(
+    "a position on an upper edge is not in the last cell along that edge",
+    "Which number does such a position get from the rounding, and where do you correct it: for x "
+    "alone, for y alone, and for both?",
+)
+_NOT_OUTSIDE = Mistake(
+    "a position outside has a cell",
+    "Compare with low and high themselves. A position beyond them is outside, however small the "
+    "distance is.",
 )
 
 
-def cell_index(xy, low, high, n, parts=_parts, to_whole=np.floor, edge=_EDGES[0], outside=_outside):
-    """Return columns and rows (m, 2) of positions in a grid; (-1, -1) outside."""
-    index = edge(to_whole(parts(xy, low, high, n)), xy, high, n)
-    return np.where(outside(xy, low, high), -1, index).astype(int)
+def _otherwise(index, xy, low, high, n):
+    k = _first_wrong(index, xy, low, high, n)
+    if _outside(xy, low, high)[k, 0]:
+        return _NOT_OUTSIDE
+    return _NOT_THE_LAST if (xy[k] == high).any() else _NOT_ITS_OWN
 
 
-def _asked(text, chosen, name, hint):
-    """The answer is right for the positions that chosen(xy, low, high) returns; name, hint: of the
-    mistake if not."""
-
-    def wrong(index, xy, low, high, n):
-        return np.flatnonzero(
-            chosen(xy, low, high) & (index != cell_index(xy, low, high, n)).any(axis=1)
-        )
-
-    def says(index, xy, low, high, n):
-        k = wrong(index, xy, low, high, n)[0]
-        beyond = np.concatenate([low - xy[k], xy[k] - high]).max()
-        if beyond > 0:
-            return (
-                f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of "
-                f"the box. Your answer for this position is {index[k].tolist()}."
-            )
-        widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
-        return (
-            f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. Your "
-            f"answer "
-            f"for this position is {index[k].tolist()}."
-        )
-
-    return Property(text, lambda *case: not wrong(*case).size, says, mistake=Mistake(name, hint))
+def _are_floats(index, *case):
+    return index.dtype == float and (np.any(index % 1) or np.array_equal(index, _right(*case)))
 
 
-EXERCISE = Exercise(
-    name="cell_index",
+def _granted(index, xy, low, high, n):
+    """Return whether what is wrong are positions slightly outside the box."""
+    wrong = (index != _right(xy, low, high, n)).any(axis=1)
+    beyond = np.maximum(low - xy, xy - high).max(axis=1)
+    return bool(((beyond > 0) & (beyond < _SLIGHTLY * (high - low).min()))[wrong].all())
+
+
+def _marking(is_outside, to_whole=np.floor, edge=_last_cell):
+    """Return the answer that marks only where is_outside(parts, n) is true of the widths of a cell
+    from low."""
+    return _answer(to_whole, edge, lambda *case: is_outside(_parts(*case), case[-1]))
+
+
+# The numbers of positions outside that are not marked, as different students compute them.
+_NUMBERS_OUTSIDE = (
+    (np.floor, _last_cell),
+    (np.trunc, _last_cell),
+    (np.floor, _on_the_edge_only),
+    (np.trunc, _on_the_edge_only),
+    (np.floor, _clipped),
+)
+
+
+def _nowhere(parts, n):
+    return np.False_
+
+
+def _where_both_are(parts, n):
+    return ((parts < 0) | (parts > n)).all(axis=1, keepdims=True)
+
+
+def _below_low(parts, n):
+    return (parts < 0).any(axis=1, keepdims=True)
+
+
+def _above_high(parts, n):
+    return (parts > n).any(axis=1, keepdims=True)
+
+
+def _a_cell_below(parts, n):
+    return ((parts <= -1) | (parts > n)).any(axis=1, keepdims=True)
+
+
+def _a_cell_away(parts, n):
+    return ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True)
+
+
+EXERCISE = declared(
+    "cell_index",
     points=2,
-    arguments=("xy", "low", "high", "n"),
+    arguments=dict.fromkeys(("xy", "low", "high", "n"), OWN_CASES),
     cases=_cases,
-    returns=_integers_or_floats,
-    library=cell_index,
+    reads=_integers_or_floats,
+    library=_right,
+    properties=(
+        Property(
+            "columns and rows are integers, which can serve as indices",
+            lambda index, *case: index.dtype == int,
+        ),
+    ),
+    says="each position in the box has the column and row of its cell, counted from 0 at low, and "
+    "the last one on an upper edge; outside the box both are -1",
+    found=_found,
+    otherwise=_otherwise,
     sweeps=(
         *(
             Sweep(f"nearly on the {name} edge", _beside(*place), ON_BOTH_SIDES)
@@ -167,116 +259,64 @@ EXERCISE = Exercise(
         ),
         Sweep("nearly on a line between cells", _beside_a_line, _FROM_A_LINE),
     ),
-    properties=(
-        _asked(
-            "each position in the box has the column and row of its cell, counted from 0 at low, "
-            "with n cells each way",
-            lambda xy, low, high: ~_outside(xy, low, high)[:, 0] & (xy < high).all(axis=1),
-            "a position is not put into its own cell",
-            "Count from 0 at low. How wide is a cell along x, and how wide along y?",
-        ),
-        _asked(
-            "a position on the upper edge of the box belongs to the last cell, n - 1",
-            lambda xy, low, high: ~_outside(xy, low, high)[:, 0],
-            "a position on an upper edge is not in the last cell along that edge",
-            "Which number does such a position get from the rounding, and where do you correct it: "
-            "for x alone, for y alone, and for both?",
-        ),
-        _asked(
-            "a position outside the box is in no cell: its column and row are both -1",
-            lambda xy, low, high: _outside(xy, low, high)[:, 0],
-            "a position outside has a cell",
-            "Compare with low and high themselves. A position beyond them is outside, however "
-            "small "
-            "the distance is.",
-        ),
-        Property(
-            "columns and rows are integers, which can serve as indices",
-            lambda index, *case: index.dtype == int,
-        ),
-    ),
     hints=(
         "A cell is (high - low) / n wide, one number for x and one for y. (xy - low) / width says "
-        "how many cells lie "
-        "between low and the position.",
+        "how many cells lie between low and the position.",
         "np.floor(...).astype(int) is the number of the cell. On the upper edge it gives n: "
         "np.minimum(..., n - 1).",
         "Outside is ((xy < low) | (xy > high)).any(axis=1). Put -1 into these rows last.",
     ),
-)
-
-EXERCISE.mistake(_FLAT, form=lambda array, xy, *rest: array.shape in ((len(xy),), (len(xy), 1)))
-EXERCISE.mistake(_DROPPED, form=_are_dropped)
-
-
-@EXERCISE.mistake(
-    "the numbers of the cells are floats",
-    "np.floor(3.7) is 3.0, a float: can it be the index of an array?",
-    recognises=True,
-)
-def floats(index, *case):
-    return index.dtype == float and (np.any(index % 1) or np.array_equal(index, cell_index(*case)))
-
-
-@EXERCISE.mistake(
-    "a position on an upper edge gets the number n, and the last cell is n - 1",
-    "For which x and y does that happen?",
-)
-def beyond_the_last(*case):
-    return cell_index(*case, edge=lambda index, *rest: index)
-
-
-@EXERCISE.mistake(
-    "only the coordinate that lies outside gets -1",
-    "Which row does a position have that lies to the left of the box, in no cell?",
-    edge=_EDGES,
-)
-def one_coordinate(*case, edge):
-    return cell_index(*case, edge=edge, outside=lambda xy, low, high: (xy < low) | (xy > high))
-
-
-@EXERCISE.mistake(
-    "a position slightly outside the box counts as inside",
-    "Compare with low and high themselves. A position beyond them is outside, however small the "
-    "distance is.",
-    recognises=True,
-)
-def tolerance_at_the_edges(index, xy, low, high, n):
-    wrong = (index != cell_index(xy, low, high, n)).any(axis=1)
-    beyond = np.maximum(low - xy, xy - high).max(axis=1)
-    return bool(((beyond > 0) & (beyond < _SLIGHTLY * (high - low).min()))[wrong].all())
-
-
-@EXERCISE.mistake(
-    "a position less than one cell to the left of the box, or below it, gets a cell, because its "
-    "number is cut off towards 0",
-    "What are int(-0.3) and np.floor(-0.3)?",
-    last=(0, 1),
-    edge=_EDGES,
-)
-def truncated(*case, last, edge):
-    parts, n = _parts(*case), case[-1]
-    out = ((parts <= -1) | (parts >= n + 1 if last else parts > n)).any(axis=1, keepdims=True)
-    return cell_index(*case, edge=edge, to_whole=np.trunc, outside=lambda *box: out)
-
-
-@EXERCISE.mistake(
-    "some or all positions outside are not marked",
-    "A position may lie left of the box, right of the box, below or above. Which of the four does "
-    "your code test, and is one of them enough?",
-    some=(
-        lambda parts, n: np.False_,
-        lambda parts, n: ((parts < 0) | (parts > n)).all(axis=1, keepdims=True),
-        lambda parts, n: (parts < 0).any(axis=1, keepdims=True),
-        lambda parts, n: (parts > n).any(axis=1, keepdims=True),
+    mistakes=(
+        Mistake(
+            "one number is returned for each position, not the column and the row of its cell",
+            "How many numbers does each row of the answer hold?",
+            form=lambda array, xy, *rest: array.shape in ((len(xy),), (len(xy), 1)),
+        ),
+        Mistake(
+            "positions outside the box are left out",
+            "Which row does the task ask for in place of such a position?",
+            form=_are_dropped,
+        ),
+        Mistake(
+            "the numbers of the cells are floats",
+            "np.floor(3.7) is 3.0, a float: can it be the index of an array?",
+            seen=_are_floats,
+        ),
+        Mistake(
+            "a position on an upper edge gets the number n, and the last cell is n - 1",
+            "For which x and y does that happen?",
+            _answer(edge=lambda index, *rest: index),
+        ),
+        Mistake(
+            "only the coordinate that lies outside gets -1",
+            "Which row does a position have that lies to the left of the box, in no cell?",
+            _answer(outside=lambda xy, low, high, n: (xy < low) | (xy > high)),
+        ),
+        Mistake(
+            "a position slightly outside the box counts as inside",
+            "Compare with low and high themselves. A position beyond them is outside, however "
+            "small the distance is.",
+            seen=_granted,
+        ),
+        Mistake(
+            "a position less than one cell to the left of the box, or below it, gets a cell, "
+            "because its number is cut off towards 0",
+            "What are int(-0.3) and np.floor(-0.3)?",
+            _marking(_a_cell_below, np.trunc),
+            _marking(_a_cell_away, np.trunc),
+            _marking(_a_cell_away, np.trunc, _on_the_edge_only),
+        ),
+        Mistake(
+            "some or all positions outside are not marked",
+            "A position may lie left of the box, right of the box, below or above. Which of the "
+            "four does your code test, and is one of them enough?",
+            *(_marking(_nowhere, *numbers) for numbers in _NUMBERS_OUTSIDE),
+            *(_marking(_where_both_are, *numbers) for numbers in _NUMBERS_OUTSIDE),
+            _marking(_below_low),
+            _marking(_below_low, edge=_on_the_edge_only),
+            _marking(_above_high),
+            _marking(_above_high, np.trunc),
+            _marking(_above_high, edge=_clipped),
+        ),
     ),
-    edge=_EDGES,
-    to_whole=(np.floor, np.trunc),
 )
-def not_marked(*case, some, edge, to_whole):
-    return cell_index(
-        *case,
-        edge=edge,
-        to_whole=to_whole,
-        outside=lambda *box: some(_parts(*box, case[-1]), case[-1]),
-    )

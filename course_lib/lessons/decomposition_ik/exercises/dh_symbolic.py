@@ -3,43 +3,36 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import ANGLE, LENGTH
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
-from course_lib.checks.vocabulary import COLUMNS, LAST_ROW, part_is
+from course_lib.checks.vocabulary import LAST_ROW
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_z
 
 _MAX_ROUNDED = 0.01  # error of numbers that are rounded to two digits
 
-_NUMPY_USED = Mistake(
+_NUMPY_USED = (
     "a function of numpy or math is called with symbols",
     "SymPy has functions and matrices of the same names, which accept symbols and numbers.",
 )
-_ASKED_A_SYMBOL = Mistake(
-    "an if or a comparison asks for the value of a symbol, which has none",
-    "The matrix is one formula for all values. No case needs a branch of its own.",
+_NUMBERS_NOT_TAKEN = (
+    "the function accepts symbols only",
+    "SymPy's functions accept numbers too.",
 )
-_NUMBERS_NOT_TAKEN = Mistake(
-    "the function accepts symbols only", "SymPy's functions accept numbers too."
-)
+
+# Each case takes milliseconds, and what is small has two sweeps of its own.
+_LENGTH, _ANGLE = LENGTH.but(small=False), ANGLE.but(small=False, beside=())
 
 
 def _cases(rng):
-    """Whole numbers are passed as numbers, all others as symbols; see adapters.py."""
+    """Whole numbers are passed as numbers, all others as symbols; see adapters.py. The last row's
+    numbers have many digits, which simple fractions do not give."""
     whole = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
-    some = [
-        (1, 0, 0, 0.5),
-        (0, np.pi / 2, 0, 0),
-        (0.5, 0, 0, 0.5),
-        (0.5, 0, *np.round(rng.uniform([0.2, 1.9], [0.4, 2.2]), 2)),
-        (2, 1, 3, -2),
-    ]
-    sizes = rng.uniform([0.2, 0.3, 1.0, 0.4], [0.8, 1.2, 1.9, 1.3], (3, 4))
-    drawn = np.round(sizes * [(1, 1, 1, 1), (1, -1, 1, 1), (-1, 1, -1, -1)], 2)
-    large = np.round(rng.uniform([0.3, 2.4, -0.9, -2.2], [0.5, 2.7, -0.6, -1.9]), 2)
-    # The last numbers have many digits, which simple fractions do not give.
-    rows = [*drawn, large, sizes[0]]
-    return whole + some + [tuple(float(number) for number in row) for row in rows]
+    some = [(1, 0, 0, 0.5), (0, np.pi / 2, 0, 0), (0.5, 0, 0, 0.5), (2, 1, 3, -2)]
+    rows = [tuple(float(number) for number in row) for row in (*whole, *some)]
+    return [*rows, tuple(_drawn(rng))]
 
 
 def _drawn(rng):
@@ -59,17 +52,13 @@ def _small(rng, size):
     return tuple(size * number for number in _drawn(rng))
 
 
-def _factors(a, alpha, d, theta):
-    still = np.zeros(3)
-    moves = transform(np.eye(3), [0, 0, d]), transform(np.eye(3), [a, 0, 0])
-    return transform(rot_z(theta), still), *moves, transform(rot_x(alpha), still)
+def _right(a, alpha, d, theta):
+    """Return the right matrix as numbers."""
+    moved = transform(rot_z(theta), [0, 0, d])
+    return moved @ transform(rot_x(alpha), [a, 0, 0])
 
 
-def _right(*case):
-    return np.linalg.multi_dot(_factors(*case))
-
-
-def dh_symbolic(a, alpha, d, theta):
+def _symbolic(a, alpha, d, theta):
     """Return the standard DH matrix of one row, a SymPy Matrix."""
     from sympy import Matrix, cos, sin
 
@@ -90,71 +79,52 @@ _ROUNDED = Mistake(
 )
 
 
-def _column(T, *case):
+def _otherwise(T, *case):
     """Return the Mistake of a wrong column: small differences come from rounding."""
     return _ROUNDED if np.abs(T - _right(*case)).max() < _MAX_ROUNDED else _COLUMN
 
 
-EXERCISE = Exercise(
-    name="dh_symbolic",
+EXERCISE = declared(
+    "dh_symbolic",
     points=1,
     sets=1,
-    arguments=("a", "alpha", "d", "theta"),
+    arguments={"a": _LENGTH, "alpha": _ANGLE, "d": _LENGTH, "theta": _ANGLE},
     cases=_cases,
     through="symbols",
-    returns=numbers(lambda *case: (4, 4)),
-    library=dh_symbolic,
+    library=_symbolic,
+    reads=numbers(lambda *case: (4, 4)),
+    properties=(LAST_ROW,),
+    says="the matrix is the product Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
+    otherwise=_otherwise,
     sweeps=(
         Sweep("angles of nearly a quarter of a revolution", _nearly_a_quarter, SMALL_NUMBERS),
         Sweep("small numbers", _small, SMALL_NUMBERS),
     ),
-    properties=(
-        LAST_ROW,
-        part_is(
-            "the x axis, the first column, is rotated by theta about z", _right, COLUMNS[0], _column
-        ),
-        part_is(
-            "the z axis, the third column, is rotated by alpha about x, then by theta about z",
-            _right,
-            COLUMNS[2],
-            _column,
-        ),
-        part_is(
-            "the y axis, the second column, is the cross product of the z axis and the x axis",
-            _right,
-            COLUMNS[1],
-            _column,
-        ),
-        part_is(
-            "the origin, the last column, is d up the old z, and then a along the new x",
-            _right,
-            COLUMNS[3],
-            _column,
-        ),
-    ),
     hints=(
         "Make four SymPy matrices, each 4 x 4: Rot_z(theta), Trans_z(d), Trans_x(a), Rot_x(alpha).",
         "Rot_z(theta) = Matrix([[cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), "
-        "with sp.cos(theta) "
-        "and sp.sin(theta). Rot_x has the same four entries in its rows and columns of y and z.",
+        "with sp.cos(theta) and sp.sin(theta). Rot_x has the same four entries in its rows and "
+        "columns of y and z.",
         "Multiply them in this order with * or @. Use the arguments as they come: symbols, or "
         "numbers.",
     ),
+    mistakes=(
+        Mistake(*_NUMPY_USED, raises=("TypeError", "Cannot convert expression to float")),
+        Mistake(*_NUMPY_USED, raises=("TypeError", "which has no callable")),
+        Mistake(*_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute")),
+        Mistake(*_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'int' object has no attribute")),
+        Mistake(*_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'float' object has no attribute")),
+        Mistake(
+            "an if or a comparison asks for the value of a symbol, which has none",
+            "The matrix is one formula for all values. No case needs a branch of its own.",
+            raises=("TypeError", "cannot determine truth value of Relational"),
+        ),
+        Mistake(
+            "the matrix is that of the modified convention",
+            "With which of the four motions does the standard convention begin?",
+            lambda a, alpha, d, theta: (
+                transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d])
+            ),
+        ),
+    ),
 )
-
-EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "Cannot convert expression to float"))
-EXERCISE.mistake(_NUMPY_USED, raises=("TypeError", "which has no callable"))
-EXERCISE.mistake(_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute"))
-EXERCISE.mistake(_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'int' object has no attribute"))
-EXERCISE.mistake(_NUMBERS_NOT_TAKEN, raises=("AttributeError", "'float' object has no attribute"))
-EXERCISE.mistake(
-    _ASKED_A_SYMBOL, raises=("TypeError", "cannot determine truth value of Relational")
-)
-
-
-@EXERCISE.mistake(
-    "the matrix is that of the modified convention",
-    "With which of the four motions does the standard convention begin?",
-)
-def modified(a, alpha, d, theta):
-    return transform(rot_x(alpha), [a, 0, 0]) @ transform(rot_z(theta), [0, 0, d])

@@ -3,8 +3,9 @@ measured."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip
 
@@ -21,11 +22,17 @@ def _cosines(q):
     return np.column_stack([np.cos(q[:, 0]), np.cos(q[:, 0] + q[:, 1])])
 
 
-def fit_sag(q, xy, gap=_gap, wrap=_wrapped, columns=_cosines):
-    """Return the coefficients (2,) of cos q1 and cos(q1 + q2) in delta, by which the first joint
-    stops short."""
-    q, xy = np.asarray(q, float), np.asarray(xy, float)
-    return np.linalg.lstsq(columns(q), wrap(gap(q, xy)), rcond=None)[0]
+def _fitted(gap=_gap, wrap=_wrapped, columns=_cosines):
+    """Return the answer that fits columns(q) to wrap(gap(q, xy)) by least squares."""
+
+    def answer(q, xy):
+        q, xy = np.asarray(q, float), np.asarray(xy, float)
+        return np.linalg.lstsq(columns(q), wrap(gap(q, xy)), rcond=None)[0]
+
+    return answer
+
+
+_right = _fitted()
 
 
 def _samples(rng, m, sag, noise, low=0.2, high=1.6):
@@ -61,7 +68,7 @@ def _revolved(q, xy):
     return q + np.column_stack([2 * np.pi * revolutions, np.zeros(len(q))]), xy
 
 
-def _other_fit(answer, q, xy):
+def _otherwise(answer, q, xy):
     largest = np.abs(_wrapped(_gap(q, xy))).max()
     return Mistake(
         "delta, one of its two columns, or their fit is not that of the text",
@@ -70,83 +77,75 @@ def _other_fit(answer, q, xy):
     )
 
 
-EXERCISE = Exercise(
-    name="fit_sag",
+def _second_cosine_of(second):
+    return _fitted(columns=lambda q: np.cos(np.column_stack([q[:, 0], second(q)])))
+
+
+def _direction_with(share):
+    """Return the answer whose rigid tip lies in the direction q1 + share q2."""
+    return _fitted(gap=lambda q, xy: _gap(q, xy) + (share - 0.5) * q[:, 1])
+
+
+def _with_a_constant(q, xy):
+    with_ones = _fitted(columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))
+    return with_ones(q, xy)[:2]
+
+
+EXERCISE = declared(
+    "fit_sag",
     points=2,
-    arguments=("q", "xy"),
+    arguments={"q": OWN_CASES, "xy": OWN_CASES},
     cases=_cases,
-    returns=numbers(lambda q, xy: (2,)),
-    library=fit_sag,
-    properties=(
-        Property(
-            "the two coefficients are the least-squares fit to delta, including for tips beyond "
-            "180 "
-            "degrees",
-            lambda answer, *case: np.abs(answer - fit_sag(*case)).max() < HALF_THE_DIGITS,
-            mistake=_other_fit,
-        ),
-    ),
+    tolerance=HALF_THE_DIGITS,
+    library=_right,
+    says="the two coefficients are the least-squares fit to delta, including for tips beyond 180 "
+    "degrees",
+    otherwise=_otherwise,
     hints=(
         "In which direction does the tip of the rigid arm lie? np.arctan2 gives the measured "
         "direction.",
         "A direction just beyond 180 degrees is given as -180. What does that do to the "
-        "difference, and how did "
-        "notebook 2 wrap an angle?",
+        "difference, and how did notebook 2 wrap an angle?",
         "The unknowns are factors of two known columns: np.linalg.lstsq(A, b)[0] with A of shape "
         "(m, 2).",
         "A = np.column_stack([np.cos(q1), np.cos(q1 + q2)]), and b = wrapped(q1 + q2 / 2 - "
         "direction).",
     ),
-)
-
-
-@EXERCISE.mistake(
-    "delta has the other sign",
-    "If the arm sags, which direction has the larger angle: the rigid arm's, or the measured one?",
-)
-def other_sign(q, xy):
-    return -fit_sag(q, xy)
-
-
-@EXERCISE.mistake(
-    "a delta is off by a full revolution, or by several",
-    "Print the largest |delta| over all samples. What does arctan2 return for a tip just beyond "
-    "180 "
-    "degrees?",
-    wrap=(
-        lambda gap: gap,
-        lambda gap: gap % (2 * np.pi),
-        lambda gap: np.where(gap > np.pi, gap - 2 * np.pi, gap),
-        lambda gap: np.where(gap < -np.pi, gap + 2 * np.pi, gap),
-        np.unwrap,
-        lambda gap: np.where(np.abs(gap) > np.pi, gap - np.sign(gap) * 2 * np.pi, gap),
+    mistakes=(
+        Mistake(
+            "delta has the other sign",
+            "If the arm sags, which direction has the larger angle: the rigid arm's, or the "
+            "measured one?",
+            lambda q, xy: -_right(q, xy),
+        ),
+        Mistake(
+            "a delta is off by a full revolution, or by several",
+            "Print the largest |delta| over all samples. What does arctan2 return for a tip just "
+            "beyond 180 degrees?",
+            _fitted(wrap=lambda gap: gap),
+            _fitted(wrap=lambda gap: gap % (2 * np.pi)),
+            _fitted(wrap=lambda gap: np.where(gap > np.pi, gap - 2 * np.pi, gap)),
+            _fitted(wrap=lambda gap: np.where(gap < -np.pi, gap + 2 * np.pi, gap)),
+            _fitted(wrap=np.unwrap),
+            _fitted(
+                wrap=lambda gap: np.where(np.abs(gap) > np.pi, gap - np.sign(gap) * 2 * np.pi, gap)
+            ),
+        ),
+        Mistake(
+            "the second cosine is not that of q1 + q2",
+            "In which direction does the second link point?",
+            _second_cosine_of(lambda q: q[:, 1]),
+            _second_cosine_of(lambda q: q[:, 0] + q[:, 1] / 2),
+        ),
+        Mistake(
+            "the tip of the rigid arm is not taken to lie in the direction q1 + q2 / 2",
+            "Both links are equally long: where does the tip lie between their directions?",
+            *map(_direction_with, (0, 1, -0.5)),
+        ),
+        Mistake(
+            "a constant term is fitted as well",
+            "What is delta if both links stand upright?",
+            _with_a_constant,
+        ),
     ),
 )
-def not_wrapped(q, xy, wrap):
-    return fit_sag(q, xy, wrap=wrap)
-
-
-@EXERCISE.mistake(
-    "the second cosine is not that of q1 + q2",
-    "In which direction does the second link point?",
-    second=(lambda q: q[:, 1], lambda q: q[:, 0] + q[:, 1] / 2),
-)
-def other_cosine(q, xy, second):
-    return fit_sag(q, xy, columns=lambda q: np.cos(np.column_stack([q[:, 0], second(q)])))
-
-
-@EXERCISE.mistake(
-    "the tip of the rigid arm is not taken to lie in the direction q1 + q2 / 2",
-    "Both links are equally long: where does the tip lie between their directions?",
-    share=(0, 1, -0.5),
-)
-def other_direction(q, xy, share):
-    return fit_sag(q, xy, gap=lambda q, xy: _gap(q, xy) + (share - 0.5) * q[:, 1])
-
-
-@EXERCISE.mistake(
-    "a constant term is fitted as well",
-    "What is delta if both links stand upright?",
-)
-def with_a_constant(q, xy):
-    return fit_sag(q, xy, columns=lambda q: np.column_stack([_cosines(q), np.ones(len(q))]))[:2]

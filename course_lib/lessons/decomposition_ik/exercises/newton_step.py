@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.declared import declared
+from course_lib.checks.kinds import joint_angles, vector
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import near, two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import two_link_angles, two_link_tip, wrapped
 
 # rad: with a smaller bend, rounding is multiplied by more than 1,000.
 _BENDS = tuple(bend for bend in BESIDE if bend > 2e-3)
@@ -19,10 +20,17 @@ def _jacobian(q):
     return np.column_stack([np.array([-np.sin(first), np.cos(first)]) + second, second])
 
 
-def newton_step(q, xy, jacobian=_jacobian, solve=np.linalg.solve):
-    """Return the joint angles (2,) after one Newton step from q (2,) towards the position xy
-    (2,)."""
-    return q + solve(jacobian(q), xy - two_link_tip(q))
+def _stepped(jacobian=_jacobian, solve=np.linalg.solve):
+    """Return the answer q + solve(jacobian(q), xy - f(q))."""
+    return lambda q, xy: q + solve(jacobian(q), xy - two_link_tip(q))
+
+
+_right = _stepped()
+
+# Angles of an arm that is neither stretched nor folded.
+_ANGLES = joint_angles(2).but(
+    named=lambda rng: [np.array([0.0, np.pi / 2]), np.array([1.0, 1]), np.array([0.0, -2])]
+)
 
 
 def _cases(rng):
@@ -42,14 +50,13 @@ def _cases(rng):
         (rng.uniform(0.3, 1.4, 2), 40 * np.array([np.cos(a[0]), np.sin(a[0])])),
         (rng.uniform(0.3, 1.4, 2), -70 * np.array([np.cos(a[1]), np.sin(a[1])])),
     ]
-    whole = [(np.array([1, 1]), np.array([1, 1])), (np.array([0, -2]), np.array([1.2, -0.8]))]
     return [
         simple,
         *zip(near_ones, xy, strict=True),
         (there, two_link_tip(there)),
         *zip(far_ones, xy, strict=False),
         *long_ones,
-        *whole,
+        (np.array([1.0, 1]), np.array([1.0, 1])),
     ]
 
 
@@ -70,36 +77,61 @@ def _small(rng, size):
     return q, two_link_tip(q) + size * rng.uniform(-0.4, 0.4, 2)
 
 
-EXERCISE = Exercise(
-    name="newton_step",
+def _with_cosine_of_q2(q):
+    """Return J with the sine and the cosine of q2 in place of those of q1 + q2."""
+    first, second = (np.array([-np.sin(angle), np.cos(angle)]) for angle in q)
+    return np.column_stack([first + second, second])
+
+
+def _first_column_of_one_link(q):
+    return _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0]
+
+
+def _second_column_of_the_first_link(q):
+    first, second = _jacobian(q).T
+    return np.column_stack([second, first - second])
+
+
+def _shortened(answer, q, xy):
+    step, right = answer - q, _right(q, xy) - q
+    length = np.linalg.norm(right)
+    shorter = np.linalg.norm(step) < 0.99 * length
+    clipped = np.allclose(step, np.clip(right, -np.abs(step).max(), np.abs(step).max()), atol=EXACT)
+    parallel = np.linalg.norm(step * length - right * np.linalg.norm(step)) < EXACT * length
+    return length > 0.1 and shorter and step.any() and (clipped or parallel)
+
+
+def _several_steps(n):
+    def answer(q, xy):
+        for _ in range(n):
+            q = _right(q, xy)
+        return q
+
+    return answer
+
+
+def _damped(eps):
+    return _stepped(solve=lambda J, e: J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e))
+
+
+EXERCISE = declared(
+    "newton_step",
     points=2,
-    arguments=("q", "xy"),
+    arguments={"q": _ANGLES, "xy": vector(2)},
     cases=_cases,
-    returns=numbers(lambda q, xy: (2,)),
-    library=newton_step,
     tolerance=EXACT,
+    library=_right,
+    says="J times the change of q is p - f(q)",
+    otherwise=Mistake(
+        "the step is not J^-1 (p - f(q))",
+        "Compare the columns of your J with differences of f for small changes of q1 and q2, and "
+        "compare J times your step with p - f(q).",
+    ),
     sweeps=(
         Sweep("nearly at the position", _nearly_there),
         Sweep("a nearly stretched arm", _nearly_singular, _BENDS),
         Sweep("a small q1, before and after the step", _small, SMALL),
         Sweep("q1 and y nearly 0", lambda rng, x: (np.array([x, 1.2]), np.array([1.1, x])), SMALL),
-    ),
-    angles=("q",),
-    properties=(
-        Property(
-            "if q leads to xy already, it stays as it is",
-            lambda answer, q, xy: near(answer, q),
-            where=lambda q, xy: np.array_equal(two_link_tip(q), xy),
-        ),
-        Property(
-            "J times the change of q is p - f(q)",
-            lambda answer, q, xy: near(answer, newton_step(q, xy)),
-            mistake=Mistake(
-                "the step is not J^-1 (p - f(q))",
-                "Compare the columns of your J with differences of f for small changes of q1 and "
-                "q2, and compare J times your step with p - f(q).",
-            ),
-        ),
     ),
     hints=(
         "The residual xy - f(q) is what the step has to make up for; near q, f changes by J times "
@@ -109,104 +141,51 @@ EXERCISE = Exercise(
         "np.linalg.solve(J, residual) is the change of q.",
     ),
     forbidden=("course_lib.lessons.decomposition_ik.grid_ik.planar_forward",),
-)
-
-
-@EXERCISE.mistake(
-    "J is not inverted as it stands",
-    "Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?",
-    solve=(
-        lambda J, e: np.linalg.solve(J.T, e),
-        lambda J, e: J.T @ e,
-        lambda J, e: J @ e,
-        lambda J, e: (1 / J) @ e,
-    ),
-)
-def no_inverse(q, xy, solve):
-    return newton_step(q, xy, solve=solve)
-
-
-def _with_cosine_of_q2(q):
-    """Return J with the sine and the cosine of q2 in place of those of q1 + q2."""
-    first, second = (np.array([-np.sin(angle), np.cos(angle)]) for angle in q)
-    return np.column_stack([first + second, second])
-
-
-@EXERCISE.mistake(
-    "a column of J is not the derivative by its angle",
-    "Which links move with q1, which links move with q2, and in which direction?",
-    jacobian=(
-        _with_cosine_of_q2,
-        lambda q: np.vstack([_jacobian(q)[0], _with_cosine_of_q2(q)[1]]),
-        lambda q: np.vstack([_with_cosine_of_q2(q)[0], _jacobian(q)[1]]),
-        lambda q: np.array([[-np.sin(q[0]), -np.sin(q[1])], [np.cos(q[0]), np.cos(q[1])]]),
-        lambda q: _jacobian(q) - _jacobian(q)[:, 1:] * [1, 0],
-        lambda q: (
-            _jacobian(q)[:, 1:] * [1, 1] + (_jacobian(q)[:, :1] - _jacobian(q)[:, 1:]) * [0, 1]
+    mistakes=(
+        Mistake(
+            "J is not inverted as it stands",
+            "Do you take the transpose, J itself, or 1 / J entry by entry (as by **-1)?",
+            _stepped(solve=lambda J, e: np.linalg.solve(J.T, e)),
+            _stepped(solve=lambda J, e: J.T @ e),
+            _stepped(solve=lambda J, e: J @ e),
+            _stepped(solve=lambda J, e: (1 / J) @ e),
         ),
-        lambda q: _jacobian(q)[:, ::-1],
+        Mistake(
+            "a column of J is not the derivative by its angle",
+            "Which links move with q1, which links move with q2, and in which direction?",
+            _stepped(_with_cosine_of_q2),
+            _stepped(lambda q: np.vstack([_jacobian(q)[0], _with_cosine_of_q2(q)[1]])),
+            _stepped(lambda q: np.vstack([_with_cosine_of_q2(q)[0], _jacobian(q)[1]])),
+            _stepped(lambda q: np.array([-np.sin(q), np.cos(q)])),
+            _stepped(_first_column_of_one_link),
+            _stepped(_second_column_of_the_first_link),
+            _stepped(lambda q: _jacobian(q)[:, ::-1]),
+        ),
+        Mistake(
+            "long steps are shortened",
+            "Print J^-1 (p - f(q)) for the case below. By how much do your angles change?",
+            seen=_shortened,
+        ),
+        Mistake(
+            "more than one step is made",
+            "How many steps does the task ask for?",
+            *map(_several_steps, (2, 3, 5, 30)),
+        ),
+        Mistake(
+            "the step leads away from the position",
+            "From which position to which position does p - f(q) lead?",
+            lambda q, xy: 2 * q - _right(q, xy),
+        ),
+        Mistake(
+            "the step itself is returned",
+            "Which angles does the arm have after this step?",
+            lambda q, xy: _right(q, xy) - q,
+        ),
+        wrapped(_right),
+        Mistake(
+            "the step is damped",
+            "Which matrix stands before p - f(q) in a Newton step?",
+            *map(_damped, (1e-6, 1e-4, 1e-2)),
+        ),
     ),
 )
-def another_jacobian(q, xy, jacobian):
-    return newton_step(q, xy, jacobian)
-
-
-@EXERCISE.mistake(
-    "long steps are shortened",
-    "Print J^-1 (p - f(q)) for the case below. By how much do your angles change?",
-    recognises=True,
-)
-def shortened(answer, q, xy):
-    step, right = answer - q, newton_step(q, xy) - q
-    length = np.linalg.norm(right)
-    shorter = np.linalg.norm(step) < 0.99 * length
-    clipped = np.allclose(step, np.clip(right, -np.abs(step).max(), np.abs(step).max()), atol=EXACT)
-    parallel = np.linalg.norm(step * length - right * np.linalg.norm(step)) < EXACT * length
-    return length > 0.1 and shorter and step.any() and (clipped or parallel)
-
-
-@EXERCISE.mistake(
-    "more than one step is made",
-    "How many steps does the task ask for?",
-    steps=(2, 3, 5, 30),
-)
-def several_steps(q, xy, steps):
-    for _ in range(steps):
-        q = newton_step(q, xy)
-    return q
-
-
-@EXERCISE.mistake(
-    "the step leads away from the position",
-    "From which position to which position does p - f(q) lead?",
-)
-def away_from_the_target(q, xy):
-    return 2 * q - newton_step(q, xy)
-
-
-@EXERCISE.mistake(
-    "the step itself is returned",
-    "Which angles does the arm have after this step?",
-)
-def step_without_q(q, xy):
-    return newton_step(q, xy) - q
-
-
-@EXERCISE.mistake(
-    "the angles are brought between -pi and pi, or between 0 and 2 pi",
-    "Does the formula in the task change an angle by whole revolutions?",
-    wrap=(lambda q: np.arctan2(np.sin(q), np.cos(q)), lambda q: q % (2 * np.pi)),
-)
-def wrapped(q, xy, wrap):
-    return wrap(newton_step(q, xy))
-
-
-@EXERCISE.mistake(
-    "the step is damped",
-    "Which matrix stands before p - f(q) in a Newton step?",
-    eps=(1e-6, 1e-4, 1e-2),
-)
-def damped(q, xy, eps):
-    return newton_step(
-        q, xy, solve=lambda J, e: J.T @ np.linalg.solve(J @ J.T + eps * np.eye(2), e)
-    )

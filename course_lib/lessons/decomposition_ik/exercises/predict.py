@@ -3,33 +3,31 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
-from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off
-
-_ONE = Mistake(
-    "only one pair of angles is predicted for each query",
-    "How many branches, and so how many predictions, does each query have?",
-)
-_ALL = Mistake(
-    "the models of each query are applied to all positions",
-    "A @ xy.T holds a product for each pair of queries. Which of them belong to one query?",
-)
-_LEFT_OUT = Mistake(
-    "queries without a cell are left out", "What should row i hold if query i has no cell?"
-)
-
-
-def predict(models, cell, xy, affine=None):
-    """Return the angles (m, 2, 2) of both clusters, nan where there is no cell or no model."""
-    angles = (affine or _affine)(models[cell], np.asarray(xy, float))
-    angles[cell < 0] = np.nan
-    return angles
+from course_lib.lessons.decomposition_ik.exercises.shared import first_wrong
 
 
 def _affine(models, xy):
+    """Return the angles (m, 2, 2) of models (m, 2, 2, 3) at their positions."""
     return np.einsum("mkji,mi->mkj", models[..., :2], xy) + models[..., 2]
+
+
+def _predicted(affine):
+    """Return the answer by affine(models, xy), nan where there is no cell or no model."""
+
+    def answer(models, cell, xy):
+        angles = affine(models[cell], np.asarray(xy, float))
+        angles[cell < 0] = np.nan
+        return angles
+
+    return answer
+
+
+_right = _predicted(_affine)
 
 
 def _some_models(rng, count, without=()):
@@ -65,20 +63,6 @@ def _cases(rng):
     ]
 
 
-def _known_form(array, models, cell, xy):
-    m = len(cell)
-    return {(m, 2): _ONE, ((cell >= 0).sum(), 2, 2): _LEFT_OUT, (m, 2, 2, m): _ALL}.get(array.shape)
-
-
-def _tell(index, angles, models, cell, xy):
-    i, k, j = index
-    row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
-    return (
-        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}. The row of its model for "
-        f"q{j + 1} in cluster {k} is {row}. Your angle is {angles[i, k, j]:.4g}."
-    )
-
-
 def _small(rng, size):
     """Return models with small coefficients of x, and large ones of the small y; in cell 0 all
     coefficients are small."""
@@ -89,89 +73,96 @@ def _small(rng, size):
     return models, np.array([1, 0]), xy
 
 
-EXERCISE = Exercise(
-    name="predict",
-    points=2,
-    arguments=("models", "cell", "xy"),
-    cases=_cases,
-    returns=numbers(lambda models, cell, xy: (len(cell), 2, 2), gaps=True),
-    library=predict,
-    sweeps=(Sweep("small coefficients and positions", _small, SMALL),),
-    properties=(
-        no_number(
-            off,
-            "each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster",
-            predict,
-            _tell,
-            Mistake(
-                "a prediction is not that of its own model",
-                "models[c, k, j] belongs to cell c, cluster k and angle j. Compute the angle named "
-                "below by hand.",
-            ),
-        ),
-        no_number(
-            no_gap,
-            "if there is no cell or no model, there is no prediction: nan",
-            predict,
-            _tell,
-            Mistake(
-                "a number is returned where the model or the cell is missing",
-                "What does nan times a number give, and what does your code make of it?",
-            ),
-        ),
-    ),
-    hints=(
-        (
-            "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with"
-            " cell[i] >= 0."
-        ),
-        "A = models[cell[i], k] has two rows: angles[i, k] = A[:, :2] @ xy[i] + A[:, 2].",
-        "If a model holds nan, so does the product: that case needs no line of its own.",
-        (
-            'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj",'
-            " models[cell[inside]][..., :2], xy[inside])."
-        ),
-    ),
-    forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
+def _found(angles, models, cell, xy):
+    i, k, j = first_wrong(angles, _right(models, cell, xy))
+    row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
+    return (
+        f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}. The row of its model for "
+        f"q{j + 1} in cluster {k} is {row}. Your angle is {angles[i, k, j]:.4g}."
+    )
+
+
+_NOT_ITS_OWN = Mistake(
+    "a prediction is not that of its own model",
+    "models[c, k, j] belongs to cell c, cluster k and angle j. Compute the angle named below by "
+    "hand.",
+)
+_A_NUMBER_FOR_NAN = Mistake(
+    "a number is returned where the model or the cell is missing",
+    "What does nan times a number give, and what does your code make of it?",
 )
 
-EXERCISE.mistake(form=_known_form)
+
+def _otherwise(angles, *case):
+    right = _right(*case)
+    return _A_NUMBER_FOR_NAN if np.isnan(right[tuple(first_wrong(angles, right))]) else _NOT_ITS_OWN
 
 
-@EXERCISE.mistake(
-    "a query without a cell gets another cell's models",
-    "Which entry of an array does the index -1 mean in Python?",
-    at=(lambda cell: cell, lambda cell: np.maximum(cell, 0)),
-)
-def another_cell(models, cell, xy, at):
-    return _affine(models[at(cell)], xy)
-
-
-@EXERCISE.mistake(
-    "the intercept is forgotten",
-    "How many numbers does a row of a model hold, and what does each of them multiply?",
-)
-def intercept_forgotten(*case):
-    return predict(*case, affine=lambda models, xy: _affine(models * [1, 1, 0], xy))
-
-
-def _transposed(models, xy):
-    return np.einsum("mkij,mi->mkj", models[..., :2], xy) + models[..., 2]
-
-
-@EXERCISE.mistake(
-    "the coefficients of y in q1 and of x in q2 have changed places",
-    "Does a model's row belong to an angle or to a coordinate?",
-)
-def transposed(*case):
-    return predict(*case, affine=_transposed)
-
-
-@EXERCISE.mistake(
-    "both clusters of a query are nan where only one of them has no model",
-    "What does the model of the other cluster predict?",
-)
-def nan_for_both(*case):
-    angles = predict(*case)
+def _nan_for_both(*case):
+    angles = _right(*case)
     angles[np.isnan(angles).any(axis=(1, 2))] = np.nan
     return angles
+
+
+EXERCISE = declared(
+    "predict",
+    points=2,
+    arguments={"models": OWN_CASES, "cell": OWN_CASES, "xy": OWN_CASES},
+    cases=_cases,
+    reads=numbers(lambda models, cell, xy: (len(cell), 2, 2), gaps=True),
+    library=_right,
+    says="each angle is A_j1 x + A_j2 y + b_j, with the model of its cell and cluster; if there is "
+    "no cell or no model, it is nan",
+    found=_found,
+    otherwise=_otherwise,
+    sweeps=(Sweep("small coefficients and positions", _small, SMALL),),
+    hints=(
+        "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with "
+        "cell[i] >= 0.",
+        "A = models[cell[i], k] has two rows: angles[i, k] = A[:, :2] @ xy[i] + A[:, 2].",
+        "If a model holds nan, so does the product: that case needs no line of its own.",
+        'Without a loop: inside = cell >= 0, np.einsum("mkji,mi->mkj", models[cell[inside]][..., '
+        ":2], xy[inside]).",
+    ),
+    forbidden=("course_lib.lessons.decomposition_ik.grid_ik.GridIK",),
+    mistakes=(
+        Mistake(
+            "only one pair of angles is predicted for each query",
+            "How many branches, and so how many predictions, does each query have?",
+            form=lambda array, models, cell, xy: array.shape == (len(cell), 2),
+        ),
+        Mistake(
+            "queries without a cell are left out",
+            "What should row i hold if query i has no cell?",
+            form=lambda array, models, cell, xy: array.shape == ((cell >= 0).sum(), 2, 2),
+        ),
+        Mistake(
+            "the models of each query are applied to all positions",
+            "A @ xy.T holds a product for each pair of queries. Which of them belong to one query?",
+            form=lambda array, models, cell, xy: array.shape == (len(cell), 2, 2, len(cell)),
+        ),
+        Mistake(
+            "a query without a cell gets another cell's models",
+            "Which entry of an array does the index -1 mean in Python?",
+            lambda models, cell, xy: _affine(models[cell], xy),
+            lambda models, cell, xy: _affine(models[np.maximum(cell, 0)], xy),
+        ),
+        Mistake(
+            "the intercept is forgotten",
+            "How many numbers does a row of a model hold, and what does each of them multiply?",
+            _predicted(lambda models, xy: _affine(models * [1, 1, 0], xy)),
+        ),
+        Mistake(
+            "the coefficients of y in q1 and of x in q2 have changed places",
+            "Does a model's row belong to an angle or to a coordinate?",
+            _predicted(
+                lambda models, xy: np.einsum("mkij,mi->mkj", models[..., :2], xy) + models[..., 2]
+            ),
+        ),
+        Mistake(
+            "both clusters of a query are nan where only one of them has no model",
+            "What does the model of the other cluster predict?",
+            _nan_for_both,
+        ),
+    ),
+)

@@ -26,6 +26,12 @@ def no_number(is_wrong, text, right, tell, mistake=None):
     return Property(text, lambda *case: not wrong(*case).size, says, mistake=mistake)
 
 
+def first_wrong(answer, right):
+    """Return the index of the first number of an answer that is off, or stands for nan; or the
+    first nan that stands for a number."""
+    return np.argwhere(off(answer, right) | no_gap(answer, right))[0]
+
+
 def off(answer, right, tolerance=EXACT):
     """Return where an answer is not the number that it should be, relative to numbers above 1."""
     allowed = tolerance * np.maximum(1, np.abs(right))

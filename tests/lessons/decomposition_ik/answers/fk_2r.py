@@ -23,7 +23,7 @@ def right_pair_by_pair_in_lists(q):
 
 
 def wrong_first_rows(q):
-    """not enough values to unpack"""
+    """q[0] and q[1] are taken for the two angles"""
     t1, t2 = np.asarray(q, float)[:2]
     return np.stack([np.cos(t1) + np.cos(t1 + t2), np.sin(t1) + np.sin(t1 + t2)], axis=-1)
 
