@@ -28,18 +28,13 @@ def _integers_or_floats(value, *case):
 _SLIGHTLY = 0.05  # of the box's width: a tolerance that somebody may grant
 # In widths of a cell: nearer, rounding decides between the two cells.
 _FROM_A_LINE = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) > EXACT)
-_EDGES_OF_THE_BOX = {"left": (0, 0.0), "right": (0, 1.0), "lower": (1, 0.0), "upper": (1, 1.0)}
 
 
-def _beside(axis, edge):
-    """Return the case(rng, gap) of a position in the unit box, or outside, so far from an edge."""
-
-    def case(rng, gap):
-        xy = np.array([[0.3, 0.6]])
-        xy[0, axis] = edge + gap
-        return xy, np.zeros(2), np.ones(2), 4
-
-    return case
+def _beside_the_edges(rng, gap):
+    """Return the case of four positions so far outside the unit box, or inside, one beside each
+    edge."""
+    xy = np.array([[-gap, 0.6], [1 + gap, 0.6], [0.3, -gap], [0.3, 1 + gap]])
+    return xy, np.zeros(2), np.ones(2), 4
 
 
 def _beside_a_line(rng, gap):
@@ -195,10 +190,16 @@ def _granted(index, xy, low, high, n):
     return bool(((beyond > 0) & (beyond < _SLIGHTLY * (high - low).min()))[wrong].all())
 
 
-def _marking(is_outside, to_whole=np.floor, edge=_last_cell):
-    """Return the answer that marks only where is_outside(parts, n) is true of the widths of a cell
-    from low."""
-    return _answer(to_whole, edge, lambda *case: is_outside(_parts(*case), case[-1]))
+def _marking(below, above, to_whole=np.floor, edge=_last_cell, in_both=False):
+    """Return the answer that marks only positions more than so many cells below low, or above high;
+    in_both: in both coordinates."""
+
+    def is_outside(xy, low, high, n):
+        parts = _parts(xy, low, high, n)
+        outside = (parts < -below) | (parts > n + above)
+        return (outside.all if in_both else outside.any)(axis=1, keepdims=True)
+
+    return _answer(to_whole, edge, is_outside)
 
 
 # The numbers of positions outside that are not marked, as different students compute them.
@@ -209,30 +210,6 @@ _NUMBERS_OUTSIDE = (
     (np.trunc, _on_the_edge_only),
     (np.floor, _clipped),
 )
-
-
-def _nowhere(parts, n):
-    return np.False_
-
-
-def _where_both_are(parts, n):
-    return ((parts < 0) | (parts > n)).all(axis=1, keepdims=True)
-
-
-def _below_low(parts, n):
-    return (parts < 0).any(axis=1, keepdims=True)
-
-
-def _above_high(parts, n):
-    return (parts > n).any(axis=1, keepdims=True)
-
-
-def _a_cell_below(parts, n):
-    return ((parts <= -1) | (parts > n)).any(axis=1, keepdims=True)
-
-
-def _a_cell_away(parts, n):
-    return ((parts <= -1) | (parts >= n + 1)).any(axis=1, keepdims=True)
 
 
 EXERCISE = declared(
@@ -253,10 +230,7 @@ EXERCISE = declared(
     found=_found,
     otherwise=_otherwise,
     sweeps=(
-        *(
-            Sweep(f"nearly on the {name} edge", _beside(*place), ON_BOTH_SIDES)
-            for name, place in _EDGES_OF_THE_BOX.items()
-        ),
+        Sweep("nearly on the edges", _beside_the_edges, ON_BOTH_SIDES),
         Sweep("nearly on a line between cells", _beside_a_line, _FROM_A_LINE),
     ),
     hints=(
@@ -302,21 +276,21 @@ EXERCISE = declared(
             "a position less than one cell to the left of the box, or below it, gets a cell, "
             "because its number is cut off towards 0",
             "What are int(-0.3) and np.floor(-0.3)?",
-            _marking(_a_cell_below, np.trunc),
-            _marking(_a_cell_away, np.trunc),
-            _marking(_a_cell_away, np.trunc, _on_the_edge_only),
+            _marking(1, 0, np.trunc),
+            _marking(1, 1, np.trunc),
+            _marking(1, 1, np.trunc, _on_the_edge_only),
         ),
         Mistake(
             "some or all positions outside are not marked",
             "A position may lie left of the box, right of the box, below or above. Which of the "
             "four does your code test, and is one of them enough?",
-            *(_marking(_nowhere, *numbers) for numbers in _NUMBERS_OUTSIDE),
-            *(_marking(_where_both_are, *numbers) for numbers in _NUMBERS_OUTSIDE),
-            _marking(_below_low),
-            _marking(_below_low, edge=_on_the_edge_only),
-            _marking(_above_high),
-            _marking(_above_high, np.trunc),
-            _marking(_above_high, edge=_clipped),
+            *(_marking(np.inf, np.inf, *numbers) for numbers in _NUMBERS_OUTSIDE),
+            *(_marking(0, 0, *numbers, in_both=True) for numbers in _NUMBERS_OUTSIDE),
+            _marking(0, np.inf),
+            _marking(0, np.inf, edge=_on_the_edge_only),
+            _marking(np.inf, 0),
+            _marking(np.inf, 0, np.trunc),
+            _marking(np.inf, 0, edge=_clipped),
         ),
     ),
 )

@@ -64,3 +64,19 @@ def wrong_rounded_width(xy, low, high, n):
     index = np.minimum(np.floor((xy - low) / width), n - 1).astype(int)
     index[((xy < low) | (xy > high)).any(axis=1)] = -1
     return index
+
+
+def wrong_outside_by_the_number_of_the_cell(xy, low, high, n):
+    """a position slightly outside the box counts as inside"""
+    index = np.floor((xy - low) / ((high - low) / n)).astype(int)
+    index[xy == high] = n - 1
+    index[((index < 0) | (index >= n)).any(axis=1)] = -1
+    return index
+
+
+def wrong_on_an_edge_counts_as_inside(xy, low, high, n):
+    """a position outside has a cell"""
+    index = np.minimum(np.floor((xy - low) / (high - low) * n).astype(int), n - 1)
+    on_an_edge = ((xy == low) | (xy == high)).any(axis=1)
+    index[((xy < low) | (xy > high)).any(axis=1) & ~on_an_edge] = -1
+    return index
