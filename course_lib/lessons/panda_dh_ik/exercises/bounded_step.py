@@ -69,7 +69,7 @@ def _slow(rng):
 def _cases(rng):
     drawn = [
         _case(rng, away_from_zero(rng, (m, n)), bound, eps)
-        for m, n, bound, eps in ((2, 3, 0.3, 0.01), (2, 4, 0.2, 0.3))
+        for m, n, bound, eps in ((2, 3, 0.3, 0.01), (2, 4, 0.2, 0.3), (1, 3, 0.2, 0.01))
     ]
     q = np.round(rng.uniform(LOW, HIGH, (2, 7)), 2)
     drawn += [

@@ -192,7 +192,8 @@ def _cases(rng):
     drawn = [_case(rng, 3, zero=zero, deceives=[_other_convention]) for zero in (None, 0, -1)]
     noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
-    given = [simple, *drawn, noisy, *many, *_equal_orientations(rng), _one_joint_moves(rng)]
+    one = [_one_joint(rng, sign) for sign in (-1, 1)]
+    given = [simple, *drawn, noisy, *many, *one, *_equal_orientations(rng), _one_joint_moves(rng)]
     unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
     whole = np.array([[1, 1, 0], [2, 0, 1]]), np.array([[1, 2], [-1, 1], [2, -1]])
     # A constant difference of all poses decides only where the patterns are close.
@@ -215,6 +216,12 @@ def _equal_orientations(rng):
     equal, last = np.round(rng.uniform(0.4, 1.2, (2, 3)), 2) * rng.choice([-1, 1], (2, 3))
     q = np.column_stack([equal, equal, last])
     return [(table, q, _ends(table, q, [signs])[0]) for signs in ([-1, 1, 1], [1, -1, -1])]
+
+
+def _one_joint(rng, sign):
+    """Return a case of one joint in one configuration."""
+    table, q = np.array([[0.5, 0.0, 0.0]]), np.round(rng.uniform(0.3, 1.4, (1, 1)), 2)
+    return table, q, _ends(table, q, [[sign]])[0]
 
 
 def _one_joint_moves(rng):

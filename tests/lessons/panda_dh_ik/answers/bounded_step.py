@@ -48,3 +48,10 @@ def wrong_eps_raised_a_little(J, v, bound, eps):
 def right_with_the_solver_s_own_tolerance(J, v, bound, eps):
     A = np.vstack([J, np.sqrt(eps) * np.eye(J.shape[1])])
     return lsq_linear(A, np.append(v, np.zeros(J.shape[1])), bounds=(-bound, bound)).x
+
+
+def wrong_for_one_row(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    if len(J) == 1:
+        return np.clip(np.linalg.pinv(J) @ v, -bound, bound)
+    return right_by_lsq_linear(J, v, bound, eps)

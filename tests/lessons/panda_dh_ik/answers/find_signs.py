@@ -27,3 +27,8 @@ def right_by_counting_in_binary(table, q, poses):
         signs = np.array([-1 if k >> i & 1 else 1 for i in range(n)])
         best = min(best, (np.linalg.norm(fk(table, signs * q) - poses), list(signs)))
     return best[1]
+
+
+def wrong_one_joint_keeps_its_sign(table, q, poses):
+    """another pattern fits better"""
+    return [1] if len(table) == 1 else right_by_the_sum_of_squares(table, q, poses)

@@ -53,3 +53,13 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
 def wrong_at_least_some_damping(q, v, dt, n, near, most):
     """a step is not dt q_dot"""
     return right_in_a_loop(q, v, dt, n, near, max(most, 1e-6))
+
+
+def wrong_near_raised(q, v, dt, n, near, most):
+    """a step is not dt q_dot"""
+    return right_in_a_loop(q, v, dt, n, max(near, 1e-3), most)
+
+
+def wrong_small_near_taken_for_0(q, v, dt, n, near, most):
+    """a step is not dt q_dot"""
+    return right_in_a_loop(q, v, dt, n, near if near > 1e-4 else 0.0, most)

@@ -52,3 +52,12 @@ def wrong_no_null_space_of_a_square_J(q, J, q_middle, gain):
 def wrong_gain_at_most_one(q, J, q_middle, gain):
     """the step is not gain (I - J^+ J)(q_middle - q)"""
     return right_by_the_pseudoinverse(q, J, q_middle, min(gain, 1))
+
+
+def right_by_the_pseudoinverse_of_J_J_T(q, J, q_middle, gain):
+    return q + gain * (np.eye(len(q)) - J.T @ np.linalg.pinv(J @ J.T) @ J) @ (q_middle - q)
+
+
+def wrong_small_singular_values_cut_off(q, J, q_middle, gain):
+    """the step still moves the end-effector"""
+    return q + gain * (np.eye(len(q)) - np.linalg.pinv(J, rcond=1e-5) @ J) @ (q_middle - q)
