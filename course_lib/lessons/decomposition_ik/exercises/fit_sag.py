@@ -6,7 +6,6 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip
 
 
@@ -96,7 +95,6 @@ EXERCISE = declared(
     points=2,
     arguments={"q": OWN_CASES, "xy": OWN_CASES},
     cases=_cases,
-    tolerance=HALF_THE_DIGITS,
     library=_right,
     says="the two coefficients are the least-squares fit to delta, including for tips beyond 180 "
     "degrees",

@@ -6,11 +6,12 @@ from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.tolerances import HALF_THE_DIGITS
+from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.cells import quadratic_terms
 from course_lib.lessons.decomposition_ik.exercises.shared import with_one
 
+_ROUNDING = 1e-14  # of A^T A, relative
 _WHOLE_TERMS = np.array([[1, 0, 0], [1, 1, 0], [1, 0, 1], [1, 2, 1], [1, -1, 2], [1, 1, -2]])
 _WHOLE_ANGLES = np.array([[1, 2], [0, 1], [2, -1], [1, 1], [3, 2], [-1, 2]])
 
@@ -42,30 +43,37 @@ def _cases(rng):
     return [*found, (_WHOLE_TERMS, _WHOLE_ANGLES)]
 
 
-def _misfits(model, right, terms, q):
-    """Return how far each row is from the right one, (2,), by what both give at the samples."""
-    columns = np.column_stack([terms, q[:, 1]])
-    return np.abs(columns @ (model - right).T).max(0)
+def _columns(terms, q):
+    return np.column_stack([terms, q[:, 1]])
+
+
+def _misfits(model, terms, q):
+    """Return how far each row is from the right one, (2,), by what both give at the samples: as a
+    share of what rounding in A^T A does."""
+    A = _columns(terms, q)
+    off = np.abs(A @ (model - _right(terms, q)).T).max(0)
+    return off / max(1, _ROUNDING / EXACT * np.linalg.cond(A) ** 2)
 
 
 def _distance(model, right, terms, q):
-    return _misfits(model, right, terms, q).max()
+    return _misfits(model, terms, q).max()
 
 
 def _found(model, terms, q):
-    right = _right(terms, q)
-    j = 1 if _misfits(model, right, terms, q)[1] > HALF_THE_DIGITS else 0
-    return f"Row {j} should be {format_tuple(right[j])}; yours is {format_tuple(model[j])}."
+    j = 1 if _misfits(model, terms, q)[1] > EXACT else 0
+    right = _right(terms, q)[j]
+    return f"Row {j} should be {format_tuple(right)}; yours is {format_tuple(model[j])}."
+
+
+_OTHER_ROW_0 = Mistake(
+    "row 0 is not the least-squares fit of q1 by the terms and q2 together",
+    "Print the sum of squares of A @ row - q1, with A made of the terms and of q2. Which of your "
+    "coefficients is not found by this fit?",
+)
 
 
 def _otherwise(model, terms, q):
-    if _misfits(model, _right(terms, q), terms, q)[1] > HALF_THE_DIGITS:
-        return None
-    return Mistake(
-        "row 0 is not the least-squares fit of q1 by the terms and q2 together",
-        "Print the sum of squares of A @ row - q1, with A made of the terms and of q2. Which of "
-        "your coefficients is not found by this fit?",
-    )
+    return None if _misfits(model, terms, q)[1] > EXACT else _OTHER_ROW_0
 
 
 def _with_row_0(row):
@@ -74,8 +82,7 @@ def _with_row_0(row):
 
 
 def _square_by_q2(terms, q):
-    columns = np.column_stack([terms, q[:, 1]])
-    return np.array([_right(terms, q)[0], _least_squares(columns, q[:, 1] ** 2)])
+    return np.array([_right(terms, q)[0], _least_squares(_columns(terms, q), q[:, 1] ** 2)])
 
 
 def _with_another_term(extra):
@@ -95,7 +102,6 @@ EXERCISE = declared(
     points=2,
     arguments={"terms": OWN_CASES, "q": OWN_CASES},
     cases=_cases,
-    tolerance=HALF_THE_DIGITS,
     library=_right,
     distance=_distance,
     says="row 1, times the terms, fits the square of q2 with the least sum of squares, and row 0, "
