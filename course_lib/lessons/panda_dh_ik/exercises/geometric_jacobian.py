@@ -2,13 +2,18 @@
 
 import numpy as np
 
-from course_lib.arms import DHRow, SerialArm
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import QUARTER, Kind
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, SMALL
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, part_is
+from course_lib.checks.vocabulary import (
+    SAME_TWICE,
+    any_pose,
+    away_from_zero,
+    part_is,
+    products,
+)
 from course_lib.lessons.panda_dh_ik.exercises import shared
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
@@ -16,8 +21,8 @@ from course_lib.rotations import rot_x, rot_y
 
 def _drawn(rng, n):
     """Return the frames of an arm with n skew joint axes, its base anywhere in the world."""
-    arm = SerialArm.from_dh([DHRow(*row) for row in away_from_zero(rng, (n, 4))], end=any_pose(rng))
-    return any_pose(rng) @ arm.frames(away_from_zero(rng, n))
+    steps = [shared.modified(*row) for row in away_from_zero(rng, (n, 4))]
+    return np.array(products([any_pose(rng), *steps, any_pose(rng)])[2:])
 
 
 def _named(rng):
