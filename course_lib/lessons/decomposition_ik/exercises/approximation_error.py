@@ -80,6 +80,24 @@ def _found(errors, xy, angles):
     )
 
 
+_OTHER_DISTANCE = Mistake(
+    "an error is not |f(q) - xy|",
+    "Compute one of these tips by hand, from its two angles. How far is it from the position of "
+    "the same query?",
+)
+_A_NUMBER_FOR_NAN = Mistake(
+    "a number is returned for a prediction that is nan",
+    "What does the cosine of nan give, and what does your code make of it?",
+)
+
+
+def _otherwise(errors, *case):
+    right = _right(*case)
+    return (
+        _A_NUMBER_FOR_NAN if np.isnan(right[tuple(first_wrong(errors, right))]) else _OTHER_DISTANCE
+    )
+
+
 def _squares_subtracted(xy, angles):
     tips, there = two_link_tip(angles), xy[:, None]
     squares = (tips**2).sum(-1) + (there**2).sum(-1) - 2 * (tips * there).sum(-1)
@@ -103,11 +121,7 @@ EXERCISE = declared(
     says="the answer is the distance (m) from each position to the tip at each prediction; if a "
     "prediction is nan, so is its distance",
     found=_found,
-    otherwise=Mistake(
-        "an error is not |f(q) - xy|",
-        "Compute one of these tips by hand, from its two angles. How far is it from the position "
-        "of the same query?",
-    ),
+    otherwise=_otherwise,
     sweeps=(
         Sweep("a prediction that is nearly right", _nearly_there),
         Sweep("small angles", _nearly_stretched, SMALL),

@@ -104,8 +104,8 @@ EXERCISE = declared(
     cases=_cases,
     library=_right,
     distance=_distance,
-    says="row 1, times the terms, fits the square of q2 with the least sum of squares, and row 0, "
-    "times the terms and q2, fits q1 so; the last entry of row 1 is 0",
+    says="no other rows have a smaller sum of squares: row 1, times the terms, fits the square of "
+    "q2, and row 0, times the terms and q2, fits q1; the last entry of row 1 is 0",
     found=_found,
     otherwise=_otherwise,
     hints=(

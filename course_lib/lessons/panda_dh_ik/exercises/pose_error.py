@@ -133,7 +133,7 @@ def _otherwise(e, *case):
 def _off(e, *case):
     wanted = pose_error(*case)
     if not near(e[:3], wanted[:3]):
-        return f"That is {compared(wanted[:3], e[:3])}."
+        return f"p_target - p is {compared(wanted[:3], e[:3])}."
     angle, phi = length(wanted[3:]), format_tuple(wanted[3:])
     yours = f"{format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
     return f"The rotation between them is {angle:.4g} rad, phi = {phi}; your phi is {yours}."
