@@ -45,6 +45,7 @@ def run(step, program, arguments):
     sys.argv = [program, *arguments]
     kill_before(step)
     if program.endswith(".py"):
+        sys.path.insert(0, str(Path(program).parent.resolve()))  # as Python itself does
         runpy.run_path(program, run_name="__main__")
     sys.exit(importlib.import_module(program).main(arguments))
 

@@ -320,8 +320,7 @@ def test_a_killed_update_from_a_zip_is_completed_by_the_next(root, tmp_path):
         shutil.copytree(root / FOLDER, both / folder / "notebooks")
     before = answer(both / "old/notebooks" / NAME, "wrap_angle", CODE)
     (both / "old/notebooks/helper.py").write_text("x = 1\n")
-    for name in ("carry_over.py", "older_cells.json"):
-        shutil.copy(STUDENTS / name, both / "new")
+    shutil.copytree(STUDENTS, both / "new", dirs_exist_ok=True)
     copies = killed_at_every_step(both, tmp_path / "copies", "new/carry_over.py", "old")
     assert len(copies) > 3
     for copy_of_both in copies:

@@ -58,7 +58,7 @@ def collect(root: Path, more: bool = True) -> dict[str, bytes]:
     pages = PAGES if more else PAGES[1:]
     paths = [*_read_by(files, root, pages), *_package(root), root / SET_UP]
     files |= _as_they_are(root, paths)
-    files |= _as_they_are(STUDENTS, [path for path in STUDENTS.iterdir() if path.is_file()])
+    files |= _as_they_are(STUDENTS, _for_students_alone())
     files["pyproject.toml"] = reduced_project(project).encode()
     files["environment.txt"] = (LOCKED + "\n".join(wanted(project)) + "\n").encode()
     files[LOCK] = (root / "environment.txt").read_bytes()
@@ -101,6 +101,12 @@ def _package(root: Path) -> list[Path]:
     package = root / "course_lib"
     files = [*package.rglob("*.py"), *package.rglob("*.js"), *package.glob("jupyter/**/*.json")]
     return [path for path in files if path.relative_to(package).parts[0] != "pack"]
+
+
+def _for_students_alone() -> list[Path]:
+    return [
+        path for path in STUDENTS.rglob("*") if path.is_file() and path.parent.name != "__pycache__"
+    ]
 
 
 def _as_they_are(folder: Path, paths: Iterable[Path]) -> dict[str, bytes]:

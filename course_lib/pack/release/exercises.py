@@ -22,7 +22,7 @@ from course_lib.pack import in_words
 from course_lib.pack.files import write_atomically
 from course_lib.pack.release import ReleaseError
 from course_lib.pack.release.bundle import collect, named
-from course_lib.pack.release.students.carry_over import carry_folder
+from course_lib.pack.release.students.update.folders import carry_folder
 
 FOLDER = "exercises"
 MAKING = "exercises-making"  # the new folder until it is complete

@@ -13,7 +13,7 @@ from course_lib.checks.errors import UNWRITTEN
 from course_lib.pack.more import cells_of_more, heading_level
 from course_lib.pack.notebooks import tidy
 from course_lib.pack.release import PROMPT, ReleaseError
-from course_lib.pack.release.students.carry_over import fingerprint
+from course_lib.pack.release.students.update.notebook_file import fingerprint
 
 BEGIN, END = "BEGIN SOLUTION", "END SOLUTION"  # anywhere in a line, as nbgrader has it
 FOR_GRADERS = (BEGIN, END, "Model answer", "*Rubric")

@@ -1,0 +1,1 @@
+"""How answers reach a newer release: what `python carry_over.py` runs."""
