@@ -374,7 +374,7 @@ ASKED = {
         {"columns": {"t": "time_ms"}}, SEVEN[:, :1], False,
     ),
     "some units.csv": (
-        lines(["t [s]", "q1 [rad]", "q2"], T, SEVEN[:, :2]), 'units={"q2": "rad"}', {"units": {"q2": "rad"}},
+        lines(["t [s]", "q1 [rad]", "q2"], T, SEVEN[:, :2]), 'units={"q": "rad"}', {"units": {"q": "rad"}},
         SEVEN[:, :2], False,
     ),
     "no title.csv": (
@@ -531,10 +531,9 @@ def test_a_title_that_occurs_twice_is_chosen_by_its_number(file):
     np.testing.assert_allclose(load(path, columns={"q1": 3}).q[:, 0], SEVEN[:, 1])
 
 
-def test_units_may_differ_from_joint_to_joint(file):
-    path = file(lines(["t", "q1", "q2"], T, SEVEN[:, :2]))
-    read = load(path, units={"q1": "deg", "q2": "rad"})
-    np.testing.assert_allclose(read.q, SEVEN[:, :2] * [np.pi / 180, 1])
+def test_units_may_differ_from_title_to_title(file):
+    path = file(lines(["t", "q1 [deg]", "q2 [rad]"], T, SEVEN[:, :2]))
+    np.testing.assert_allclose(load(path).q, SEVEN[:, :2] * [np.pi / 180, 1])
 
 
 def test_a_unit_that_the_header_denies_is_refused(file):
@@ -573,7 +572,8 @@ def test_microseconds_are_read_in_every_spelling(file):
         ({"columns": {"t": ["t", "q1", "q2"]}}, r'columns\["t"\] must be one column'),
         ({"units": {"z": "s"}}, "units must be such as"),
         ({"units": {"t": "deg"}}, "units must be such as .*: of t it may be s, ms, us, ns"),
-        ({"units": {"q2": 1}}, "units must be such as"),
+        ({"units": {"q2": "rad"}}, "units must be such as .*: its keys are t, q and qd"),
+        ({"units": {"q": 1}}, "units must be such as"),
         ({"units": "deg"}, "units must be such as"),
     ],
 )  # fmt: skip

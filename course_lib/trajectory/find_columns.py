@@ -2,7 +2,7 @@
 or a question."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -52,6 +52,8 @@ def find_columns(table, joint_count, has_step, joints=None, chosen=None, velocit
         remark = ", no header"
     columns = [understand(i, title) for i, title in enumerate(titles)]
     columns = _named_by_rows(table, columns)
+    if titles[:2] == ("duration", "success_rate"):  # libfranka's log, which counts milliseconds
+        columns[0] = replace(columns[0], kind="t", unit="ms")
     if not columns:
         columns = [Column(i, str(i + 1)) for i in range(table.width)]
     places = _chosen_places(table, chosen or {})
@@ -71,12 +73,12 @@ def find_columns(table, joint_count, has_step, joints=None, chosen=None, velocit
 def _times(table, columns):
     """Return the column of times, or those of seconds and nanoseconds."""
     clocks = [column for column in columns if column.kind == "t"]
-    # A stamp that nobody set stays 0, and the program's own clock comes before those of messages.
-    clocks = [clock for clock in clocks if len(set(table.cells(clock.place))) > 1] or clocks[:1]
-    plain = [clock for clock in clocks if len(clock.words) == 1 and clock.words[0] in ("t", "time")]
-    clocks = plain if len(plain) == 1 else clocks
-    parts = {column.unit: column for column in columns if column.kind == "t"}
-    if set(parts) >= {"s", "ns"} and parts["s"].words == parts["ns"].words and not plain:
+    # The program's own clock comes before those of the messages that it writes.
+    plain = [clock for clock in clocks if clock.words in (("t",), ("time",))]
+    if len(plain) == 1:
+        return plain
+    parts = {column.unit: column for column in clocks}
+    if set(parts) >= {"s", "ns"} and parts["s"].words == parts["ns"].words:
         return [parts["s"], parts["ns"]]
     if len(clocks) == 1:
         return clocks
@@ -88,9 +90,6 @@ def _times(table, columns):
             f"{len(clocks)} columns hold times: {', '.join(names)}.",
             f'Write which one, for example columns={{"t": {names[0]}}}.',
         )
-    durations = [column for column in columns if column.title == "duration"]
-    if durations and "success_rate" in table.header:  # as libfranka called its times at first
-        return durations
     others = [column.place for column in columns if not column.kind]
     one_does = ""
     if others:
@@ -134,7 +133,7 @@ def _joints(table, columns, joints, velocities_alone):
                 "as those of a quaternion do.",
                 f'If they are joint angles, write columns={{"q": {pattern_of(angles[0])}}}.',
             )
-        return angles[0], _belonging(table, columns, angles[0], velocities)
+        return angles[0], _of_these_joints(table, columns, angles[0], velocities)
     if angles:
         raise unclear(
             table,
@@ -203,10 +202,7 @@ def _named_sets(columns, names):
     """Return {kind: sets} of columns whose titles differ by these names alone."""
     of_pattern = {}
     for i, name in enumerate(names):
-        longer = [other for other in names if len(other) > len(name) and name in other]
         for column, pattern in _columns_of_name(columns, name):
-            if any(column is c for other in longer for c, _ in _columns_of_name(columns, other)):
-                continue
             kind = kind_of(pattern, has_name=True)
             kind = "qd" if kind and column.unit in ("rad/s", "deg/s", "rpm") else kind
             of_pattern.setdefault((kind, pattern), {}).setdefault(i, []).append(column)
@@ -232,14 +228,8 @@ def _columns_of_name(columns, name):
     return found
 
 
-def _belonging(table, columns, angles, sets):
-    """Return the velocities of these joints: the one set, or the one with the same other words."""
-
-    def other_words(column):
-        return [word for word in column.pattern if KIND_OF.get(word) in ("", "joint")]
-
-    if len(sets) > 1:
-        sets = [found for found in sets if other_words(found[0]) == other_words(angles[0])]
+def _of_these_joints(table, columns, angles, sets):
+    """Return the velocities of these joints, of which there may be none, or ask."""
     if not sets:
         return []
     if len(sets) == 1 and len(sets[0]) == len(angles):

@@ -63,9 +63,9 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     step : float, optional
         The time between two samples, in seconds, if times are not in the file.
     units : dict, optional
-        Units that the header does not say, or says wrongly: of "t" (s, ms, us, ns), of all joints
-        as "q" (rad, deg, mrad) and "qd" (rad/s, deg/s, rpm), or of one, as "q3", for example
-        ``{"t": "ms", "q": "deg"}``. A pair such as ``("ms", "deg")`` is for times and angles.
+        Units that the header does not say, or says wrongly: of "t" (s, ms, us, ns), of the angles
+        "q" (rad, deg, mrad) and of the velocities "qd" (rad/s, deg/s, rpm), for example
+        ``{"t": "ms", "q": "deg"}``.
     joints : sequence of str, optional
         The names of the joints from the base to the end-effector, as they are in the file, for
         example `SerialArm.joint_names`.
@@ -119,52 +119,49 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
         limits = real_array(limits, "limits", ("n", 2), batched=False, infinite=True)
     if step is not None:
         step = float(positive(step, "step", batched=False))
-    count, has_step, chosen = (
-        None if limits is None else len(limits),
-        step is not None,
-        columns is not None,
-    )
+    joint_count = None if limits is None else len(limits)
     table = read_table(path)
-    if has_step and count is not None:
-        table = table.with_samples_as_rows(count)
-    found = find_columns(table, count, has_step, joints, columns)
-    q_columns = _with_units(table, found.q, "q", units, chosen)
-    if count is not None and len(q_columns) != count:
-        raise JointCountError(table.name, len(q_columns), count)
+    if step is not None and joint_count is not None:
+        table = table.with_samples_as_rows(joint_count)
+    found = find_columns(table, joint_count, step is not None, joints, columns)
+    chosen = columns is not None
+    q_columns = _with_units(table, found.q, "q", units.get("q"), chosen)
+    if joint_count is not None and len(q_columns) != joint_count:
+        raise JointCountError(table.name, len(q_columns), joint_count)
     q = _values(table, q_columns, "q")
-    if has_step:
-        t = elapsed = step * np.arange(len(q))
-        time_line, time_said = [], f"steps of {step:g} s"
-    else:
+    if step is None:
         t, elapsed, unit = _times(table, found.t, units.get("t"), chosen)
-        time_line, time_said = [f"t: {_came_from(found.t)}"], f"t in {unit}"
+        understood = [f"t in {unit}", f"t: {_came_from(found.t)}"]
+    else:
+        t = elapsed = step * np.arange(len(q))
+        understood = [f"steps of {step:g} s"]
     _ask_for_degrees(table, q_columns, q)
     q = q * _sizes(q_columns)
-    if velocities is None:
-        qd_columns = _with_units(table, found.qd, "qd", units, chosen)
-        qd = _velocities(table, qd_columns, q, q_columns)
-    else:
-        other = read_table(_table_file(velocities, "velocities")).with_samples_as_rows(
-            len(q_columns)
-        )
-        found_there = find_columns(other, count, True, joints, None, velocities_alone=True)
-        qd_columns = _with_units(other, found_there.q, "qd", units, False)
-        qd = _velocities(other, qd_columns, q, q_columns)
-    q, remarks = _unwrapped(table, q_columns, q, qd, elapsed, limits)
+    qd_table, qd_columns = table, found.qd
+    if velocities is not None:
+        qd_table = read_table(_table_file(velocities, "velocities"))
+        qd_table = qd_table.with_samples_as_rows(len(q_columns))
+        qd_columns = find_columns(qd_table, joint_count, True, joints, velocities_alone=True).q
+        chosen = False
+    qd_columns = _with_units(qd_table, qd_columns, "qd", units.get("qd"), chosen)
+    qd = _velocities(qd_table, qd_columns, q, q_columns)
+    q, unwrapped = _unwrapped(table, q_columns, q, qd, elapsed, limits)
     if limits is not None:
         _refuse_outside(table, q_columns, q, limits)
-    lines = [*time_line, *_joint_lines(q_columns, qd_columns, q)]
+    understood += _joint_lines(q_columns, qd_columns, q)
     qd, missing = _with_differences(q, qd, elapsed)
-    given = len(missing) < len(q_columns)
     if qd_columns and missing:
         names = ", ".join(qd_columns[i].title for i in missing)
-        lines.append(f"left out, because they are NaN throughout: {names}")
-    lines += remarks
+        understood.append(f"left out, because they are NaN throughout: {names}")
+    understood += unwrapped
     if found.unused:
-        lines.append(f"not used: {_titles(found.unused)}")
-    remark = (", decimal comma" if table.decimal_comma else "") + found.remark
-    summary = _summary(len(q), time_said, q_columns, len(q_columns) - len(missing)) + remark
-    return Trajectory(t, q, qd, "\n  ".join([summary, *lines]), given)
+        understood.append(f"not used: {_titles(found.unused)}")
+    given_count = len(q_columns) - len(missing)
+    understood[0] = _summary(len(q), understood[0], q_columns, given_count)
+    if table.decimal_comma:
+        understood[0] += ", decimal comma"
+    understood[0] += found.remark
+    return Trajectory(t, q, qd, "\n  ".join(understood), velocities_given=given_count > 0)
 
 
 # Arguments
@@ -182,19 +179,16 @@ def _table_file(path, name):
 
 
 def _checked_units(units):
-    """Return the argument `units` as a dict of units by quantity or joint."""
+    """Return the argument `units` as a dict."""
     if units is None:
         return {}
-    if isinstance(units, list | tuple) and len(units) == 2:
-        units = {key: unit for key, unit in zip(("t", "q"), units, strict=True) if unit is not None}
-    expected = 'units must be such as {"t": "ms", "q": "deg"}, or ("ms", "deg")'
+    expected = 'units must be such as {"t": "ms", "q": "deg"}'
     if not isinstance(units, dict):
         raise ValueError(f"{expected}; it is {units!r:.60}")
     for key, unit in units.items():
-        parted = re.fullmatch(r"(t|qd?)(\d*)", key) if isinstance(key, str) else None
-        if not parted:
-            raise ValueError(f"{expected}: its keys are t, q, qd, q1, qd1 ...; one is {key!r:.40}")
-        known = UNITS[parted[1]]
+        if key not in ("t", "q", "qd"):
+            raise ValueError(f"{expected}: its keys are t, q and qd; one is {key!r:.40}")
+        known = UNITS[key]
         if not isinstance(unit, str) or unit not in known:
             raise ValueError(
                 f"{expected}: of {key} it may be {', '.join(known)}; it is {unit!r:.40}"
@@ -221,28 +215,26 @@ def _checked_joints(joints):
 # -------------------------------------------------------------------------------------------------
 
 
-def _with_units(table, columns, kind, units, chosen):
-    """Return the columns of one kind with the units that the user or the header says.
+def _with_units(table, columns, kind, unit, chosen):
+    """Return the columns of one kind with the unit that the user says, or with those of the header.
 
-    chosen: whether the user chose the columns, and so knows what their titles say.
+    unit: what the user says, or None. chosen: whether the user chose the columns, and so knows what
+    their titles say.
     """
-    united = []
-    for number, column in enumerate(columns, 1):
-        key = f"{kind}{number}" if f"{kind}{number}" in units else kind
-        united.append(_with_unit(table, column, kind, key, units.get(key), chosen))
-    without = [i for i, column in enumerate(united, 1) if column.unit is None]
-    if without and len(without) < len(united):
+    columns = [_with_unit(table, column, kind, unit, chosen) for column in columns]
+    with_unit = [column for column in columns if column.unit is not None]
+    without = [column for column in columns if column.unit is None]
+    if with_unit and without:
         raise unclear(
             table,
             columns,
-            f"some columns have a unit, and {united[without[0] - 1].title!r} has none.",
-            "Write its unit, for example "
-            f'units={{"{kind}{without[0]}": "{next(iter(UNITS[kind]))}"}}.',
+            f"some columns have a unit, and {without[0].title!r} has none.",
+            f'If it has the same, write units={{"{kind}": "{with_unit[0].unit}"}}.',
         )
-    return united
+    return columns
 
 
-def _with_unit(table, column, kind, key, unit, chosen):
+def _with_unit(table, column, kind, unit, chosen):
     """Return a column with the unit that the user says, else that of its title, if it is known."""
     in_title = column.unit if column.unit in UNITS[kind] else None
     known = ", ".join(UNITS[kind])
@@ -253,14 +245,14 @@ def _with_unit(table, column, kind, key, unit, chosen):
             f"{column.title!r} has the unit {column.unit.removeprefix('?')}. The units of "
             f"{_QUANTITIES[kind]} that are known here are {known}.",
             "If it is in one of these nevertheless, write it, for example "
-            f'units={{"{key}": "{known.split(",")[0]}"}}.',
+            f'units={{"{kind}": "{known.split(",")[0]}"}}.',
         )
     if unit is not None and in_title not in (None, unit) and not chosen:
         raise unclear(
             table,
             [column],
-            f"units says that {key} is in {unit}, and {column.title!r} says {in_title}.",
-            f'Leave it out of units, or, if the title is wrong, add columns={{"{key}": ...}}.',
+            f"units says that {kind} is in {unit}, and {column.title!r} says {in_title}.",
+            f'Leave it out of units, or, if the title is wrong, add columns={{"{kind}": ...}}.',
         )
     return replace(column, unit=unit or in_title)
 
@@ -287,7 +279,7 @@ def _times(table, columns, unit, chosen):
     unit."""
     label = _label("t", columns[0])
     if len(columns) == 1:
-        columns = _with_units(table, columns, "t", {} if unit is None else {"t": unit}, chosen)
+        columns = _with_units(table, columns, "t", unit, chosen)
     for column in columns:
         values = table.numbers(column.place, label)[:, None]
         bad = ~(np.abs(values) <= _MAX_VALUE)
@@ -318,8 +310,6 @@ def _times(table, columns, unit, chosen):
 
 def _unit_of_times(table, column, ticks):
     """Return the unit of times without one: what is certain from the numbers; else ask."""
-    if "success_rate" in table.header:  # the log of libfranka, which counts milliseconds
-        return "ms"
     for unit in ("ns", "us", "ms", "s"):
         if _SINCE_1970[0] < float(ticks[0]) * UNITS["t"][unit] < _SINCE_1970[1]:
             return unit
