@@ -91,10 +91,12 @@ def reply(
     in_place, arguments, results = set(asked.get("in_place", ())), [], []
     with contextlib.ExitStack() as stack:
         stack.enter_context(contextlib.suppress(TimeUp))
-        stack.enter_context(_quiet())
-        stack.enter_context(_put_back())
+        stack.enter_context(_output_discarded())
+        stack.enter_context(_numpy_settings_restored())
         stack.enter_context(right_ones(namespace_of(function), stand_ins))
-        refused = stack.enter_context(_taken_away(asked["forbidden"], function, asked["exercise"]))
+        refused = stack.enter_context(
+            _forbidden_replaced(asked["forbidden"], function, asked["exercise"])
+        )
         start_again = stack.enter_context(cpu_clock(asked["seconds"], TimeUp, too_long))
         for position, case in enumerate(cases):
             if any(isinstance(argument, Candidate) for argument in case):
@@ -161,7 +163,9 @@ def _answer(function, case, arguments, through, names):
         return _error("NotPlain", str(kind)), None
     # Also GeneratorExit, and exceptions that students derive from BaseException.
     except BaseException as raised:
-        error = _error(type(raised).__name__, _text(raised), *_students_line(raised, function))
+        error = _error(
+            type(raised).__name__, _message_of(raised), *_students_line(raised, function)
+        )
         return error, None
 
 
@@ -171,7 +175,7 @@ def _error(kind, message, line=None, source="", cell=""):
     }
 
 
-def _text(raised):
+def _message_of(raised):
     """Return the text of an exception. The student's class may define it, so this can fail."""
     try:
         return str(raised)[:_MAX_WARNING]
@@ -329,7 +333,7 @@ class _StandIn:
 
 
 @contextlib.contextmanager
-def _quiet():
+def _output_discarded():
     """Discard what the function prints, displays and plots: for a hundred cases it would hide the
     check's message."""
 
@@ -353,7 +357,7 @@ def _quiet():
 
 
 @contextlib.contextmanager
-def _put_back():
+def _numpy_settings_restored():
     """Restore numpy's settings for errors and printing in case the function changes them."""
     errors, printing = np.geterr(), np.get_printoptions()
     try:
@@ -375,7 +379,7 @@ class _Forbidden(NamedTuple):
 
 
 @contextlib.contextmanager
-def _taken_away(names, function, exercise):
+def _forbidden_replaced(names, function, exercise):
     """Replace the functions with these dotted names in the library and in the student's notebook.
 
     What does their work in the notebook is replaced too, see _forbidden_in_notebook. Yields the
@@ -390,12 +394,12 @@ def _taken_away(names, function, exercise):
     forbidden |= _forbidden_in_notebook(own, exercise, forbidden)
     replaced = []
     try:
-        for place, space in _spaces(forbidden, own):
+        for place, space in _namespaces_with_forbidden(forbidden, own):
             for key, value in list(space.items()):
                 taken = forbidden.get(id(value))
                 if taken is not None and place.startswith(taken.packages):
                     replaced.append((space, key, value))
-                    space[key] = _Taken(taken.name)
+                    space[key] = _ForbiddenStandIn(taken.name)
         yield refused
     finally:
         for space, key, thing in replaced:
@@ -427,7 +431,7 @@ def _forbidden_in_notebook(own, exercise, functions):
             name = functions[id(type(value))].name
             forbidden[id(value)] = _Forbidden(value, name, ("course_lib",))
     partials = [value for value in own.values() if isinstance(value, functools.partial)]
-    for name, check in _checks(own):
+    for name, check in _imported_checks(own):
         library = getattr(check, "library", None)
         is_forbidden = name == exercise or id(library) in functions
         if library is None or not is_forbidden:
@@ -439,13 +443,13 @@ def _forbidden_in_notebook(own, exercise, functions):
     return forbidden
 
 
-def _spaces(forbidden, own):
+def _namespaces_with_forbidden(forbidden, own):
     """Yield (name, namespace) of the modules, and of the notebook, that hold forbidden things.
 
     The notebook goes by the name of the library, in all of whose modules things are replaced.
     """
     packages = {package for taken in forbidden.values() for package in taken.packages}
-    modules = _inside(tuple(sorted(packages)), tuple(sys.modules))
+    modules = _modules_inside(tuple(sorted(packages)), tuple(sys.modules))
     spaces = [(name, vars(sys.modules[name])) for name in modules]
     for place, space in [*spaces, ("course_lib", own)]:
         # Nearly all spaces hold none of them, and this takes a fifth of the time of a look at each.
@@ -453,7 +457,7 @@ def _spaces(forbidden, own):
             yield place, space
 
 
-def _checks(own):
+def _imported_checks(own):
     """Yield (name, check) of all checks in the modules of checks that a notebook has imported."""
     for module in list(own.values()):
         name = getattr(module, "__name__", "") if isinstance(module, types.ModuleType) else ""
@@ -462,13 +466,13 @@ def _checks(own):
 
 
 @functools.lru_cache(maxsize=16)
-def _inside(packages, modules):
+def _modules_inside(packages, modules):
     """Return the names of the modules that begin with one of the packages; checks ask for the same
     again and again."""
     return [name for name in modules if name.startswith(packages)]
 
 
-class _Taken:
+class _ForbiddenStandIn:
     def __init__(self, name):
         object.__setattr__(self, "_name", name)
 

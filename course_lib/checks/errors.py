@@ -155,7 +155,7 @@ def explain_error(exercise, error):
     kind, message = error["type"], error["message"]
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if kind == "NotImplementedError":
-        return "waits", _waits(exercise.name, message), None, False
+        return "waits", _what_to_write_first(exercise.name, message), None, False
     if kind == "NotPlain":
         return (
             "wrong",
@@ -193,20 +193,20 @@ def explain_error(exercise, error):
     if source.startswith("raise "):
         mistakes.append(_RAISED)
     mistake = mistakes[0] if mistakes else None
-    where = _place(error) if source else f"Calling {call}"
+    where = _line_that_raised(error) if source else f"Calling {call}"
     exception = f"{kind}: {message}" if message else kind
     # A function that was called with symbols was not given the numbers of the case.
     shows_case = not exercise.through
     return "error", f"{where} raises {exception}", mistake, shows_case
 
 
-def _place(error):
+def _line_that_raised(error):
     """Return the student's line that raised an error, and whose cell holds it."""
     cell = f"the cell of {error['cell']}" if error.get("cell") else "its cell"
     return f"Line {error['line']} of {cell}, `{error['source']}`,"
 
 
-def _waits(name, message):
+def _what_to_write_first(name, message):
     """Return what to write first if the function calls another exercise that is not written yet;
     else ""."""
     unwritten = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)

@@ -232,7 +232,9 @@ class Exercise:
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:
-            return self._named_before(first, cases, answers) or self._ended(first, cases, answers)
+            return self._mistake_in_earlier_case(first, cases, answers) or self._stopped_by_error(
+                first, cases, answers
+            )
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)
@@ -247,8 +249,8 @@ class Exercise:
             try:
                 values[position] = self.returns(values[position], *case)
             except Unreadable as other_kind:
-                named = self._named_before(position, cases, answers)
-                return named or self._of_other_form(position, cases, answers, other_kind)
+                named = self._mistake_in_earlier_case(position, cases, answers)
+                return named or self._verdict_on_form(position, cases, answers, other_kind)
         for wanted in self.properties:
             failing = wanted.failing(cases, values)
             if failing:
@@ -259,9 +261,9 @@ class Exercise:
             case, value = cases[overwritten[0]], answers[overwritten[0]]["value"]
             return Verdict(self, WRONG, reason, SHARED_RESULT, case, value)
         warning = next((answer["warning"] for answer in answers if answer["warning"]), "")
-        return Verdict(self, RIGHT, note=_in_words(warning))
+        return Verdict(self, RIGHT, note=_warning_in_words(warning))
 
-    def _ended(self, position, cases, answers):
+    def _stopped_by_error(self, position, cases, answers):
         """Return the Verdict on answers of which this one ended in an error."""
         error = answers[position]["error"]
         verdict = no_answer(self, cases[position], error)
@@ -272,14 +274,17 @@ class Exercise:
             )
         return replace(verdict, credit=credit)
 
-    def _of_other_form(self, position, cases, answers, other_kind):
-        value, mistake = answers[position]["value"], self._shown_by(other_kind, cases[position])
+    def _verdict_on_form(self, position, cases, answers, other_kind):
+        value, mistake = (
+            answers[position]["value"],
+            self._mistake_of_form(other_kind, cases[position]),
+        )
         if mistake is None:
             mistake = Naming(self, cases, []).of_other_form(position, value) or other_kind.mistake
         credit = self._credit(cases, answers)
         return Verdict(self, WRONG, str(other_kind), mistake, cases[position], value, credit=credit)
 
-    def _shown_by(self, other_kind, case):
+    def _mistake_of_form(self, other_kind, case):
         """Return the Mistake that an answer of another form, or with nan in it, shows; None if none
         does."""
         own = self.mistakes
@@ -331,7 +336,7 @@ class Exercise:
             return False
         return not part.failing(asked, values)
 
-    def _named_before(self, position, cases, answers):
+    def _mistake_in_earlier_case(self, position, cases, answers):
         """Return the Verdict on the cases before this one if it names a mistake of the exercise,
         else None.
 
@@ -523,7 +528,7 @@ _CANNOT_BE_READ = (
 
 def _answers(reply, number, arguments):
     """Return the answers in a reply to so many questions; raises if it cannot be read."""
-    answers = [_claim(answer, arguments) for answer in json.loads(reply)["answers"]]
+    answers = [_checked_answer(answer, arguments) for answer in json.loads(reply)["answers"]]
     if len(answers) != number:
         raise NotPlain("not one answer for each case")
     return answers
@@ -614,7 +619,7 @@ def no_answer(exercise, case, error):
     return Verdict(exercise, states[state], reason, mistake, case if shows_case else None)
 
 
-def _claim(answer, arguments):
+def _checked_answer(answer, arguments):
     """Return an answer of call_student.reply with names in place of argument positions; raises for
     anything else."""
     if "error" in answer:
@@ -648,7 +653,7 @@ def _as_array(value):
     return array
 
 
-def _in_words(warning):
+def _warning_in_words(warning):
     """Return who warned of what, for a warning's text; "" for none."""
     if not warning:
         return ""

@@ -207,11 +207,11 @@ class Cluster:
         for key, task in list(self._tasks.items()):
             task.heard = max(task.heard, self._heard.get(task.number, 0))
             if task.worker not in workers:
-                yield from self._ended(self._tasks.pop(key), "ended")
+                yield from self._reassigned(self._tasks.pop(key), "ended")
             elif now - task.heard > MAX_SILENT:
                 task.future.cancel()
                 self._refuse(task.worker, f"it said nothing for {MAX_SILENT} seconds.")
-                yield from self._ended(self._tasks.pop(key), "is silent")
+                yield from self._reassigned(self._tasks.pop(key), "is silent")
         patience = min(PATIENCE, UNFIT_PATIENCE) if workers else PATIENCE
         if self._fit:
             self._last_fit = now
@@ -247,7 +247,7 @@ class Cluster:
                 "unfit": f"it does not answer as this course does, because {answer['unusable']}."
             }
         if not answer:
-            yield from self._ended(task, "ended")
+            yield from self._reassigned(task, "ended")
         elif "unfit" in answer:
             self._refuse(task.worker, quoted(answer["unfit"]))
             self._again += [task] if task.path else []
@@ -280,7 +280,7 @@ class Cluster:
         self._unfit[worker] = why
         tqdm.write(f"The worker {worker} grades nothing: {why}")
 
-    def _ended(self, task: Task, how: str) -> Iterator[tuple[Path, dict]]:
+    def _reassigned(self, task: Task, how: str) -> Iterator[tuple[Path, dict]]:
         """Give the submission of a worker that ended to another one, or give it up and yield (path,
         outcome)."""
         task.ended += 1

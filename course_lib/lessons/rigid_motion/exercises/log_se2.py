@@ -26,20 +26,23 @@ _TWISTS = (
 )
 
 
-def _by(rng, omega):
+def _pose_of_omega(rng, omega):
     """Return a pose that a twist with this omega leads to."""
     return exp_se2([omega, *rng.uniform(-4, 4, 2).round(2)])
 
 
 def _beside_half(rng, gap):
     """Return a rotation by nearly pi or, with a negative gap, by nearly -pi."""
-    return _by(rng, np.sign(gap) * (np.pi - abs(gap)))
+    return _pose_of_omega(rng, np.sign(gap) * (np.pi - abs(gap)))
 
 
 POSE = Kind(
-    drawn=lambda rng: _by(rng, round(rng.uniform(-3, 3), 2)),
+    drawn=lambda rng: _pose_of_omega(rng, round(rng.uniform(-3, 3), 2)),
     named=lambda rng: [*map(exp_se2, _TWISTS), _QUARTER],
-    beside=(("omega near 0", _by, ON_BOTH_SIDES), ("omega near pi", _beside_half, ON_BOTH_SIDES)),
+    beside=(
+        ("omega near 0", _pose_of_omega, ON_BOTH_SIDES),
+        ("omega near pi", _beside_half, ON_BOTH_SIDES),
+    ),
 )
 
 

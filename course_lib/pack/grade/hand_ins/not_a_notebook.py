@@ -20,7 +20,7 @@ GIT_LFS = b"version https://git-lfs.github.com/"
 MERGE = re.compile(rb"^(<{7}|={7}|>{7})(?: |\r?$)", re.MULTILINE)
 
 
-def what_it_is(content: bytes, problem: Exception) -> str:
+def describe_other_file(content: bytes, problem: Exception) -> str:
     """Return sentences on a file that is no JSON: what it is instead, and what to do.
 
     problem: what json.loads raised.

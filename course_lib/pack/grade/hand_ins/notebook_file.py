@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import nbformat
 
-from course_lib.pack.grade.hand_ins.not_a_notebook import what_it_is
+from course_lib.pack.grade.hand_ins.not_a_notebook import describe_other_file
 from course_lib.pack.grade.jail.course_view import PACKAGE
 from course_lib.pack.more import cells_of_more
 from course_lib.pack.release import PROMPT
@@ -107,7 +107,7 @@ def read(content: bytes) -> tuple[list[Cell], str]:
         # No number in a notebook is needed. Kept as text, even a very long one can be read.
         book = json.loads(content, parse_int=str, parse_float=str)
     except (ValueError, RecursionError, MemoryError) as problem:
-        raise Unreadable(what_it_is(content, problem)) from None
+        raise Unreadable(describe_other_file(content, problem)) from None
     listed = _within(book, "cells")
     if not isinstance(listed, list):
         if isinstance(_within(book, "worksheets"), list):

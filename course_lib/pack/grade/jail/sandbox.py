@@ -90,7 +90,7 @@ class Sandbox:
         self._isolated = jail.isolated
         self._unread = bytearray()  # the bytes that are not a whole message yet
         self._over = self._excess = ""  # why no message comes any more, which bound was exceeded
-        self._ended = threading.Event()
+        self._process_ended = threading.Event()
         self.looks = 0
         self.computed = self.free = self._waited = self.reading = 0.0
         self._before = (0.0, 0.0)  # the seconds waited, and delayed, at the last look
@@ -103,7 +103,7 @@ class Sandbox:
         return self
 
     def __exit__(self, *raised: object) -> None:
-        self._ended.set()
+        self._process_ended.set()
         self._watcher.join()  # before the process's number may be another's
         self._look()
         left = [] if self._isolated else self._numbers()
@@ -156,7 +156,7 @@ class Sandbox:
     def _look_on(self) -> None:
         """Look again and again, also while answers are judged; end the sandbox if it exceeds a
         bound."""
-        while not self._ended.wait(PAUSE):
+        while not self._process_ended.wait(PAUSE):
             count, memory = self._look()
             if count > self._limits.processes + 5:
                 self._excess = f"more than {self._limits.processes} processes"
