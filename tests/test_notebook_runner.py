@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import subprocess
 import sys
 from io import BytesIO
 
@@ -167,6 +168,22 @@ def test_a_still_is_drawn_anew_for_a_figure_that_changed(
     remark = notebooks.refresh(path, no_browser)
     assert "figures without a still: 1 (none here)" in remark
     assert stills(path) == [b"still 0 of call 1", b""], "an old picture of a new figure would lie"
+
+
+@pytest.mark.tools("git")
+def test_a_still_that_jupyterlab_lost_is_taken_from_the_last_commit(write):
+    path = write(show(1))
+    notebooks.refresh(path, Pencil())
+    stored = path.read_bytes()
+    about = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for command in (["init", "-q"], ["add", "."], [*about, "commit", "-q", "-m", "one"]):
+        subprocess.run(["git", *command], cwd=path.parent, check=True)
+    saved = nbformat.read(path, 4)
+    for cell in saved.cells:
+        cell.outputs = []
+    nbformat.write(saved, path)
+    notebooks.refresh(path, no_browser)
+    assert path.read_bytes() == stored
 
 
 @pytest.mark.parametrize(

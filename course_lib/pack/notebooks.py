@@ -12,8 +12,11 @@ from __future__ import annotations
 
 import argparse
 import base64
+import contextlib
+import json
 import os
 import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -96,7 +99,7 @@ def refresh(path: Path, make_stills: StillMaker | None = None) -> str:
         ) from error
     except ValueError as error:  # most often a half-resolved merge
         raise NotebookFailed(f"is not a notebook: {str(error).splitlines()[0][:80]}") from error
-    known = stills_in(notebook)
+    known = _committed_stills(path) | stills_in(notebook)
     run(notebook, path)
     try:
         remark = add_stills(notebook, known, make_stills or draw_stills)
@@ -228,6 +231,15 @@ def add_stills(
         if key in known:
             output.data[STILL] = known[key]
     return remark
+
+
+def _committed_stills(path: Path) -> dict[str, str]:
+    """Return the stills of a notebook as git has it, because JupyterLab saves toys without them."""
+    command = ["git", "show", f"HEAD:./{path.name}"]
+    with contextlib.suppress(OSError, ValueError, LookupError):  # there is no git, or no notebook
+        committed = subprocess.run(command, cwd=path.parent, capture_output=True).stdout
+        return stills_in(json.loads(committed))
+    return {}
 
 
 def draw_stills(figures: list[Figure]) -> list[bytes]:
