@@ -7,7 +7,6 @@ or on a few values of it. So each secret set must hold cases that occur in no ot
 
 from collections import Counter
 
-import numpy as np
 import pytest
 
 from course_lib.checks.wire import write
@@ -47,12 +46,3 @@ def test_a_table_of_answers_misses_cases_of_every_set(name):
 def test_a_function_without_arguments_has_one_case(name):
     assert EXERCISES[name].arguments == ()
     assert new_cases(EXERCISES[name]) == [0] * SETS
-
-
-def test_a_case_with_a_few_forms_does_not_count_as_new():
-    class Few:
-        def questions(self, seed):
-            rng = np.random.default_rng(seed)
-            return [(rng.integers(2),), (rng.random(),)], None
-
-    assert new_cases(Few()) == [1] * SETS

@@ -171,7 +171,7 @@ def test_a_still_is_drawn_anew_for_a_figure_that_changed(
 
 
 @pytest.mark.tools("git")
-def test_a_still_that_jupyterlab_lost_is_taken_from_the_last_commit(write):
+def test_a_lost_still_is_taken_from_the_last_commit(write):
     path = write(show(1))
     notebooks.refresh(path, Pencil())
     stored = path.read_bytes()
