@@ -139,7 +139,7 @@ def _joints(table, columns, joints, velocities_alone):
             table,
             columns,
             f"{len(angles)} sets of columns may hold the joint angles: "
-            f"{', '.join(pattern_of(found) for found in angles)}.",
+            f"{', '.join(pattern_of(joint_set) for joint_set in angles)}.",
             f'Write the right one, for example columns={{"q": {pattern_of(angles[0])}}}; * is for '
             "the numbers.",
         )
@@ -161,41 +161,42 @@ def _numbered_sets(table, columns):
         if column.kind in ("q", "qd") and column.number is not None:
             of_pattern.setdefault((column.kind, column.pattern), []).append(column)
     sets = {}
-    for (kind, _), found in of_pattern.items():
-        found.sort(key=lambda column: column.number)
-        sets.setdefault(kind, []).append(found)
-    alone = {kind: found[0] for kind, found in sets.items() if len(found) == 1}
-    for kind, found in alone.items():
-        others = [column for other in alone.values() for column in other]
-        _refuse_gaps(table, columns, kind, found, others)
+    for (kind, _), joint_set in of_pattern.items():
+        joint_set.sort(key=lambda column: column.number)
+        sets.setdefault(kind, []).append(joint_set)
+    only_sets = {kind: of_kind[0] for kind, of_kind in sets.items() if len(of_kind) == 1}
+    numbers = {column.number for joint_set in only_sets.values() for column in joint_set}
+    for kind, joint_set in only_sets.items():
+        _refuse_gaps(table, columns, kind, joint_set, numbers)
     return sets
 
 
-def _refuse_gaps(table, columns, kind, found, others):
-    """Refuse the first joint that has no column, or two; others: all columns of the joints."""
-    numbers = [column.number for column in found]
-    every = [column.number for column in others]
-    start = 0 if 0 in every else 1
-    for number in range(start, max(every) + 1):
-        if numbers.count(number) == 1:
-            continue
-        twice = [str(c.place + 1) for c in found if c.number == number]
-        joint = f"column {kind}{number + 1 - start}"
-        problem = f"{joint} is missing."
-        if twice:
-            problem = f"{joint} occurs twice: columns {' and '.join(twice)} have this title."
-        # A column without a title may be the one that is missing; of two, the first is shown.
-        first, last = (choose(column.place for column in found) for choose in (min, max))
-        untitled = [c.place for c in columns if not c.title and first < c.place < last]
-        shown = {column.number: column.place for column in reversed(found)}.values()
-        line = ", ".join(example(table, place) for place in sorted([*untitled, *shown]))
-        raise unclear(
-            table,
-            columns,
-            problem,
-            "Write all joints from the base, each by title or by number from 1, for example "
-            f'columns={{"{kind}": [{line}]}}.',
-        )
+def _refuse_gaps(table, columns, kind, joint_set, numbers):
+    """Refuse the first joint that has no column, or two; numbers: of all joints in the file."""
+    start = 0 if 0 in numbers else 1
+    by_number = {number: [] for number in range(start, max(numbers) + 1)}
+    for column in joint_set:
+        by_number[column.number].append(column)
+    wrong = [number for number, same in by_number.items() if len(same) != 1]
+    if not wrong:
+        return
+    joint = f"column {kind}{wrong[0] + 1 - start}"
+    problem = f"{joint} is missing."
+    if by_number[wrong[0]]:
+        twice = [str(column.place + 1) for column in by_number[wrong[0]]]
+        problem = f"{joint} occurs twice: columns {' and '.join(twice)} have this title."
+    # A column without a title may be the one that is missing; of two, the first is shown.
+    places = [column.place for column in joint_set]
+    shown = [same[0].place for same in by_number.values() if same]
+    shown += [c.place for c in columns if not c.title and min(places) < c.place < max(places)]
+    line = ", ".join(example(table, place) for place in sorted(shown))
+    raise unclear(
+        table,
+        columns,
+        problem,
+        "Write all joints from the base, each by title or by number from 1, for example "
+        f'columns={{"{kind}": [{line}]}}.',
+    )
 
 
 def _named_sets(columns, names):
@@ -207,9 +208,10 @@ def _named_sets(columns, names):
             kind = "qd" if kind and column.unit in ("rad/s", "deg/s", "rpm") else kind
             of_pattern.setdefault((kind, pattern), {}).setdefault(i, []).append(column)
     sets = {}
-    for (kind, _), found in of_pattern.items():
-        if kind and len(found) == len(names) and all(len(same) == 1 for same in found.values()):
-            sets.setdefault(kind, []).append([found[i][0] for i in range(len(names))])
+    for (kind, _), by_joint in of_pattern.items():
+        is_whole = len(by_joint) == len(names)
+        if kind and is_whole and all(len(same) == 1 for same in by_joint.values()):
+            sets.setdefault(kind, []).append([by_joint[i][0] for i in range(len(names))])
     return sets
 
 
@@ -218,14 +220,14 @@ def _columns_of_name(columns, name):
     wanted = words_of(name)
     if wanted[-1:] == ("joint",):
         wanted = wanted[:-1]
-    found = []
+    matches = []
     for column in columns:
         words, size = column.words, len(wanted)
         for at in range(len(words) - size + 1):
             if words[at : at + size] == wanted:
-                found.append((column, (*words[:at], "*", *words[at + size :])))
+                matches.append((column, (*words[:at], "*", *words[at + size :])))
                 break
-    return found
+    return matches
 
 
 def _of_these_joints(table, columns, angles, sets):
@@ -354,7 +356,7 @@ def _chosen_places(table, chosen):
             raise ValueError(
                 f"columns must name {kind}1 to {kind}{count}; {kind}{missing[0]} is missing"
             )
-    return {kind: [found[i] for i in sorted(found)] for kind, found in numbered.items()}
+    return {kind: [places[i] for i in sorted(places)] for kind, places in numbered.items()}
 
 
 def _places(table, key, value):
@@ -398,17 +400,17 @@ def _matching(table, key, pattern):
     """Return the places of the titles that a pattern such as "actual_q_*" matches, by number."""
     before, _, after = pattern.partition("*")
     form = re.compile(rf"{re.escape(before)}(\d+){re.escape(after)}")
-    found = []
+    matches = []
     for place, title in enumerate(table.header):
         if match := form.fullmatch(title):
-            found.append((int(match[1]), place))
-    found.sort()
-    numbers = [number for number, _ in found]
+            matches.append((int(match[1]), place))
+    matches.sort()
+    numbers = [number for number, _ in matches]
     first = min(numbers, default=2)
-    matched = ", ".join(table.header[place] for _, place in found) or "none"
+    matched = ", ".join(table.header[place] for _, place in matches) or "none"
     if first > 1 or numbers != list(range(first, first + len(numbers))):
         raise ValueError(
             f"columns[{quoted(key)}] is {pattern!r}: it must match titles with all numbers from 0"
             f" or 1 on, each once; it matches {matched}"
         )
-    return [place for _, place in found]
+    return [place for _, place in matches]

@@ -123,21 +123,21 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     table = read_table(path)
     if step is not None and joint_count is not None:
         table = table.with_samples_as_rows(joint_count)
-    found = find_columns(table, joint_count, step is not None, joints, columns)
+    file_columns = find_columns(table, joint_count, step is not None, joints, columns)
     chosen = columns is not None
-    q_columns = _with_units(table, found.q, "q", units.get("q"), chosen)
+    q_columns = _with_units(table, file_columns.q, "q", units.get("q"), chosen)
     if joint_count is not None and len(q_columns) != joint_count:
         raise JointCountError(table.name, len(q_columns), joint_count)
     q = _values(table, q_columns, "q")
     if step is None:
-        t, elapsed, unit = _times(table, found.t, units.get("t"), chosen)
-        understood = [f"t in {unit}", f"t: {_came_from(found.t)}"]
+        t, elapsed, unit = _times(table, file_columns.t, units.get("t"), chosen)
+        understood = [f"t in {unit}", f"t: {_came_from(file_columns.t)}"]
     else:
         t = elapsed = step * np.arange(len(q))
         understood = [f"steps of {step:g} s"]
     _ask_for_degrees(table, q_columns, q)
     q = q * _sizes(q_columns)
-    qd_table, qd_columns = table, found.qd
+    qd_table, qd_columns = table, file_columns.qd
     if velocities is not None:
         qd_table = read_table(_table_file(velocities, "velocities"))
         qd_table = qd_table.with_samples_as_rows(len(q_columns))
@@ -154,13 +154,13 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
         names = ", ".join(qd_columns[i].title for i in missing)
         understood.append(f"left out, because they are NaN throughout: {names}")
     understood += unwrapped
-    if found.unused:
-        understood.append(f"not used: {_titles(found.unused)}")
+    if file_columns.unused:
+        understood.append(f"not used: {_titles(file_columns.unused)}")
     given_count = len(q_columns) - len(missing)
     understood[0] = _summary(len(q), understood[0], q_columns, given_count)
     if table.decimal_comma:
         understood[0] += ", decimal comma"
-    understood[0] += found.remark
+    understood[0] += file_columns.remark
     return Trajectory(t, q, qd, "\n  ".join(understood), velocities_given=given_count > 0)
 
 

@@ -60,7 +60,7 @@ def no_joints(table, columns):
     for column in unknown:
         if column.number is not None:
             of_pattern.setdefault(column.pattern, []).append(column)
-    families = [pattern_of(found) for found in of_pattern.values() if len(found) > 1]
+    families = [pattern_of(same) for same in of_pattern.values() if len(same) > 1]
     if families:
         return unclear(
             table,
@@ -86,13 +86,13 @@ def no_joints(table, columns):
     )
 
 
-def pattern_of(found):
+def pattern_of(joint_set):
     """Return the titles of a set as one pattern, such as "actual_q_*", or as a list."""
     patterns = set()
-    for column in found:
+    for column in joint_set:
         before, mark, after = column.title.rpartition(str(column.number))
         patterns.add(f"{before}*{after}" if mark else column.title)
-    return quoted(patterns.pop() if len(patterns) == 1 else [column.title for column in found])
+    return quoted(patterns.pop() if len(patterns) == 1 else [column.title for column in joint_set])
 
 
 def example(table, place):
