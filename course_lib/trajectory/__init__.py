@@ -9,6 +9,6 @@ says whether velocities, positions and times belong together, and `save` writes 
 from course_lib.trajectory.agreement import disagreement
 from course_lib.trajectory.loading import JointCountError, load
 from course_lib.trajectory.motion import Trajectory, save
-from course_lib.trajectory.questions import UnclearFileError
+from course_lib.trajectory.understood import UnclearFileError
 
 __all__ = ["JointCountError", "Trajectory", "UnclearFileError", "disagreement", "load", "save"]

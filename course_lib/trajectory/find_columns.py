@@ -14,7 +14,7 @@ from course_lib.trajectory.column_names import (
     understand,
     words_of,
 )
-from course_lib.trajectory.questions import example, no_joints, pattern_of, quoted, unclear
+from course_lib.trajectory.understood import example, no_joints, pattern_of, quoted, unclear
 
 # Names of joints from the base to the end-effector, as these arms' makers give them: Universal
 # Robots' ROS description and teach pendant, Rethink's Sawyer and Baxter.

@@ -10,8 +10,16 @@ from course_lib.arguments import file_path, positive, real_array
 from course_lib.trajectory.column_names import UNITS
 from course_lib.trajectory.find_columns import find_columns
 from course_lib.trajectory.motion import Trajectory
-from course_lib.trajectory.questions import UnclearFileError, unclear
 from course_lib.trajectory.text_table import read_table
+from course_lib.trajectory.understood import (
+    UnclearFileError,
+    came_from,
+    column_label,
+    joint_lines,
+    listed_titles,
+    summary,
+    unclear,
+)
 
 _SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".npy")
 _MAX_RADIANS = 4 * np.pi  # beyond it angles without a unit are asked about: two full turns
@@ -131,7 +139,7 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     q = _values(table, q_columns, "q")
     if step is None:
         t, elapsed, unit = _times(table, file_columns.t, units.get("t"), chosen)
-        understood = [f"t in {unit}", f"t: {_came_from(file_columns.t)}"]
+        understood = [f"t in {unit}", f"t: {came_from(file_columns.t)}"]
     else:
         t = elapsed = step * np.arange(len(q))
         understood = [f"steps of {step:g} s"]
@@ -148,16 +156,16 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     q, unwrapped = _unwrapped(table, q_columns, q, qd, elapsed, limits)
     if limits is not None:
         _refuse_outside(table, q_columns, q, limits)
-    understood += _joint_lines(q_columns, qd_columns, q)
+    understood += joint_lines(q_columns, qd_columns, q)
     qd, missing = _with_differences(q, qd, elapsed)
     if qd_columns and missing:
         names = ", ".join(qd_columns[i].title for i in missing)
         understood.append(f"left out, because they are NaN throughout: {names}")
     understood += unwrapped
     if file_columns.unused:
-        understood.append(f"not used: {_titles(file_columns.unused)}")
+        understood.append(f"not used: {listed_titles(file_columns.unused)}")
     given_count = len(q_columns) - len(missing)
-    understood[0] = _summary(len(q), understood[0], q_columns, given_count)
+    understood[0] = summary(len(q), understood[0], q_columns, given_count)
     if table.decimal_comma:
         understood[0] += ", decimal comma"
     understood[0] += file_columns.remark
@@ -277,7 +285,7 @@ def _ask_for_degrees(table, columns, q):
 def _times(table, columns, unit, chosen):
     """Return times (n,) in seconds, the same less the first, exact to the last digit, and their
     unit."""
-    label = _label("t", columns[0])
+    label = column_label("t", columns[0])
     if len(columns) == 1:
         columns = _with_units(table, columns, "t", unit, chosen)
     for column in columns:
@@ -332,7 +340,7 @@ def _unit_of_times(table, column, ticks):
 def _values(table, columns, kind):
     """Return the columns as an array (n, k), as they stand in the file; refuse what is not
     finite."""
-    labels = [_label(f"{kind}{i}", column) for i, column in enumerate(columns, 1)]
+    labels = [column_label(f"{kind}{i}", column) for i, column in enumerate(columns, 1)]
     pairs = zip(columns, labels, strict=True)
     array = np.column_stack([table.numbers(column.place, label) for column, label in pairs])
     bad = ~(np.abs(array) <= _MAX_VALUE)
@@ -402,8 +410,8 @@ def _unwrapped(table, columns, q, qd, elapsed, limits):
             raise unclear(
                 table,
                 columns,
-                f"{_label(f'q{i + 1}', column)} jumps by up to {largest:.2f} rad {where}. Was it "
-                "logged within one turn, or did the joint go that far?",
+                f"{column_label(f'q{i + 1}', column)} jumps by up to {largest:.2f} rad {where}. "
+                "Was it logged within one turn, or did the joint go that far?",
                 "Write limits, a row for each joint: [-np.inf, np.inf] for one that turns without "
                 "end and was logged within one turn, else its lowest and highest angle.",
             )
@@ -431,7 +439,7 @@ def _refuse_outside(table, columns, q, limits):
     fits = ((in_degrees >= low) & (in_degrees <= high)).all()
     if fits and np.abs(q).max() > np.pi and all(column.unit is None for column in columns):
         reason += '. If the angles are degrees, add units={{"q": "deg"}}'
-    labels = [_label(f"q{i}", column) for i, column in enumerate(columns, 1)]
+    labels = [column_label(f"q{i}", column) for i, column in enumerate(columns, 1)]
     _refuse(table, columns, labels, outside, reason, q, low, high)
 
 
@@ -443,50 +451,3 @@ def _refuse(table, columns, labels, bad, reason, *arrays):
         where = table.where(row, columns[column].place, labels[column])
         reason = reason.format(*(array[row, column] for array in arrays))
         raise ValueError(f"{table.name}: {where} {reason}")
-
-
-# What is said of the file
-# -------------------------------------------------------------------------------------------------
-
-
-def _label(name, column):
-    """Return what a message calls a column: its name here, and its title if that is another one."""
-    if column.title.isdigit():  # there is no header
-        return f"column {column.title}"
-    return f"column {name}" if name == column.title else f"column {name} ({column.title!r})"
-
-
-def _summary(rows, time_said, q_columns, velocity_count):
-    k = len(q_columns)
-    units = " and ".join(sorted({column.unit or "rad" for column in q_columns}))
-    velocities = "no velocities (differences of the samples)"
-    if velocity_count:
-        velocities = f"{velocity_count} velocit{'ies' if velocity_count > 1 else 'y'}"
-    return f"{rows} rows, {time_said}, {k} angle{'s' * (k > 1)} in {units}, {velocities}"
-
-
-def _came_from(columns):
-    titles = " and ".join(f"{column.title!r}" for column in columns)
-    if len(columns) == 2:
-        return f"{titles}, seconds and nanoseconds"
-    unit = "no unit in the header" if columns[0].unit is None else columns[0].unit
-    return f"{titles}, {unit}"
-
-
-def _joint_lines(q_columns, qd_columns, q):
-    """Return a line for each joint: its columns, its unit, and its range in degrees."""
-    lines = []
-    for i, column in enumerate(q_columns):
-        unit = "no unit in the header" if column.unit is None else column.unit
-        low, high = np.rad2deg([q[:, i].min(), q[:, i].max()])
-        speed = f"; qd{i + 1}: {qd_columns[i].title!r}" if qd_columns else ""
-        reach = f"{low + 0.0:.1f} to {high + 0.0:.1f} degrees"
-        lines.append(f"q{i + 1}: {column.title!r}, {unit}, {reach}{speed}")
-    return lines
-
-
-def _titles(columns):
-    titles = [column.title or f"column {column.place + 1}" for column in columns]
-    if len(titles) > 12:
-        titles = [*titles[:6], "...", *titles[-5:]]
-    return ", ".join(titles)

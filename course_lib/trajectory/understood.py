@@ -1,7 +1,9 @@
-"""The questions about a file that is not clear: its header, what was understood, what to write."""
+"""What is said of a file: what was understood of it, and the question about what is not clear."""
 
 import json
 import re
+
+import numpy as np
 
 
 class UnclearFileError(ValueError):
@@ -110,3 +112,53 @@ def quoted(value):
 def _shortened(text, size):
     """Return a text of at most `size` characters, from which the middle is left out."""
     return text if len(text) <= size else f"{text[: size - 40]} ... {text[-35:]}"
+
+
+# What was understood
+# -------------------------------------------------------------------------------------------------
+
+
+def column_label(name, column):
+    """Return what a message calls a column: its name here, and its title if that is another one."""
+    if column.title.isdigit():  # there is no header
+        return f"column {column.title}"
+    return f"column {name}" if name == column.title else f"column {name} ({column.title!r})"
+
+
+def summary(rows, time_said, q_columns, velocity_count):
+    """Return the first line: how many rows, times, angles and velocities, and their units."""
+    k = len(q_columns)
+    units = " and ".join(sorted({column.unit or "rad" for column in q_columns}))
+    velocities = "no velocities (differences of the samples)"
+    if velocity_count:
+        velocities = f"{velocity_count} velocit{'ies' if velocity_count > 1 else 'y'}"
+    return f"{rows} rows, {time_said}, {k} angle{'s' * (k > 1)} in {units}, {velocities}"
+
+
+def came_from(columns):
+    """Return from which columns times came, with the unit."""
+    titles = " and ".join(f"{column.title!r}" for column in columns)
+    if len(columns) == 2:
+        return f"{titles}, seconds and nanoseconds"
+    unit = "no unit in the header" if columns[0].unit is None else columns[0].unit
+    return f"{titles}, {unit}"
+
+
+def joint_lines(q_columns, qd_columns, q):
+    """Return a line for each joint: its columns, its unit, and its range in degrees."""
+    lines = []
+    for i, column in enumerate(q_columns):
+        unit = "no unit in the header" if column.unit is None else column.unit
+        low, high = np.rad2deg([q[:, i].min(), q[:, i].max()])
+        speed = f"; qd{i + 1}: {qd_columns[i].title!r}" if qd_columns else ""
+        reach = f"{low + 0.0:.1f} to {high + 0.0:.1f} degrees"
+        lines.append(f"q{i + 1}: {column.title!r}, {unit}, {reach}{speed}")
+    return lines
+
+
+def listed_titles(columns):
+    """Return the titles of columns, at most twelve."""
+    titles = [column.title or f"column {column.place + 1}" for column in columns]
+    if len(titles) > 12:
+        titles = [*titles[:6], "...", *titles[-5:]]
+    return ", ".join(titles)
