@@ -378,7 +378,9 @@ def test_a_carried_cell_with_a_moved_import_is_named(tmp_path):
     old = copy.deepcopy(released(NAME))
     old["cells"].append(new_cell("%time\nfrom course_lib.checks import rigid_motion as check"))
     old["cells"].append(
-        new_cell("import course_lib.checks.rotations\nfrom course_lib import cells")
+        new_cell(
+            "import course_lib.checks.rotations\nfrom course_lib import (\n    cells,  # of 6\n)"
+        )
     )
     _, report = carried(tmp_path, old)
     moved = ("course_lib.checks.rigid_motion", "course_lib.checks.rotations", "course_lib.cells")

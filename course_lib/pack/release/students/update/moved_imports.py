@@ -6,13 +6,14 @@ from pathlib import Path
 _IMPORT = re.compile(
     r"^\s*(?:from\s+(course_lib[\w.]*)\s+import\s+(.*)|import\s+(course_lib[\w.]*))"
 )
+_BRACKETED = re.compile(r"\bimport\s*\(([^()]*)\)")
 
 
 def moved_imports(text: str) -> list[str]:
     """Return the dotted names that lines of code import from the course and that are not there."""
     package = _package()
     imported = []
-    for line in text.splitlines():
+    for line in _BRACKETED.sub(_on_one_line, text).splitlines():
         statement = _IMPORT.match(line)
         if statement and statement[3]:
             imported.append(statement[3])
@@ -29,9 +30,14 @@ def _package() -> Path | None:
     return None
 
 
+def _on_one_line(names: re.Match) -> str:
+    lines = [line.partition("#")[0] for line in names[1].splitlines()]
+    return f"import {' '.join(' '.join(lines).split())}"
+
+
 def _names(clause: str) -> list[str]:
     """Return the names of "a, b as c", the rest of a line behind the word import."""
-    parts = [part.split() for part in clause.partition("#")[0].strip("() ").split(",")]
+    parts = [part.split() for part in clause.partition("#")[0].split(",")]
     return [words[0] for words in parts if words]
 
 
