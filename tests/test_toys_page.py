@@ -537,6 +537,67 @@ def test_a_toy_says_what_it_computes(visit, name, values, says):
     expect(box.locator(".controls")).to_contain_text(re.compile(says))
 
 
+# What reaches the goal of a toy, and what nearly does.
+GOALS = [
+    (
+        "axis",
+        {"Axis: azimuth": 90, "Axis: elevation": 0, "Angle": -90},
+        {"Angle": -86},
+    ),
+    ("wheels", {"Left wheel": -0.3, "Right wheel": -0.1}, {"Left wheel": 0.3, "Right wheel": 0.1}),
+    (
+        "circles_toy",
+        {"Between the axes k₁, k₂": 20, "From k₁ to p₁": 60, "From k₂ to p₂": 40},
+        {"From k₁ to p₁": 61},
+    ),
+    ("planar_arm_toy", {"Damping (m²)": -2, "Step size": 1}, {"Damping (m²)": 0}),
+]
+
+
+def goal_of(box):
+    return box.locator("p[role=status]", has_text=re.compile("^(Goal|✓ Reached): "))
+
+
+@pytest.mark.parametrize(("name", "there", "nearly"), GOALS)
+def test_a_goal_is_ticked_when_it_is_reached_and_not_before(visit, name, there, nearly):
+    box = figure_of(visit, name)
+    box.get_by_role("button", name="Start again").click()
+    before = picture(box)
+    for label, value in (there | nearly).items():
+        put(box, label, value)
+    wait_for_another_picture(visit, box, before)
+    visit.page.evaluate(SETTLED, 200)
+    expect(goal_of(box)).to_have_text(re.compile("^Goal: "))
+    for label, value in there.items():
+        put(box, label, value)
+    expect(goal_of(box)).to_have_text(re.compile("^✓ Reached: "))
+
+
+def test_a_goal_that_was_reached_stays_ticked_until_the_toy_starts_again(visit):
+    box = figure_of(visit, "wheels")
+    for label, value in GOALS[1][1].items():
+        put(box, label, value)
+    expect(goal_of(box)).to_have_text(re.compile("^✓"))
+    put(box, "Right wheel", 0.5)
+    expect(box.locator(".controls")).to_contain_text("to the left of its middle")
+    expect(goal_of(box)).to_have_text(re.compile("^✓"))
+    box.get_by_role("button", name="Start again").click()
+    expect(goal_of(box)).to_have_text(re.compile("^Goal"))
+
+
+def test_the_goal_of_the_cells_is_a_query_that_large_cells_miss(visit):
+    box = figure_of(visit, "cells_toy")
+    box.get_by_role("button", name="Start again").click()
+    handle = box.locator(".handle")
+    x, y = centre(handle)
+    metre = box.locator("canvas").first.bounding_box()["width"] / 5.2
+    drag(visit.page, x, y, -1.7 * metre, -0.2 * metre)
+    expect(box.locator(".numbers")).to_contain_text("from the query")
+    expect(goal_of(box)).to_have_text(re.compile("^Goal"))
+    put(box, "Cell size", 0)
+    expect(goal_of(box)).to_have_text(re.compile("^✓"))
+
+
 GAINS = r"along u{0}: 1/s{0} = (\S+) rad/m, damped (\S+) rad/m, which removes (\d+) %"
 
 

@@ -152,9 +152,12 @@ def velocities_of_the_tip(contents, frame=""):
     """
     fig, axes = in_columns(contents, 4.4, 3.6, xlabel="x (m)", ylabel="y (m)")
     in_words = []
+    parallel = []  # titles of the arms whose joints all move the tip along one line
     for ax, (title, points) in zip(axes, contents.items(), strict=True):
         tip = points[-1]
         velocities = (tip - points[:-1]) @ np.array([[0, 1], [-1, 0]])
+        if np.linalg.svd(velocities, compute_uv=False)[-1] < 1e-6:
+            parallel.append(title)
         ax.plot(*points.T, color=GREY, alpha=0.5, linewidth=8, solid_capstyle="round")
         joints = zip(points, velocities, _JOINT_COLOURS, strict=False)
         for i, (joint, velocity, colour) in enumerate(joints, 1):
@@ -196,6 +199,11 @@ def velocities_of_the_tip(contents, frame=""):
         "Each arrow is perpendicular to the dashed line from its joint to the tip, and it "
         "is as long as this line."
     )
+    if len(parallel) == 1:
+        caption += (
+            f" In the panel *{parallel[0]}* all arrows are parallel, so the tip cannot move along "
+            "the arm."
+        )
     return Picture(fig, alt, caption)
 
 

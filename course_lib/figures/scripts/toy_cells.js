@@ -8,6 +8,7 @@
   const { COLOURS, tint } = globalThis.course.palette;
   const SAMPLES = 6; // along each side of a cell
   const MIN_POINTS = 6; // within reach, of which two planes are fitted
+  const GOAL_MISS = 0.2; // metres
   const BAD = 5e-2; // metres: the mean error of a cell that is of no use
   const LEVELS = [
     { below: 2e-3, colour: COLOURS.tiny, words: "below 2 mm" },
@@ -121,6 +122,10 @@
     addLegend(card.controls);
     const numbers = card.numbers();
     const words = card.words();
+    const goal = card.goal(
+      state,
+      `find a query that the arm misses by more than ${100 * GOAL_MISS} cm.`,
+    );
 
     const cornersOf = (i, j) => SQUARE.map((corner) => M.scale(M.add(corner, [i, j]), state.size));
     function drawCells(query, tipPoints) {
@@ -175,9 +180,11 @@
       view.begin();
       if (cell) drawPlanes(cell);
       view.end();
-      if (cell) numbers(...linesOf(cell, M.norm(M.subtract(points[2], state.at))));
+      const miss = cell ? M.norm(M.subtract(points[2], state.at)) : 0;
+      if (cell) numbers(...linesOf(cell, miss));
       else numbers("this cell holds too few points that the arm reaches");
       words.textContent = comment(cells, state.size);
+      goal(miss > GOAL_MISS && M.norm(state.at) <= reach);
     };
   });
 

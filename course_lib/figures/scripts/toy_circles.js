@@ -77,6 +77,7 @@
     });
     const numbers = card.numbers();
     const words = card.words([freeComment(1, 2)]);
+    const goal = card.goal(state, "let the two circles touch in one point, from inside.");
 
     function drawCircle(k, p, colour, index) {
       view.line([M.scale(k, -1.25), M.scale(k, 1.1)], COLOURS.purple, 2, { dash: [6, 4] });
@@ -115,8 +116,15 @@
       if (!lines.length) lines.push("no pair of angles brings p₁ and p₂ together");
       numbers(...lines);
       words.textContent = comment(meetings.length, state);
+      goal(meetings.length === 1 && touchFromInside(state));
     };
   });
+
+  /** Whether the smaller circle lies inside the larger one, of those that touch. */
+  function touchFromInside({ between, p1, p2 }) {
+    const [smaller, larger] = [Math.min(p1, p2), Math.max(p1, p2)];
+    return smaller > 0 && larger < 180 && between + smaller === larger;
+  }
 
   const isOnAxis = (k, p) => M.norm(M.cross(k, p)) < 1e-9;
 

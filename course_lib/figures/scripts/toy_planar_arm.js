@@ -7,6 +7,9 @@
   const { COLOURS } = globalThis.course.palette;
   const MAX_STEPS = 200;
   const REACHED = 1e-6; // metres
+  // The goal: so many metres in so many steps, of a run that ends within REACHED of the target.
+  const GOAL_METRES = 2;
+  const GOAL_STEPS = 12;
   const MAX_DASHES = 30; // steps up to which the path of the tip is a line; more are dots
   const SIDE_BY_SIDE = 612; // pixels: room for the arm and the chart beside it
   const FLAT = 0.45; // the height of the chart below the arm, in widths
@@ -129,6 +132,11 @@
     card.button("Arm to its start", putBack);
     card.checkbox("logarithmic error", state, "log");
     const words = card.words();
+    const goal = card.goal(
+      state,
+      `choose step size and damping so that the tip moves ${GOAL_METRES} m or more to its target ` +
+        `in at most ${GOAL_STEPS} steps.`,
+    );
     if (!state.errors.length) run();
 
     // ---- drawing ----
@@ -168,7 +176,10 @@
       plane.end();
       const errors = state.errors.length ? state.errors : [miss()];
       chart.draw(errors);
-      words.textContent = comment(Math.max(0, state.errors.length - 1), miss(), singularValues);
+      const steps = errors.length - 1;
+      words.textContent = comment(steps, miss(), singularValues);
+      const isFarAndFast = errors[0] >= GOAL_METRES && steps <= GOAL_STEPS;
+      goal(isFarAndFast && errors.at(-1) <= REACHED);
     };
   });
 

@@ -15,6 +15,7 @@
   const WHEEL = [0.07, 0.03]; // metres: its length and its width
   const HEAD = 0.035; // metres: the length of an arrow's head
   const SAMPLES = 80; // of a path
+  const GOAL = -0.2; // metres: where the pole should be, to the right of the robot's middle
 
   const metresPerSecond = (v) => `${P.number(v)} m/s`;
 
@@ -36,6 +37,10 @@
     card.player("Play", time, 1 / 360);
     const numbers = card.numbers();
     const words = card.words(EXAMPLES.map((speeds) => comment(...speeds, track)));
+    const goal = card.goal(
+      state,
+      `drive backwards about a pole that is ${P.number(-GOAL)} m to the right of the robot's middle.`,
+    );
 
     /** What moves with the robot: points of its frame, at its pose. */
     const toFloor = (pose) => (p) => M.move(M.planar(pose), [...p, 0]).slice(0, 2);
@@ -113,6 +118,8 @@
         pole ? `vₓ/ω = ${P.number(pole[1])} m` : "no pole",
       );
       words.textContent = comment(left, right, track);
+      const isAtGoal = pole && Math.abs(pole[1] - GOAL) < 1e-6;
+      goal(Boolean(isAtGoal && twist[1] < 0));
     };
   });
 

@@ -3,6 +3,8 @@
 Each function returns a Picture, for `show`. Positions are in metres, errors in centimetres.
 """
 
+import re
+
 import numpy as np
 
 from course_lib.figures import charts
@@ -319,7 +321,8 @@ def errors(contents, caption, details=None):
         size = np.maximum(error[answered], LEAST_ERROR)
         # The large errors are drawn last, above the others, and equal ones in the order given.
         order = np.argsort(size, kind="stable")
-        own_details = (details or {}).get(title, {})
+        # The pointer shows the error itself, also of a dot that is drawn as if it were larger.
+        own_details = {"error (cm)": error} | (details or {}).get(title, {})
         charts.add_points(
             fig,
             *position[order].T,
@@ -537,7 +540,7 @@ def costs(memory, error):
             fig,
             [float(size)],
             [_three_digits(error[name])],
-            name,
+            re.sub(r"\bq(\d)", r"q<sub>\1</sub>", name),
             symbol=f"{symbols[number % len(symbols)]}-open",
             size=11 + 2 * (number % len(symbols)),
         )

@@ -751,7 +751,9 @@ def iterations(counts, most):
         fig.data[-1].customdata = [[words] for words in in_words]
         fig.data[
             -1
-        ].hovertemplate = f"{name}<br>%{{customdata[0]}} iterations: %{{y}} targets<extra></extra>"
+        ].hovertemplate = (
+            f"{name}<br>iterations: %{{customdata[0]}}<br>targets reached: %{{y}}<extra></extra>"
+        )
     fig.layout.showlegend = False  # the panels have titles
     # Under the pointer a bar names all its iterations; one x for all panels would be its middle.
     fig.layout.hovermode = "closest"

@@ -73,7 +73,7 @@ def orientation_toy(mode):
     return Toy("orientation", {"mode": mode}, alt, caption=caption)
 
 
-def fly(start, goal, *, quaternions=False):
+def fly(start, goal, *, quaternions=False, caption="Drag a nose or a wing tip, then fly."):
     """Return a figure for `alive`: two orientations to drag, and a flight between them.
 
     f(start, goal, s) flies from one to the other.
@@ -85,6 +85,8 @@ def fly(start, goal, *, quaternions=False):
     quaternions : bool, optional
         If True, f is called with unit quaternions (w, x, y, z) and returns one; else with rotation
         matrices.
+    caption : str, optional
+        What to try, or what to notice.
 
     Returns
     -------
@@ -125,4 +127,4 @@ def fly(start, goal, *, quaternions=False):
         "title": "Two orientations and the motion between them",
         "ends": [R.tolist() for R in ends],
     }
-    return Figure(model, alt, "Drag a nose or a wing tip, then fly.", ask)
+    return Figure(model, alt, caption, ask)

@@ -11,7 +11,7 @@ import numpy as np
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
-from course_lib.figures.plots import draw_arms, in_metres
+from course_lib.figures.plots import draw_arms, in_metres, lines
 from course_lib.figures.solids import Part
 from course_lib.figures.solids.meshes import Mesh, arrow, ball, basis
 from course_lib.figures.solids.model import (
@@ -401,7 +401,7 @@ def joint_motion(motions):
     by_label = {}
     for label, motion in motions.items():
         by_label[label] = np.array([motion(bend) for bend in bends])
-    fig = charts.lines(
+    fig = lines(
         bends,
         by_label,
         log="xy",

@@ -7,6 +7,7 @@
     globalThis.course.orientation;
   const { COLOURS } = globalThis.course.palette;
   const WING_TIP = [0, 0.81, 0];
+  const UPRIGHT = Math.cos(3 * P.rad); // from here on the nose counts as upright
 
   function build(card) {
     const state = card.state({ azimuth: 30, height: 40, angle: 60 }); // degrees
@@ -51,6 +52,7 @@
     card.button("Reverse the angle", () => setAngle(-state.angle));
     const numbers = card.numbers();
     const words = card.words([-360, -359].map(comment));
+    const goal = card.goal(state, "point the nose straight up, along z, by one rotation.");
 
     return () => {
       const angle = state.angle * P.rad;
@@ -74,6 +76,8 @@
       view.end();
       numbers(...linesOf(R, M.quaternion(axis, angle)));
       words.textContent = comment(state.angle);
+      const nose = M.apply(R, [1, 0, 0]);
+      goal(nose[2] > UPRIGHT);
     };
   }
 

@@ -153,6 +153,33 @@
       return P.element("p", { role: "status" }, room);
     }
 
-    return { fold, range, setting, angle, share, button, lastButton, checkbox, numbers, words };
+    /**
+     * A paragraph that names a goal, and ticks it from when it is reached until *Start again*.
+     * @param {object} state of the toy
+     * @param {string} sentence what to reach
+     * @returns {(isThere: boolean) => void} is called with every picture
+     */
+    function goal(state, sentence) {
+      const reached = `✓ Reached: ${sentence}`;
+      const line = words([reached]);
+      return (isThere) => {
+        state.hasReachedGoal ||= isThere;
+        line.textContent = state.hasReachedGoal ? reached : `Goal: ${sentence}`;
+      };
+    }
+
+    return {
+      fold,
+      range,
+      setting,
+      angle,
+      share,
+      button,
+      lastButton,
+      checkbox,
+      numbers,
+      words,
+      goal,
+    };
   };
 })();
