@@ -41,6 +41,8 @@ const letters = () => adaptor.innerHTML(svg.fontCache.getCache());
 0"""
 
 WIDE = 30  # ex; about 250 pixels
+GROUP_TAG = re.compile(r"(<g(?: [^>]*)?>|</g>)")
+MOVED_LETTER = re.compile(r'<g (transform="[^"]*")><use (href="[^"]*")></use></g>')
 LETTER = re.compile(r'href="#(MJX-[^"]+)"')
 # A formula in a line, as `typeset` makes it, and with punctuation before it, behind it, or both.
 INLINE = r'<span class="math(?: wide)?"[^>]*>(?:(?!<span class="math).)*?</math></span></span>'
@@ -105,6 +107,7 @@ def typeset(text: str, display: bool = False) -> str:
     picture = picture.replace(
         ' stroke="currentColor" fill="currentColor" stroke-width="0"', ' fill="currentColor"'
     )
+    picture = _with_fewer_groups(picture)
     picture = picture.replace("<svg ", '<svg aria-hidden="true" ', 1)
     symbols = html.escape(" ".join(symbols_in(mathml)))
     named = f' data-symbols="{symbols}"' if symbols else ""
@@ -118,6 +121,26 @@ def typeset(text: str, display: bool = False) -> str:
     width = float(re.search(r'width="([\d.]+)ex"', picture)[1])
     wide = f' wide" style="vertical-align: {depth}' if width > WIDE else ""
     return f'<span class="math{wide}"{named}>{made}</span>'
+
+
+def _with_fewer_groups(picture: str) -> str:
+    """Return a picture without groups that change nothing: a page has thousands of them.
+
+    MathJax puts each part of a formula into a group. A group without attributes is left out, and
+    one that moves a single letter leaves the movement to that letter.
+    """
+    kept = []
+    have_attributes = []  # of the groups that are open
+    for part in GROUP_TAG.split(picture):
+        is_kept = True
+        if part.startswith("<g"):
+            is_kept = part != "<g>"
+            have_attributes.append(is_kept)
+        elif part == "</g>":
+            is_kept = have_attributes.pop()
+        if is_kept:
+            kept.append(part)
+    return MOVED_LETTER.sub(r"<use \1 \2></use>", "".join(kept))
 
 
 def with_punctuation(page: str) -> str:
