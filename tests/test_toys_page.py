@@ -188,6 +188,7 @@ def test_start_again_returns_to_the_first_picture(visit, name):
     if not box.locator("input, button, .handle").count():
         return  # nothing but the view changes
     again.click()
+    visit.page.evaluate(SETTLED, 0)  # a scene is drawn a frame later
     first = picture(box)
     control = box.locator("input, .handle").first
     for part in box.locator("details:not([open]) > summary").all():

@@ -201,7 +201,7 @@ def velocities_of_the_tip(contents, frame=""):
     )
     if len(parallel) == 1:
         caption += (
-            f" In the panel *{parallel[0]}* all arrows are parallel, so the tip cannot move along "
+            f" In the panel “{parallel[0]}” all arrows are parallel, so the tip cannot move along "
             "the arm."
         )
     return Picture(fig, alt, caption)

@@ -77,7 +77,7 @@
     });
     const numbers = card.numbers();
     const words = card.words([freeComment(1, 2)]);
-    const goal = card.goal(state, "let the two circles touch in one point, from inside.");
+    const goal = card.goal(state, "let one circle touch the other one from inside.");
 
     function drawCircle(k, p, colour, index) {
       view.line([M.scale(k, -1.25), M.scale(k, 1.1)], COLOURS.purple, 2, { dash: [6, 4] });
