@@ -21,7 +21,10 @@ BEGIN = """# Ten minutes
 
 This page takes a prediction, a figure and an exercise from the notebook [*{title}*]({file}).
 
-## Predict"""
+## Predict
+
+The function `rot_z` returns the matrix of a rotation about the z axis, and `rot_x` that of a
+rotation about the x axis. The angle `np.pi / 2` is 90 degrees, and `@` multiplies two matrices."""
 MOVE = """## Move it
 
 Test your prediction with the aircraft below. *Play* makes the two rotations, one after the other,
