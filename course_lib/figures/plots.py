@@ -6,7 +6,6 @@ They share panels in columns, axes in metres, ticks at parts of pi, and legends.
 from fractions import Fraction
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, LogLocator, MultipleLocator
 
 from course_lib.figures.display import Picture
 from course_lib.figures.style import (
@@ -52,6 +51,8 @@ def lines(x, series, *, xlabel, ylabel, log="", parts_of_pi=0):
     >>> fig.axes[0].get_ylabel()
     'height (m)'
     """
+    from matplotlib.ticker import LogLocator
+
     many = len(series) > 3
     fig, (ax,) = plane_figure(4.4, 4.0 if many else 3.2)
     draw_lines(ax, x, series)
@@ -275,6 +276,8 @@ def pi_ticks(axis, parts):
     parts : int
         How many ticks there are from 0 to pi.
     """
+    from matplotlib.ticker import FuncFormatter, MultipleLocator
+
     axis.set_major_locator(MultipleLocator(np.pi / parts))
     axis.set_major_formatter(FuncFormatter(lambda x, _: _in_parts_of_pi(x, parts)))
 

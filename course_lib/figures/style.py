@@ -11,8 +11,6 @@ All colours of matplotlib's and plotly's pictures stand here, and those of solid
 `course_lib.figures.solids.model`.
 """
 
-from matplotlib.figure import Figure
-
 # Okabe and Ito's palette, the yellow left out: it is too pale for lines on white.
 BLUE = "#0072B2"
 ORANGE = "#E69F00"
@@ -68,6 +66,9 @@ def plane_figure(width, height, columns=1, rows=1, **options):
     >>> axes.shape
     (2,)
     """
+    # Imported here, because it takes half a second, for which a notebook's first check would wait.
+    from matplotlib.figure import Figure
+
     if width > MAX_PANEL_WIDTH * columns:
         raise ValueError(
             f"width must be at most {MAX_PANEL_WIDTH} inches for each of the {columns} columns, so "

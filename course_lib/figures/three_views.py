@@ -7,8 +7,6 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY, LINK_BLUE
@@ -93,6 +91,8 @@ def three_views(name, arm, frames=("s", "b"), finding=""):
     widths = [metres[_VIEWS[view][0]] for view in layout[0]]
     heights = [metres[_VIEWS[row[0]][1]] for row in layout]
     inches = (scale * sum(widths) + 0.4, scale * sum(heights) + 0.35 * len(layout))
+    from matplotlib.figure import Figure
+
     fig = Figure(figsize=inches, layout="constrained", facecolor="white")
     panels = fig.subplot_mosaic(layout, width_ratios=widths, height_ratios=heights)
     for name_of_view, ax in panels.items():
@@ -118,7 +118,7 @@ def three_views(name, arm, frames=("s", "b"), finding=""):
 class _View:
     """One panel: what is along its axes and towards the viewer, and where its words stand aside."""
 
-    ax: Axes
+    ax: object  # of matplotlib
     name: str
     aside: dict
     base: str

@@ -7,7 +7,6 @@ radians.
 import itertools
 
 import numpy as np
-from matplotlib.path import Path
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
@@ -710,6 +709,8 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
 def _whole_cells_within(radii, heights, boundary):
     """Return which cells of a map (m, n) have all four corners within a boundary (k, 2), which the
     line from its last point to its first closes."""
+    from matplotlib.path import Path
+
     inside = Path(boundary)
     # A hundredth inwards, so that rounding does not decide on cells whose edge is on the boundary.
     half_r, half_z = 0.495 * (radii[1] - radii[0]), 0.495 * (heights[1] - heights[0])

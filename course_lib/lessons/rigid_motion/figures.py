@@ -6,7 +6,6 @@ Poses are rows (x, y, theta), in metres and radians; times are in seconds.
 """
 
 import numpy as np
-from matplotlib.patches import Circle
 
 from course_lib.figures import charts
 from course_lib.figures.display import Picture
@@ -103,6 +102,8 @@ def parking(poses, dock, table, keep_away):
     -------
     Picture
     """
+    from matplotlib.patches import Circle
+
     middle = np.asarray(table[:2], float)
     fig, (ax,) = plane_figure(4.4, 4.6)
     ax.add_patch(Circle(middle, keep_away, facecolor="none", edgecolor=GREY, linestyle="--"))
