@@ -79,7 +79,10 @@
     }
     /** A field that once was high stays so at this width: what is below it does not move. */
     function keepHeights() {
-      for (const field of card.fields) field.style.minHeight = `${field.offsetHeight}px`;
+      for (const field of card.fields) {
+        // With its fractions: a whole number would let what is below move by a pixel.
+        field.style.minHeight = `${field.getBoundingClientRect().height}px`;
+      }
     }
     /**
      * What a reader has opened may make the card longer than the window: the views stay as they
