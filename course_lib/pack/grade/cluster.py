@@ -361,6 +361,7 @@ def carried_out(order: bytes) -> dict:
         prepare(grade)
         if about["notebook"] is None:
             return {"fit": True}
+        grade.expect(about["notebook"])
         return outcome(Bounded(grade, content, about["notebook"], about["seed"]))
     except (GradingStopped, OSError) as problem:
         return {"unfit": str(problem)}

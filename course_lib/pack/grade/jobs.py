@@ -41,7 +41,7 @@ def course_hash() -> str:
         "trajectory/*.py",
         "pack/*.py",
         "pack/release/**/*.py",
-        "pack/grade/*.py",
+        "pack/grade/**/*.py",
     )
     package = [path for part in parts for path in (ROOT / "course_lib").glob(part)]
     notebooks = [*ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"), *ROOT.glob("notebooks/data/*.*")]
@@ -239,6 +239,8 @@ class Processes:
 
     def begin(self, path: Path, content: bytes, notebook: str, seed: int) -> None:
         """Begin to grade; path: of the result, by which finished() names it."""
+        if hasattr(self._grade, "expect"):  # tests grade by a function
+            self._grade.expect(notebook)
         work = Bounded(self._grade, content, notebook, seed)
         self._running[work.pipe] = work, path
 

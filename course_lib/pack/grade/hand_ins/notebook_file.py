@@ -172,9 +172,18 @@ def untouched(course: Course, sources: Iterable[str]) -> set[str]:
     Those are the ones whose names occur in no code cell but such as students are given. No run of
     the notebook can define them, whatever its other cells do.
     """
-    written = "\n".join(source for source in sources if source.strip() not in course.given)
+    sources = list(sources)
+    given = as_given(course, sources)
+    written = "\n".join(source for k, source in enumerate(sources) if k not in given)
     words = set(re.findall(r"\w+", unicodedata.normalize("NFKC", written)))  # as Python reads names
     return {exercise.name for exercise in course.exercises} - words
+
+
+def as_given(course: Course, sources: Iterable[str]) -> frozenset[int]:
+    """Return the numbers of the code cells that are as students are given them."""
+    return frozenset(
+        number for number, source in enumerate(sources) if source.strip() in course.given
+    )
 
 
 def not_code(course: Course, cells: list[Cell]) -> list[str]:

@@ -83,16 +83,19 @@ class Attempt:
 
     def order(self, names: Iterable[str]) -> dict:
         """Return what the runner is to do, see runner.py."""
+        idle = [(number, 0) for number in sorted(self.run.idle)] if self.whole else []
         return {
             "cells": self.run.sources,
             "needed": [] if self.whole else self.run.needed(names),
             "whole": self.whole,
-            "without": [*self.left_out],
+            "without": [*self.left_out, *idle],
         }
 
     def ask_now(self, name: str, at: int) -> bool:
-        """Ask for an exercise if it was not right, or did not take too long, at an earlier
-        check."""
+        """Ask for an exercise if it was not right, or did not take too long, at an earlier check.
+
+        Return whether all are right, so that no more cells need to run.
+        """
         exercise, before = self.exercises.get(name), self.outcomes.get(name)
         if exercise is None:
             return False
@@ -107,7 +110,9 @@ class Attempt:
         answered = ask(self.run, student, self.left_out, at, times=times)
         outcome = replace(answered, whole=self.whole)
         self.outcomes[name] = before.better(outcome) if before else outcome
-        return False
+        return self.exercises.keys() == self.outcomes.keys() and all(
+            asked.verdict.state == RIGHT for asked in self.outcomes.values()
+        )
 
     def answer_cell(self, text: str) -> str:
         """Return what check.NAME.library answers to a call in a cell, as JSON text."""

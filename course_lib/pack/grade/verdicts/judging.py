@@ -5,6 +5,7 @@ hard, and for cases with other numbers. So what the notebook refuses is refused 
 that is looked up in a table fails.
 """
 
+import functools
 import hashlib
 from dataclasses import replace
 
@@ -116,6 +117,24 @@ def _seconds_for(exercise: Exercise) -> float:
     return JUDGING_SECONDS_OF_TEST if isinstance(exercise, WriteTest) else JUDGING_SECONDS
 
 
+def _questions(run: Run, exercise: Exercise, seed: Seed) -> tuple:
+    """Return what questions_of returns; it is computed once for all runs of a submission."""
+    seconds = run.limits.cpu_seconds
+    if seed in exercise.public_seeds and not isinstance(exercise, WriteTest):
+        return public_questions(exercise, seed, seconds)
+    asked = exercise.name, seed
+    if asked not in run.questions:
+        run.questions[asked] = questions_of(exercise, seed, seconds)
+    return run.questions[asked]
+
+
+@functools.cache
+def public_questions(exercise: Exercise, seed: int, seconds: float) -> tuple:
+    """Return what questions_of returns for a set of the notebook, which is the same for all
+    submissions."""
+    return questions_of(exercise, seed, seconds)
+
+
 def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict, bool]:
     """Return the Verdict on a student's answers to one set of cases, formed within bounds, and
     whether the same answers came before.
@@ -127,9 +146,7 @@ def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict
     try:
         with cpu_deadline(_seconds_for(exercise)):
             asked = exercise.name, seed
-            if asked not in run.questions:
-                run.questions[asked] = questions_of(exercise, seed, run.limits.cpu_seconds)
-            cases, questions, consult = run.questions[asked]
+            cases, questions, consult = _questions(run, exercise, seed)
             reply = student.reply(write(questions), consult)
             key = (*asked, hashlib.sha256(reply.encode()).digest())
             known = key in run.verdicts

@@ -18,6 +18,7 @@ from course_lib.checks.exercise import (
 from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.jail.sandbox import READING_SECONDS, Limits, Sandbox
 from course_lib.pack.grade.jail.statements import Statement, as_sent, needed, statements, stubs_only
+from course_lib.pack.grade.verdicts.whole_run import idle_cells, is_settled, only_by_names
 
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
@@ -105,6 +106,8 @@ class Run:
         {number of a cell that ended or blocked the process: how it did}.
     untouched : set of str
         The names of the exercises that the student has not worked on.
+    given : frozenset of int
+        The numbers of the cells that are as students are given them.
     too_slow : list
         Statements as (cell, line) that no later run executes again.
     sandboxes : list
@@ -123,6 +126,7 @@ class Run:
     exercises: tuple[Exercise, ...]
     start: Callable
     untouched: set[str] = field(default_factory=set)
+    given: frozenset[int] = frozenset()
     left_out: dict = field(default_factory=dict)
     too_slow: list = field(default_factory=list)
     sandboxes: list = field(default_factory=list)
@@ -151,6 +155,24 @@ class Run:
         return (stubs_only(self.statements) | ({e.name for e in self.exercises} - bound)) & (
             self.untouched
         )
+
+    @functools.cached_property
+    def idle(self) -> set[int]:
+        """The numbers of the given cells that a run of the whole notebook can do without."""
+        if not self._only_by_names:
+            return set()
+        return idle_cells(self.statements, self.sources, self.given)
+
+    def is_settled(self, name: str) -> bool:
+        """Return whether a run of the whole notebook has the same function of this name as a run of
+        the statements that it needs."""
+        whole_runs = not self.left_out and not self.too_slow
+        return whole_runs and self._only_by_names and is_settled(self.statements, name, self.given)
+
+    @functools.cached_property
+    def _only_by_names(self) -> bool:
+        own = (text for number, text in enumerate(self.sources) if number not in self.given)
+        return only_by_names(own)
 
     def needed(self, names: Iterable[str]) -> list:
         """Return what the runner needs to know of the statements that functions need."""

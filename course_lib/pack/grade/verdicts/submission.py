@@ -20,7 +20,9 @@ kept.
 Both runs are needed. Many notebooks take a minute to draw and print, or end in a cell that never
 ends, so that running only what the functions need saves most of the time, and most of what a run
 may go wrong by. Only the whole notebook has what is found by running it: a module that a cell
-writes, a name that is made by exec, the function that was defined when its check was called.
+writes, a name that is made by exec, the function that was defined when its check was called. Where
+the source shows that there is nothing of the kind, that run is left out, and given cells of which
+nothing is read never run in it; see whole_run.py.
 """
 
 import dataclasses
@@ -28,7 +30,8 @@ import functools
 import hashlib
 from collections.abc import Iterable
 
-from course_lib.checks.exercise import ERROR, RIGHT, Exercise
+from course_lib.checks.exercise import ERROR, RIGHT, UNCHANGED, WRONG, Exercise
+from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import Unreadable, course_of
 from course_lib.pack.grade.jail.jail import Jail
@@ -39,6 +42,7 @@ from course_lib.pack.grade.jail.missing_modules import (
 )
 from course_lib.pack.grade.jail.sandbox import Limits, Sandbox
 from course_lib.pack.grade.verdicts.attempt import all_forbidden, attempt, sandbox_files
+from course_lib.pack.grade.verdicts.judging import public_questions
 from course_lib.pack.grade.verdicts.progress import Outcome, Run
 from course_lib.pack.grade.verdicts.result import result_of
 from course_lib.pack.grade.verdicts.right_functions import follow_through
@@ -102,7 +106,8 @@ def _graded(text, notebook, release, course, cells, seed, limits, jail) -> dict:
     start = functools.partial(Sandbox, limits=limits, jail=jail)
     sources, cases_seed = notebook_file.code(cells), seed_of(text, seed)
     untouched = notebook_file.untouched(course, sources)
-    run = Run(sources, limits, cases_seed, course.exercises, start, untouched)
+    given = notebook_file.as_given(course, sources)
+    run = Run(sources, limits, cases_seed, course.exercises, start, untouched, given)
     outcomes = ask_all(run)
     follow_through(run, outcomes)
     explain_missing(run, outcomes)
@@ -145,6 +150,16 @@ class Grader:
         jail.prepare(files, dataclasses.asdict(Limits()))
         SHARED[self.hidden, self.wanted] = jail
 
+    @functools.cache  # noqa: B019, there are few of these, as long as the process
+    def expect(self, notebook: str) -> None:
+        """Make the questions that all submissions of a notebook are asked, once, for all processes
+        forked from this one."""
+        course = notebook_file.courses().get(notebook)
+        for exercise in course.exercises if course else ():
+            if not isinstance(exercise, WriteTest):  # whose questions depend on a secret seed
+                for seed in exercise.public_seeds:
+                    public_questions(exercise, seed, Limits().cpu_seconds)
+
     def close(self) -> None:
         """End the jail that prepare() has started."""
         jail = SHARED.pop((self.hidden, self.wanted), None)
@@ -177,6 +192,7 @@ def ask_all(run: Run) -> dict[str, Outcome]:
     unfinished = [
         exercise for exercise in written if outcomes[exercise.name].verdict.state != RIGHT
     ]
+    unfinished = [e for e in unfinished if not _is_final(run, outcomes[e.name])]
     if not unfinished or run.over():
         return outcomes
     by_whole = attempt(run, unfinished, frozenset(), whole=True)
@@ -198,6 +214,15 @@ def ask_all(run: Run) -> dict[str, Outcome]:
     for name, outcome in by_whole.items():
         outcomes[name] = outcomes[name].better(outcome)
     return outcomes
+
+
+def _is_final(run: Run, outcome: Outcome) -> bool:
+    """Return whether a run of the whole notebook can give no other outcome.
+
+    An error may come of something that only such a run has.
+    """
+    is_wrong = outcome.verdict.state in (WRONG, UNCHANGED) and not outcome.hindered
+    return is_wrong and run.is_settled(outcome.verdict.exercise.name)
 
 
 def _is_taken_away(exercise: Exercise) -> bool:
