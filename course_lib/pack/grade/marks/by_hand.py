@@ -270,8 +270,8 @@ def _marks(graded_class: GradedClass) -> Iterable[Entry]:
     if waiting:
         yield Entry(
             f"{count_noun(waiting.total(), 'written answer')} to be read: open {page}, give points "
-            f"by keys and put the table that it saves in the place of {table}, or type marks into "
-            "that table. The rubric and a model answer stand beside each.",
+            f"by keys and replace {table} with the table that it saves, or type marks into that "
+            "table. The rubric and a model answer stand beside each.",
             tuple(f"{notebook}: {count}" for notebook, count in sorted(waiting.items())),
             graded_class.command(),
         )

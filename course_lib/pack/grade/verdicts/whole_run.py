@@ -32,7 +32,8 @@ OTHER_WAYS = {
     *("IPython", "get_ipython", "open", "write", "write_text", "write_bytes", "pathlib", "Path"),
     *("pickle", "dump", "save", "tempfile", "shutil"),
 }
-CHECK = "check"  # in a cell at which the grader asks
+CHECK = "check"
+CALLED_CHECK = re.compile(r"\bcheck\.\w+\(")  # in a cell at which the grader may ask
 DEFINITIONS = (*FUNCTIONS, ast.Lambda)  # what they read, they read when they are called
 
 
@@ -70,7 +71,7 @@ def idle_cells(
         The numbers of the cells that are as students are given them. Those with a check are not
         idle.
     """
-    idle = {number for number in given if CHECK not in _words(sources[number])}
+    idle = {number for number in given if not CALLED_CHECK.search(sources[number])}
     left_by, in_cell = _places(in_order), {}
     for place, statement in enumerate(in_order):
         in_cell.setdefault(statement.cell, []).append(place)
@@ -100,12 +101,12 @@ def _read_from(
     is_called_later = any(isinstance(node, DEFINITIONS) for node in ast.walk(statement.tree))
     for name in [*statement.reads, "*"]:
         for other in reversed(left_by.get(name, [])):
-            if is_called_later:
-                yield other
-            elif other < place:
-                yield other
-                if name in in_order[other].binds and isinstance(in_order[other].tree, SIMPLE):
-                    break
+            if other > place and not is_called_later:
+                continue
+            yield other
+            is_simple = isinstance(in_order[other].tree, SIMPLE) and name in in_order[other].binds
+            if other <= place and is_simple:
+                break  # what was bound before that is not read
 
 
 def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int]) -> bool:
