@@ -18,7 +18,7 @@ from course_lib.checks.exercise import (
 from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.jail.sandbox import READING_SECONDS, Limits, Sandbox
 from course_lib.pack.grade.jail.statements import Statement, as_sent, needed, statements, stubs_only
-from course_lib.pack.grade.verdicts.whole_run import idle_cells, is_settled, only_by_names
+from course_lib.pack.grade.verdicts.whole_run import can_be_told, idle_cells, is_settled
 
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
@@ -159,20 +159,20 @@ class Run:
     @functools.cached_property
     def idle(self) -> set[int]:
         """The numbers of the given cells that a run of the whole notebook can do without."""
-        if not self._only_by_names:
+        if not self._can_be_told:
             return set()
         return idle_cells(self.statements, self.sources, self.given)
 
     def is_settled(self, name: str) -> bool:
         """Return whether a run of the whole notebook has the same function of this name as a run of
         the statements that it needs."""
-        whole_runs = not self.left_out and not self.too_slow
-        return whole_runs and self._only_by_names and is_settled(self.statements, name, self.given)
+        if self.left_out or self.too_slow or not self._can_be_told:
+            return False
+        return is_settled(self.statements, name, self.given)
 
     @functools.cached_property
-    def _only_by_names(self) -> bool:
-        own = (text for number, text in enumerate(self.sources) if number not in self.given)
-        return only_by_names(own)
+    def _can_be_told(self) -> bool:
+        return can_be_told(self.statements, self.sources, self.given)
 
     def needed(self, names: Iterable[str]) -> list:
         """Return what the runner needs to know of the statements that functions need."""

@@ -32,9 +32,24 @@ OTHER_WAYS = {
     *("IPython", "get_ipython", "open", "write", "write_text", "write_bytes", "pathlib", "Path"),
     *("pickle", "dump", "save", "tempfile", "shutil"),
 }
+# Of a notebook that is looked at; the longest one of the course has about 420 and 41,000. A much
+# longer one runs as a whole: to look at it takes a time that grows with the square of its length.
+MAX_STATEMENTS, MAX_CHARACTERS = 3_000, 200_000
 CHECK = "check"
 CALLED_CHECK = re.compile(r"\bcheck\.\w+\(")  # in a cell at which the grader may ask
 DEFINITIONS = (*FUNCTIONS, ast.Lambda)  # what they read, they read when they are called
+
+
+def can_be_told(
+    in_order: Sequence[Statement], sources: Sequence[str], given: Collection[int]
+) -> bool:
+    """Return whether the source tells what a run of the whole notebook can change.
+
+    given: the numbers of the cells that are as students are given them.
+    """
+    if len(in_order) > MAX_STATEMENTS or sum(map(len, sources)) > MAX_CHARACTERS:
+        return False
+    return only_by_names(text for number, text in enumerate(sources) if number not in given)
 
 
 def only_by_names(sources: Iterable[str]) -> bool:
@@ -128,7 +143,7 @@ def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int])
         bindings = bound_by.get(read, [])
         if not bindings and hasattr(builtins, read):
             continue
-        if len({_what_it_binds(statement, read) for statement in bindings}) != 1:
+        if not bindings or len({_what_it_binds(each, read) for each in bindings}) > 1:
             return False
         if any(statement not in bindings for statement in changed_by.get(read, [])):
             return False

@@ -1,0 +1,145 @@
+"""What a run of the whole notebook can change, found from the source alone."""
+
+import pytest
+from hostile.build import NAME, SEED, book
+
+from course_lib.pack.grade.jail.statements import statements
+from course_lib.pack.grade.verdicts import submission
+from course_lib.pack.grade.verdicts.submission import grade
+from course_lib.pack.grade.verdicts.whole_run import idle_cells, is_settled, only_by_names
+
+IMPORT = "import numpy as np"
+DOUBLE = "def double(x):\n    return 2 * x"
+FOUR = "def four(x):\n    return double(double(x))"
+
+
+def idle(*sources, given):
+    return idle_cells(statements(sources), sources, given)
+
+
+def settled(name, *sources, given=()):
+    return is_settled(statements(sources), name, given)
+
+
+# ---- cells that need not run ----
+
+
+def test_a_given_cell_that_only_prints_is_idle():
+    assert idle(DOUBLE, "print(double(2))", given={1}) == {1}
+
+
+def test_a_cell_of_the_student_s_is_never_idle():
+    assert idle(DOUBLE, "print(double(2))", given={}) == set()
+
+
+def test_a_given_cell_with_a_check_is_not_idle():
+    assert idle(DOUBLE, "check.double(double)", given={1}) == set()
+
+
+@pytest.mark.parametrize(
+    "binding", ["k = 2", "k, m = 2, 3", "for k in range(3):\n    pass", "from a import *"]
+)
+def test_a_given_cell_that_binds_what_a_function_reads_is_not_idle(binding):
+    assert idle(binding, "def times(x):\n    return k * x", given={0}) == set()
+
+
+def test_a_given_cell_that_changes_what_a_function_reads_is_not_idle():
+    cells = "table = {}", "table['k'] = 2", "def times(x):\n    return table['k'] * x"
+    assert idle(*cells, given={0, 1}) == set()
+
+
+def test_a_given_cell_that_another_needs_is_not_idle():
+    assert idle("a = 1", "k = a", "def times(x):\n    return k * x", given={0, 1}) == set()
+
+
+def test_a_function_may_read_what_a_later_cell_binds():
+    assert idle("def times(x):\n    return k * x", "k = 2", given={1}) == set()
+
+
+def test_what_was_bound_before_the_last_binding_is_not_read():
+    assert idle("k = 1", "k = 2", "def times(x):\n    return k * x", given={0, 1}) == {0}
+
+
+# ---- functions that are the same whenever they are asked ----
+
+
+def test_a_function_whose_names_are_bound_once_is_settled():
+    assert settled("four", IMPORT, DOUBLE, FOUR)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        "def double(x):\n    return x + x",
+        "double = abs",
+        "double.__code__ = abs",
+        "from mine import *",
+    ],
+)
+def test_a_function_that_reads_a_name_of_two_meanings_is_not_settled(other):
+    assert not settled("four", DOUBLE, other, FOUR)
+
+
+def test_a_function_that_reads_a_name_that_nothing_binds_is_not_settled():
+    assert not settled("four", FOUR)
+
+
+def test_the_same_import_in_two_cells_binds_one_thing():
+    root = "def root(x):\n    return np.sqrt(x)"
+    assert settled("root", IMPORT, f"{IMPORT}\n{root}")
+    assert not settled("root", IMPORT, f"import mine as np\n{root}")
+
+
+@pytest.mark.parametrize("setting", ["np.seterr(all='raise')", "np.sqrt = abs"])
+def test_a_setting_of_the_student_s_may_change_a_function(setting):
+    root = "def root(x):\n    return np.sqrt(x)"
+    assert not settled("root", IMPORT, root, setting)
+    assert settled("root", IMPORT, root, setting, given={2})
+
+
+@pytest.mark.parametrize(
+    "cell",
+    ["exec('k = 2')", "%run mine.py", "%%writefile a.py\nk = 2", "globals()['k'] = 2", "__k"],
+)
+def test_a_cell_that_makes_names_in_another_way_shows_it(cell):
+    assert only_by_names([IMPORT, DOUBLE, FOUR])
+    assert not only_by_names([DOUBLE, cell])
+
+
+# ---- runs of a submission ----
+
+
+@pytest.fixture
+def whole_runs(monkeypatch):
+    """The names of the exercises of each run of the whole notebook."""
+    runs = []
+
+    def attempt(run, exercises, *rest, whole=False):
+        if whole:
+            runs.append([exercise.name for exercise in exercises])
+        return one_run(run, exercises, *rest, whole=whole)
+
+    one_run = submission.attempt
+    monkeypatch.setattr(submission, "attempt", attempt)
+    return runs
+
+
+WRONG = "def nearest_so(M):\n    return 2 * M"
+
+
+@pytest.mark.usefixtures("isolated")
+def test_a_wrong_function_that_is_settled_needs_no_run_of_the_whole_notebook(few, whole_runs):
+    first, right = few
+    others = [source for source in right if "def nearest_so(" not in source]
+    result = grade(book(first, *others, WRONG), NAME, SEED)
+    states = {row["exercise"]: row["state"] for row in result["exercises"]}
+    assert states["nearest_so"] == "wrong"
+    assert whole_runs == []
+
+
+@pytest.mark.usefixtures("isolated")
+def test_a_function_that_was_right_at_its_check_is_found_by_such_a_run(few, whole_runs):
+    first, right = few
+    result = grade(book(first, *right, "check.nearest_so(nearest_so)", WRONG), NAME, SEED)
+    assert {row["state"] for row in result["exercises"]} == {"right"}
+    assert whole_runs[0] == ["nearest_so"]
