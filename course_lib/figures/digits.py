@@ -1,5 +1,5 @@
-"""How many digits a stored figure has: those that its axis shows, so that every processor stores
-the same ones."""
+"""How many digits a stored figure and its words have: those that its axis shows, so that every
+processor stores the same ones."""
 
 import math
 
@@ -8,6 +8,9 @@ import numpy as np
 # A number half-way between two stored ones, as 0.5 m is in steps of 1 m, would be rounded up on one
 # processor and down on another. Shifted by this part of a step beforehand, it is rounded up on all.
 _OFF_TIES = 0.0137
+# The same for numbers in words, which are rounded by more than drawn ones: only what differs from a
+# tie by nothing but rounding errors is moved.
+_OFF_TIES_IN_WORDS = 1e-6
 # Nobody sees less: a hundred-thousandth of an axis is a hundredth of a pixel.
 DIGITS = 5
 
@@ -16,7 +19,8 @@ def decimals_for(span):
     """Return how many decimals (int) leave DIGITS digits of a number as large as `span`."""
     if not math.isfinite(span) or span == 0:
         return DIGITS
-    return DIGITS - 1 - math.floor(math.log10(abs(span)))
+    # An axis up to 1 may end at 0.9999999999999999 on another processor.
+    return DIGITS - 1 - math.floor(math.log10(abs(span)) + 1e-9)
 
 
 def rounded(number, decimals):
@@ -47,3 +51,23 @@ def rounded_array(values, decimals):
     """Return an array of floats with these decimals, 0 for -0; `rounded` for a whole array."""
     values = np.asarray(values, float)
     return np.round(values + _OFF_TIES * 10.0**-decimals, decimals) + 0.0
+
+
+def fixed(number, decimals):
+    """Return a number in words, with these decimals, and without a sign if it is shown as 0.
+
+    Parameters
+    ----------
+    number : float
+    decimals : int
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> fixed(1.875 - 4e-16, 2), fixed(1.875 + 4e-16, 2), fixed(-0.001, 2)
+    ('1.88', '1.88', '0.00')
+    """
+    return f"{number + _OFF_TIES_IN_WORDS * 10.0**-decimals:z.{decimals}f}"

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course_lib.figures.digits import rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.style import BLACK, FRAME_COLOURS, GREY, LINK_BLUE
 
@@ -190,7 +191,7 @@ def _draw_joint_axes(view, arm, corners):
         distances = np.linalg.norm(np.cross(S[:3], corners[:-1]) + S[3:], axis=1)
         last_on_axis = np.flatnonzero(distances < _ON_AXIS)[-1]
         at = corners[last_on_axis, view.plane]
-        along = S[view.plane].round(9) + 0.0
+        along = rounded_array(S[view.plane], 9)
         tip = at + 0.13 * along
         colour = FRAME_COLOURS[int(np.abs(S[:3]).argmax())]
         if along.any():
@@ -201,7 +202,7 @@ def _draw_joint_axes(view, arm, corners):
             view.ax.plot(*at, "o", markersize=11, markerfacecolor="white", **style)
             view.ax.plot(*at, mark, markersize=6, **style)
         # Joints whose arrows lie on each other share a label.
-        numbers.setdefault((*tip.round(3), *along, colour), []).append(str(number))
+        numbers.setdefault((*rounded_array(tip, 3), *along, colour), []).append(str(number))
     for (x, y, dx, dy, colour), group in numbers.items():
         beyond = (dx, dy) if dx or dy else (-1, 0)
         view.word(", ".join(group), (x, y), beyond, color=colour, weight="bold", size=11)
@@ -214,7 +215,7 @@ def _draw_frames(view, arm, corners):
     # Seen along the arm, its base frame is drawn beside it.
     origin = np.array([-0.15, -0.13]) if is_seen_along_the_arm else np.zeros(2)
     view.frame(origin, np.eye(3), view.base, 0.085)
-    flange = arm.home[-1, :3, :3].round(9)
+    flange = rounded_array(arm.home[-1, :3, :3], 9)
     if (flange != np.eye(3)).any():
         view.frame(flat[-1], flange, view.tool, 0.2)
     elif not is_seen_along_the_arm:

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from course_lib.figures.digits import fixed
+
 
 def interval(values, digits=2):
     """Return the smallest and the largest of some values in words, or one number if both print
@@ -25,5 +27,5 @@ def interval(values, digits=2):
     >>> interval([0.851, 0.853])
     '0.85'
     """
-    low, high = (f"{extreme:.{digits}f}" for extreme in (np.min(values), np.max(values)))
+    low, high = (fixed(extreme, digits) for extreme in (np.min(values), np.max(values)))
     return low if low == high else f"{low} to {high}"

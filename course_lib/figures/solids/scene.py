@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.figures.digits import rounded_array
 from course_lib.figures.solids.meshes import arrow
 from course_lib.figures.solids.model import X_RED, Part
 
@@ -24,7 +25,7 @@ def floor_size(vertices):
     centre = (flat.min(0) + flat.max(0)) / 2
     reach = np.linalg.norm(flat - centre, axis=1).max()
     height = np.ptp(vertices[:, 2])
-    return np.round(centre, 3), round(max(1.12 * reach, 0.3 * height), 3)
+    return rounded_array(centre, 3), round(max(1.12 * reach, 0.3 * height), 3)
 
 
 def triad(body, pose, size, radius=None):

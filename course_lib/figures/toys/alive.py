@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from course_lib.arguments import real_array
+from course_lib.figures.digits import rounded_array
 from course_lib.figures.toys.arms import arm_view
 from course_lib.figures.toys.toy import Answers, Toy, is_live
 
@@ -126,7 +127,7 @@ def reach(arm, target, *, q, says=None, caption="Drag the target."):
     model = {"figure": "reach", "goal": target.tolist()}
     others = []
     if np.ndim(q) == 2:
-        starts = np.round(real_array(q, "q", (arm.n,)), 6)
+        starts = rounded_array(real_array(q, "q", (arm.n,)), 6)
         model["starts"] = starts.tolist()
         q, *others = starts
     return Figure(arm_view(arm, q, title, others) | model, alt, caption, ask)

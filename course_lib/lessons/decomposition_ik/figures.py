@@ -8,6 +8,7 @@ import re
 import numpy as np
 
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres
 from course_lib.figures.style import BLACK, BLUE, COLOURS, CRIMSON, PALE_GREY, RED, plane_figure
@@ -44,7 +45,7 @@ def two_elbows(solutions, xy, sent=None):
     for q, (colour, style, name) in zip(solutions, looks, strict=True):
         joints = _joints(q)
         ax.plot(*joints.T, style, color=colour, linewidth=3, marker="o", label=name)
-        elbows.append(f"({joints[1, 0]:z.2f}, {joints[1, 1]:z.2f})")
+        elbows.append(f"({fixed(joints[1, 0], 2)}, {fixed(joints[1, 1], 2)})")
         tips.append(joints[2])
     distances = [100 * np.linalg.norm(tip - xy) for tip in tips]
     for q in [] if sent is None else sent:
@@ -71,12 +72,12 @@ def two_elbows(solutions, xy, sent=None):
         bend = np.rad2deg(abs(solutions[0][1]))
         caption = (
             f"Both elbows lead to the same position, ({xy[0]:g}, {xy[1]:g}) m. Each is bent by "
-            f"{bend:z.1f}°, one to each side."
+            f"{fixed(bend, 1)}°, one to each side."
         )
         return Picture(fig, alt, caption)
     caption = (
-        f"Neither tip is at the desired position: they miss it by {distances[0]:z.1f} and "
-        f"{distances[1]:z.1f} cm."
+        f"Neither tip is at the desired position: they miss it by {fixed(distances[0], 1)} and "
+        f"{fixed(distances[1], 1)} cm."
     )
     alt += " Neither tip is there."
     if sent is not None:
@@ -105,7 +106,7 @@ def _enlarge_misses(ax, tips, xy, distances):
         along = (tip - xy) / np.linalg.norm(tip - xy)
         beside = middle if tip is farthest else tip
         place = beside + side * 0.45 * half * np.array([-along[1], along[0]])
-        words = f"{distance:z.1f} cm"
+        words = f"{fixed(distance, 1)} cm"
         inset.annotate(words, place, color=colour, ha="center", va="center", weight="bold")
     inset.plot(*xy, "D", color=BLACK, markersize=13, markerfacecolor="none", markeredgewidth=1.8)
     window = half * np.array([-1, 1])
@@ -138,7 +139,7 @@ def samples(xy, cell, low, high, n):
     fig = charts.panels(xlabel="x (m)", ylabel="y (m)", equal=True, height=560)
     colours = [COLOURS[k] for k in (cell[:, 0] + 3 * cell[:, 1]) % len(COLOURS)]
     # Millimetres are fine enough for any zoom, and make the notebook shorter.
-    charts.add_points(fig, *np.round(xy, 3).T, "sample", colour=colours, size=3)
+    charts.add_points(fig, *rounded_array(xy, 3).T, "sample", colour=colours, size=3)
     _count_under_the_pointer(fig, count.reshape(n, n), low, high)
     for lines_of, first, last in (("x", low[0], high[0]), ("y", low[1], high[1])):
         edges = first + np.arange(n + 1) * (last - first) / n
@@ -147,9 +148,10 @@ def samples(xy, cell, low, high, n):
     radius = np.hypot(*xy.T)
     counts = count[count > 0]
     alt = (
-        f"{len(xy):,} positions: a band between the radii {radius.min():z.2f} and "
-        f"{radius.max():z.2f} m, from ({low[0]:z.1f}, {low[1]:z.1f}) to ({high[0]:z.1f}, "
-        f"{high[1]:z.1f}) m, each in the colour of its cell. The cells that hold samples hold "
+        f"{len(xy):,} positions: a band between the radii {fixed(radius.min(), 2)} and "
+        f"{fixed(radius.max(), 2)} m, from ({fixed(low[0], 1)}, {fixed(low[1], 1)}) to "
+        f"({fixed(high[0], 1)}, "
+        f"{fixed(high[1], 1)}) m, each in the colour of its cell. The cells that hold samples hold "
         f"{counts.min()} to {counts.max()} of them."
     )
     caption = (
@@ -173,8 +175,8 @@ def _count_under_the_pointer(fig, count, low, high):
     where = np.stack(np.meshgrid(np.arange(columns), np.arange(rows)), -1)
     fig.update_traces(hoverinfo="skip", hovertemplate=None)
     fig.add_heatmap(
-        x=np.round(middles[0], 4),
-        y=np.round(middles[1], 4),
+        x=rounded_array(middles[0], 4),
+        y=rounded_array(middles[1], 4),
         z=np.where(count > 0, count.astype(float), np.nan),
         customdata=where.tolist(),
         colorscale=[[0, "rgba(0,0,0,0)"], [1, "rgba(0,0,0,0)"]],
@@ -216,7 +218,7 @@ def clusters(contents):
             charts.add_points(
                 fig, *group.T, name, panel=panel, colour=colour, symbol=symbol, opacity=0.8
             )
-            in_words.append(f"{group[:, 1].min():z.0f} to {group[:, 1].max():z.0f}")
+            in_words.append(f"{fixed(group[:, 1].min(), 0)} to {fixed(group[:, 1].max(), 0)}")
         charts.add_rule(fig, y=0.0, panel=panel)
         ranges.append(f"{title}: q2 from {' and '.join(in_words)} degrees in the two clusters")
     alt = (
@@ -243,8 +245,8 @@ def two_cells(q, xy, in_joints, in_plane):
     -------
     Picture
     """
-    degrees = np.rad2deg(q).round(1)
-    xy = np.round(xy, 3)
+    degrees = rounded_array(np.rad2deg(q), 1)
+    xy = rounded_array(xy, 3)
     fig = charts.panels(
         ["joint angles", "positions"],
         xlabel=["q<sub>1</sub> (degrees)", "x (m)"],
@@ -269,7 +271,9 @@ def two_cells(q, xy, in_joints, in_plane):
         charts.add_points(fig, *degrees[inside].T, name, panel=0, details=positions, **dots)
         charts.add_points(fig, *xy[inside].T, name, panel=1, details=angles, **dots)
     q2 = degrees[in_plane, 1]
-    ranges = [f"{part.min():z.0f} to {part.max():z.0f}" for part in (q2[q2 > 0], q2[q2 <= 0])]
+    ranges = [
+        f"{fixed(part.min(), 0)} to {fixed(part.max(), 0)}" for part in (q2[q2 > 0], q2[q2 <= 0])
+    ]
     alt = (
         "Left, joint angles; right, their positions. A blue rectangle of joint angles leads to "
         "one patch of positions; a red rectangle of positions is reached from two patches of "
@@ -309,7 +313,7 @@ def errors(contents, caption, details=None):
     )
     # What is drawn and how it is sorted follow from rounded errors, so that two errors that differ
     # in the last bits only keep their places on every machine.
-    contents = {title: (xy, np.round(error, 5)) for title, (xy, error) in contents.items()}
+    contents = {title: (xy, rounded_array(error, 5)) for title, (xy, error) in contents.items()}
     largest = max(np.nanmax(error) for _, error in contents.values())
     scale = charts.ColourScale(
         "error (cm)", low=LEAST_ERROR, high=largest, log=True, colours=ERROR_COLOURS
@@ -336,10 +340,10 @@ def errors(contents, caption, details=None):
         )
         worst = int(np.argmax(size))
         x, y = position[worst]
-        _name_largest(fig, panel, (x, y), f"largest: {size[worst]:z.1f} cm")
+        _name_largest(fig, panel, (x, y), f"largest: {fixed(size[worst], 1)} cm")
         in_words.append(
-            f"{title}: half below {np.median(size):.2g}, the largest {size[worst]:z.1f} at "
-            f"({x:z.1f}, {y:z.1f}) m"
+            f"{title}: half below {np.median(size):.2g}, the largest {fixed(size[worst], 1)} at "
+            f"({fixed(x, 1)}, {fixed(y, 1)}) m"
         )
     fig.layout.showlegend = False  # the titles of the panels name the series
     alt = f"Errors in cm at positions in the plane, by size and colour. {'; '.join(in_words)}."
@@ -377,8 +381,8 @@ def errors_of_arm(xy, angles, errors, cells, caption):
         worst = int(np.nanargmax(column))
         x, y = xy[worst]
         in_words.append(
-            f"{name}: half below {np.nanmedian(column):.2g}, the largest {column[worst]:z.1f} at "
-            f"({x:z.1f}, {y:z.1f}) m"
+            f"{name}: half below {np.nanmedian(column):.2g}, the largest {fixed(column[worst], 1)} "
+            f"at ({fixed(x, 1)}, {fixed(y, 1)}) m"
         )
     alt = (
         "Errors in cm at positions in the plane, by size and colour, of two answers to each query. "
@@ -389,16 +393,13 @@ def errors_of_arm(xy, angles, errors, cells, caption):
     centre = (np.minimum(low, 0) + np.maximum(high, 0)) / 2
     model = {
         "lengths": [1.0, 1.0],
-        "queries": (np.round(xy, 3) + 0.0).tolist(),
-        "angles": [_with_gaps(np.round(column, 3) + 0.0) for column in angles.swapaxes(0, 1)],
-        "errors": [
-            [None if np.isnan(error) else round(float(error), 2) for error in column]
-            for column in errors.T
-        ],
+        "queries": (rounded_array(xy, 3) + 0.0).tolist(),
+        "angles": [_with_gaps(rounded_array(column, 3) + 0.0) for column in angles.swapaxes(0, 1)],
+        "errors": [[rounded(float(error), 2) for error in column] for column in errors.T],
         "cells": [int(cell) for cell in cells],
         "names": list(_ANSWERS),
         "half": round(0.6 * float(max(np.maximum(high, 0) - np.minimum(low, 0))), 2),
-        "centre": centre.round(2).tolist(),
+        "centre": rounded_array(centre, 2).tolist(),
     }
     return Toy("errors", model, alt, caption=caption)
 
@@ -450,9 +451,13 @@ def convergence(sizes, curves, slopes):
     in_words = []
     by_name = {}
     for name, largest in curves.items():
-        in_words.append(f"{name} falls with slope {slopes[name]:z.1f} to {100 * largest[-1]:.1g}")
+        in_words.append(
+            f"{name} falls with slope {fixed(slopes[name], 1)} to {100 * largest[-1]:.1g}"
+        )
         # Three digits: the further ones of the smallest errors are those of rounding.
-        by_name[f"{name}: slope {slopes[name]:z.1f}"] = [_three_digits(100 * e) for e in largest]
+        by_name[f"{name}: slope {fixed(slopes[name], 1)}"] = [
+            _three_digits(100 * e) for e in largest
+        ]
     fig = charts.lines(
         100 * sizes,
         by_name,
@@ -494,7 +499,7 @@ def by_bend(edges, mean):
     ax.bar(edges[:-1], mean, np.diff(edges), align="edge", color=BLUE, edgecolor="white")
     ax.axvline(EDGE_IS_NEAR, color=BLACK, linestyle="--", linewidth=1.2)
     ax.annotate(
-        f"{EDGE_IS_NEAR:z.0f}°",
+        f"{fixed(EDGE_IS_NEAR, 0)}°",
         (EDGE_IS_NEAR, 0.97 * max(mean)),
         (4, 0),
         textcoords="offset points",
@@ -502,13 +507,14 @@ def by_bend(edges, mean):
     ax.set(xlabel="$|q_2|$ (degrees)", ylabel="mean error (cm)", xlim=(0, edges[-1]))
     top = int(np.argmax(mean))
     alt = (
-        f"Mean error over |q2|: {mean[0]:z.2f} cm for a stretched arm, largest, {mean[top]:z.2f} "
-        f"cm, between {edges[top]} and {edges[top + 1]} degrees, and {mean[-1]:z.2f} cm near "
+        f"Mean error over |q2|: {fixed(mean[0], 2)} cm for a stretched arm, largest, "
+        f"{fixed(mean[top], 2)} "
+        f"cm, between {edges[top]} and {edges[top + 1]} degrees, and {fixed(mean[-1], 2)} cm near "
         f"{edges[-1]} degrees."
     )
     caption = (
-        f"Left of the dashed line ({EDGE_IS_NEAR:z.0f} degrees) the tip is less than 10 cm, the "
-        "diagonal of a cell, from the outer edge of the workspace."
+        f"Left of the dashed line ({fixed(EDGE_IS_NEAR, 0)} degrees) the tip is less than 10 cm, "
+        f"the diagonal of a cell, from the outer edge of the workspace."
     )
     return Picture(fig, alt, caption)
 
@@ -588,9 +594,9 @@ def samples_as_reported(xy, cell):
     radius = 100 * np.hypot(*xy.T)
     alt = (
         f"{len(xy):,} positions as overlapping dots of 6 pixels in a half ring from radius "
-        f"{radius.min():z.0f} to {radius.max():z.0f} cm, twice. At the right the dots of each of "
-        f"{len(np.unique(number))} cells have one colour, and cells that touch may by chance have "
-        "the same."
+        f"{fixed(radius.min(), 0)} to {fixed(radius.max(), 0)} cm, twice. At the right the dots of "
+        f"each of {len(np.unique(number))} cells have one colour, and cells that touch may by "
+        f"chance have the same."
     )
     caption = (
         "This is the report's first chart, of the samples (left), in which dots of this size hide "
@@ -617,15 +623,15 @@ def errors_as_reported(xy, error):
     Picture
     """
     fig = charts.panels(xlabel="x (cm)", ylabel="y (cm)", equal=True, height=430)
-    error = np.round(error, 5)
+    error = rounded_array(error, 5)
     scale = charts.ColourScale("error (cm)", low=0.0, colours=ERROR_COLOURS)
-    position = np.round(100 * xy, 1)
+    position = rounded_array(100 * xy, 1)
     charts.add_points(fig, *position.T, "query", size=error + 5, values=error, scale=scale)
     small = (error < 1).mean()
     alt = (
         f"{len(xy):,} queries as dots whose diameter in pixels is the error in cm plus 5, in the "
-        f"colours of a bar from 0 to {error.max():z.1f} cm; {small:.0%} of them are below 1 cm "
-        "and look alike."
+        f"colours of a bar from 0 to {fixed(error.max(), 1)} cm; {small:.0%} of them are below 1 "
+        f"cm and look alike."
     )
     caption = (
         "This is the report's third chart, with the colour bar that the report leaves out and with "

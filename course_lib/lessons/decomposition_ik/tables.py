@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.figures.digits import fixed
 from course_lib.figures.tables import table
 from course_lib.lessons.decomposition_ik import cells
 
@@ -65,7 +66,7 @@ def by_kind(kind, error):
 
 
 def _mean_and_worst(error, digits):
-    return f"{np.nanmean(error):z.2f}", f"{np.nanmax(error):.{digits}f}"
+    return fixed(np.nanmean(error), 2), fixed(np.nanmax(error), digits)
 
 
 def slopes(contents):
@@ -73,5 +74,5 @@ def slopes(contents):
 
     contents: {name: (slope of the angle, slope of the position)}.
     """
-    rows = {name: [f"{slope:z.2f}" for slope in both] for name, both in contents.items()}
+    rows = {name: [fixed(slope, 2) for slope in both] for name, both in contents.items()}
     table(["slope of the angle", "of the position"], rows)

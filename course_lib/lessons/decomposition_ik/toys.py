@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.arguments import real_array
+from course_lib.figures.digits import rounded_array
 from course_lib.figures.toys.alive import Figure
 from course_lib.figures.toys.toy import Answers, Toy
 
@@ -70,12 +71,12 @@ def table(at, caption="Drag the query, and watch how far the tip is from the que
 
     def stored(f):
         side = np.arange(-2, 2 + _STEP / 2, _STEP)
-        grid = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2).round(4) + 0.0
+        grid = rounded_array(np.stack(np.meshgrid(side, side), -1).reshape(-1, 2), 4)
         reachable = grid[np.linalg.norm(grid, axis=-1) <= 2]
         queries = np.vstack([at, reachable])
         answers = Answers(f, ask)
         angles = [answers({"at": query})["value"] or [np.nan, np.nan] for query in queries]
-        return {"at": queries.T.tolist(), "q": np.round(angles, 4).T.tolist()}
+        return {"at": queries.T.tolist(), "q": rounded_array(angles, 4).T.tolist()}
 
     model = {
         "figure": "table",

@@ -11,6 +11,7 @@ import numpy as np
 from course_lib import rigid
 from course_lib.arms import panda
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.solids import (
     Model,
@@ -67,7 +68,7 @@ def through_the_table(q):
     return _panda(
         q,
         scene.triad(7, panda().home[-1], 0.1),
-        f"The Panda on a worktop. Its flange is {-100 * height:z.0f} cm below the worktop.",
+        f"The Panda on a worktop. Its flange is {fixed(-100 * height, 0)} cm below the worktop.",
         "The arm bends down beside its base, through the worktop.",
         view=(-1.5, 0.7, 0.15),
     )
@@ -137,9 +138,9 @@ def four_parameters(a, alpha, d, theta):
         parts,
         f"Two joint axes, z1 and z2, do not meet. Their common perpendicular lies along x1. It has "
         f"a right angle with each of them, and its length is a = {a:g} m. About x1, the axis z2 is "
-        f"rotated relative to z1 by alpha = {np.rad2deg(alpha):z.0f} degrees. The next "
+        f"rotated relative to z1 by alpha = {fixed(np.rad2deg(alpha), 0)} degrees. The next "
         f"perpendicular, x2, is d = {d:g} m further along z2, and it is rotated about z2 by "
-        f"theta = {np.rad2deg(theta):z.0f} degrees.",
+        f"theta = {fixed(np.rad2deg(theta), 0)} degrees.",
         "The axis $x_1$ is perpendicular to both joint axes. Two of the four numbers belong to "
         "$x$, namely the length $a$ and the angle $\\alpha$. The other two belong to $z$, namely "
         "the length $d$ and the angle $\\theta$. Only $\\theta$ changes when the joint rotates.",
@@ -220,7 +221,7 @@ def conventions(modified, standard, base):
 def _numbers(frames):
     """Return the numbers of the frames (n, 4, 4) with their origins, once for each origin."""
     names = {}
-    for i, origin in enumerate(np.round(frames[:, :3, 3], 3) + 0.0, 1):
+    for i, origin in enumerate(rounded_array(frames[:, :3, 3], 3) + 0.0, 1):
         names.setdefault(tuple(origin), []).append(str(i))
     return {", ".join(numbers): origin for origin, numbers in names.items()}
 
@@ -251,12 +252,14 @@ def pose_errors(T, T_target):
         "body, along its own axes": body[3:],
         "geometric, along the base's axes": (T_target - T)[:3, 3],
     }
-    in_words = [f"{name}, {np.linalg.norm(arrow):z.2f} m long" for name, arrow in lengths.items()]
+    in_words = [
+        f"{name}, {fixed(np.linalg.norm(arrow), 2)} m long" for name, arrow in lengths.items()
+    ]
     alt = (
         f"A base, a current pose in blue, and a target in green, which is rotated by "
-        f"{np.rad2deg(space[2]):z.0f} degrees relative to the current pose; both can be dragged. "
-        f"Arrows show the linear parts of three errors: {'; '.join(in_words)}. A dashed arc is the "
-        "screw motion to the target."
+        f"{fixed(np.rad2deg(space[2]), 0)} degrees relative to the current pose; both can be "
+        f"dragged. Arrows show the linear parts of three errors: {'; '.join(in_words)}. A dashed "
+        f"arc is the screw motion to the target."
     )
     caption = (
         "Rotate the target with the slider and watch the three arrows: the geometric one stays, "
@@ -307,8 +310,8 @@ def pinhole(K, T_cm, key_points):
     side.plot(focal, focal * x / z, "o", color=BLUE, markersize=7)
     labels = (
         ("camera", (-0.01, -0.42 * x), INK),
-        (f"$f_x$ =\n{K[0, 0]:z.0f} pixels", (0.02 * z, -0.17 * x), BLUE),
-        (f"$|u - c_x|$ =\n{pixels:z.0f} pixels", (1.08 * focal, 0.75 * focal * x / z), BLUE),
+        (f"$f_x$ =\n{fixed(K[0, 0], 0)} pixels", (0.02 * z, -0.17 * x), BLUE),
+        (f"$|u - c_x|$ =\n{fixed(pixels, 0)} pixels", (1.08 * focal, 0.75 * focal * x / z), BLUE),
         ("$|x|$", (1.02 * z, x / 2), GREEN),
         ("depth $z$", (0.62 * z, -0.12 * x), GREY),
     )
@@ -317,9 +320,9 @@ def pinhole(K, T_cm, key_points):
     side.set(xlabel="z, the optical axis (m)", ylabel="x (m)")
     return Picture(
         fig,
-        f"A camera from the side: point {k}, {1000 * abs(x):z.0f} mm from the optical axis at a "
-        f"depth of {z:z.2f} m, is seen {pixels:z.0f} pixels from the principal point, with a focal "
-        f"length of {K[0, 0]:z.0f} pixels.",
+        f"A camera from the side: point {k}, {fixed(1000 * abs(x), 0)} mm from the optical axis at "
+        f"a depth of {fixed(z, 2)} m, is seen {fixed(pixels, 0)} pixels from the principal point, "
+        f"with a focal length of {fixed(K[0, 0], 0)} pixels.",
         "The axes are in metres. The two blue lengths are in pixels, and both are drawn larger "
         "than they are, by the same factor. The two triangles are similar, so $u - c_x$ is to "
         "$f_x$ as $x$ is to $z$.",
@@ -355,22 +358,22 @@ def motion(times, clearances, trajectory_times, speeds, accelerations):
         share="x",
         height=640,
     )
-    times, trajectory_times = np.round(times, 4), np.round(trajectory_times, 4)
+    times, trajectory_times = rounded_array(times, 4), rounded_array(trajectory_times, 4)
     for obstacle, distances in clearances.items():
-        centimetres = np.round(100 * np.asarray(distances), DECIMALS)
+        centimetres = rounded_array(100 * np.asarray(distances), DECIMALS)
         charts.add_line(fig, times, centimetres, obstacle, panel=0)
     lowest = min(distances.min() for distances in clearances.values())
     _add_contact(fig, min(-2.0, 100 * lowest - 1))
     shares = {"speed": np.asarray(speeds), "acceleration": np.asarray(accelerations)}
     for panel, (name, share) in enumerate(shares.items(), 1):
-        drawn = np.round(share, DECIMALS)
+        drawn = rounded_array(share, DECIMALS)
         charts.add_line(fig, trajectory_times, drawn, name, panel=panel, dash="solid")
         fig.data[-1].line.shape = "hv"  # a value holds until the next row
         charts.add_rule(fig, y=1.0, text="bound", panel=panel)
     margin = 0.02 * trajectory_times[-1]  # so that a peak at the first or last row is seen
     fig.layout.xaxis.range = [-margin, trajectory_times[-1] + margin]
     least = {obstacle: 100 * distances.min() for obstacle, distances in clearances.items()}
-    least_in_words = ", ".join(f"{obstacle} {gap:z.1f} cm" for obstacle, gap in least.items())
+    least_in_words = ", ".join(f"{obstacle} {fixed(gap, 1)} cm" for obstacle, gap in least.items())
     return Picture(
         fig,
         f"Three panels over time. The first shows the clearance, with its least values: "
@@ -387,13 +390,13 @@ def _least_clearance_in_words(least):
     nearest = min(least, key=least.get)
     if least[nearest] < 0:
         return (
-            f"The arm reaches {-least[nearest]:z.1f} cm into the {nearest}: there the curve is in "
-            "the red band, which begins at a clearance of 0."
+            f"The arm reaches {fixed(-least[nearest], 1)} cm into the {nearest}: there the curve "
+            f"is in the red band, which begins at a clearance of 0."
         )
     name = "itself" if nearest == "itself" else f"the {nearest}"
     return (
         f"The arm touches nothing, because no curve reaches the red band; it is nearest to {name}, "
-        f"at {least[nearest]:z.1f} cm."
+        f"at {fixed(least[nearest], 1)} cm."
     )
 
 
@@ -497,9 +500,10 @@ def pick(frames, grippers, openings, mugs, times, base, camera):
         parts,
         poses,
         times,
-        f"Moving picture, {times[-1] - times[0]:z.0f} seconds. The Panda reaches over the mug on "
-        f"the worktop and comes down with its open fingers on both sides of the mug. It closes the "
-        f"fingers, lifts the mug by {100 * lifted:z.0f} cm, carries it {100 * carried:z.0f} cm "
+        f"Moving picture, {fixed(times[-1] - times[0], 0)} seconds. The Panda reaches over the mug "
+        f"on the worktop and comes down with its open fingers on both sides of the mug. It closes "
+        f"the fingers, lifts the mug by {fixed(100 * lifted, 0)} cm, carries it "
+        f"{fixed(100 * carried, 0)} cm "
         f"across the worktop and sets it down. Then it opens the fingers and rises. A camera hangs "
         f"above the worktop and looks down.",
         "The blue line is the path of the point midway between the fingertips. The fingers close "
@@ -543,7 +547,7 @@ def matches(template, scene_points, T, wrong):
         "template": (_dots(template, [Z_BLUE] * len(template)), [mug], (), _beside_dots(template)),
         "scene": (_dots(seen, scene_colours), [mug.moved(R)], dashes, _beside_dots(seen)),
     }
-    gaps = " and ".join(f"point {k} by {1000 * distances[k]:z.0f} mm" for k in wrong)
+    gaps = " and ".join(f"point {k} by {fixed(1000 * distances[k], 0)} mm" for k in wrong)
     return beside(
         groups,
         0.17,
@@ -638,9 +642,9 @@ def share_reached(x, shares, xlabel, caption):
     ax.set(xlabel=xlabel, ylabel="targets reached (%)", ylim=(-3, 103))
     ax.grid(color=GRID_GREY)
     alt = (
-        f"The share of targets that is reached, over the {xlabel}: {percent[0]:z.0f} % at "
-        f"{x[0]:g}, {percent[-1]:z.0f} % at {x[-1]:g}, and the most, {percent.max():z.0f} %, at "
-        f"{x[percent.argmax()]:g}."
+        f"The share of targets that is reached, over the {xlabel}: {fixed(percent[0], 0)} % at "
+        f"{x[0]:g}, {fixed(percent[-1], 0)} % at {x[-1]:g}, and the most, "
+        f"{fixed(percent.max(), 0)} %, at {x[percent.argmax()]:g}."
     )
     return Picture(fig, alt, caption)
 
@@ -659,7 +663,7 @@ def fastest_joint(times, speeds):
     -------
     Picture
     """
-    drawn = {name: np.round(speed, DECIMALS) for name, speed in speeds.items()}
+    drawn = {name: rounded_array(speed, DECIMALS) for name, speed in speeds.items()}
     fig = charts.lines(times, drawn, xlabel="time (s)", ylabel="fastest joint (rad/s)")
     largest = ", ".join(f"{name} {speed.max():.2g} rad/s" for name, speed in speeds.items())
     return Picture(
@@ -696,20 +700,20 @@ def following(dt, coarse_dt, distances, decay):
     )
     for i, name in enumerate(names):
         panel, step = (0, dt) if i < 2 else (1, coarse_dt)
-        errors = np.round(distances[name], DECIMALS)
-        times = np.round(step * np.arange(len(errors)), DECIMALS)
+        errors = rounded_array(distances[name], DECIMALS)
+        times = rounded_array(step * np.arange(len(errors)), DECIMALS)
         charts.add_line(fig, times, errors, name, panel=panel, markers=panel == 1)
     few = slice(None, None, max(1, len(decay) // 16))  # dots on the curve that they confirm
-    times = np.round(dt * np.arange(len(decay)), DECIMALS)[few]
-    expected = np.round(decay, DECIMALS)[few]
+    times = rounded_array(dt * np.arange(len(decay)), DECIMALS)[few]
+    expected = rounded_array(decay, DECIMALS)[few]
     charts.add_points(fig, times, expected, "e<sub>0</sub> exp(−K t)", colour=INK, size=5)
     # The errors that die out fill the panels; the one that grows may leave its panel.
     fig.update_yaxes(range=[0, MAX_DRAWN_LAG])
-    ends = "; ".join(f"{name} {distances[name][-1]:z.1f} cm" for name in names)
+    ends = "; ".join(f"{name} {fixed(distances[name][-1], 1)} cm" for name in names)
     return Picture(
         fig,
         f"Errors of a gripper that follows a moving target. All start at "
-        f"{distances[names[0]][0]:z.1f} cm. At the end: {ends}.",
+        f"{fixed(distances[names[0]][0], 1)} cm. At the end: {ends}.",
         "With steps of 0.02 s, the gripper lags behind without feed-forward, and with "
         "feed-forward its error decays exponentially. With steps of 0.1 s, the gain is just below "
         "and just above 2/dt.",
@@ -758,7 +762,7 @@ def iterations(counts, most):
     # Under the pointer a bar names all its iterations; one x for all panels would be its middle.
     fig.layout.hovermode = "closest"
     in_words = [
-        f"{name} {len(taken)} targets, median {np.median(taken):z.0f}"
+        f"{name} {len(taken)} targets, median {fixed(np.median(taken), 0)}"
         for name, taken in counts.items()
         if len(taken)
     ]

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.figures.digits import fixed
 from course_lib.figures.tables import table
 
 
@@ -15,8 +16,8 @@ def dh_tables(modified, standard):
     """
     print("joint   modified: a    alpha     d   standard: a    alpha     d")
     for i, rows in enumerate(np.hstack([modified, standard]), 1):
-        shown = rows * np.tile([1, 180 / np.pi, 1], 2) + 0.0
-        print("{:3} {:z15.4f} {:z7.0f}° {:z5.3f} {:z13.4f} {:z7.0f}° {:z5.3f}".format(i, *shown))
+        shown = map(fixed, rows * np.tile([1, 180 / np.pi, 1], 2), np.tile([4, 0, 3], 2))
+        print("{:3} {:>15} {:>7}° {:>5} {:>13} {:>7}° {:>5}".format(i, *shown))
 
 
 def mirrored(n, as_given, corrected):
@@ -62,11 +63,11 @@ def reached(results, rough=()):
         share = 100 * is_reached.mean()
         median = np.median(taken[is_reached]) if is_reached.any() else None
         if median is None:
-            rows[name] = [f"{share:z.0f}", "-"]
+            rows[name] = [fixed(share, 0), "-"]
         elif name in rough:
-            rows[name] = [f"about {float(f'{number:.1g}'):z.0f}" for number in (share, median)]
+            rows[name] = [f"about {fixed(float(f'{number:.1g}'), 0)}" for number in (share, median)]
         else:
-            rows[name] = [f"{share:z.0f}", f"{median:z.0f}"]
+            rows[name] = [fixed(share, 0), fixed(median, 0)]
     table(["reached (%)", "iterations (median)"], rows)
 
 
@@ -87,4 +88,4 @@ def share_mirrored(n, mirrored):
     share = np.mean(mirrored)
     if n == 3 and 0.45 < share < 0.55:
         return "about half"
-    return f"{100 * share:z.1f} %"
+    return f"{fixed(100 * share, 1)} %"

@@ -9,6 +9,7 @@ import itertools
 import numpy as np
 
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_metres
 from course_lib.figures.solids import Part, link_poses, scene, shell
@@ -73,14 +74,16 @@ def wrong_frame(arm, motions, table):
         groups[label] = solid, pale, paths, words
         moved[label] = 100 * np.linalg.norm(path[-1] - path[0])
         lowest[label] = path[:, 2].min()
-    ends = "; ".join(f"{label}: the gripper moves by {far:z.0f} cm" for label, far in moved.items())
+    ends = "; ".join(
+        f"{label}: the gripper moves by {fixed(far, 0)} cm" for label, far in moved.items()
+    )
     through = "No path touches the table."
     if min(lowest.values()) < table:
         through = "One path goes into the table."
     farthest, nearest = max(moved, key=moved.get), min(moved, key=moved.get)
     caption = (
-        f"{_capital(farthest)}: the gripper ends {moved[farthest]:z.0f} cm from where it began. "
-        f"{_capital(nearest)}: the gripper stays where it is. The translucent arm shows the "
+        f"{_capital(farthest)}: the gripper ends {fixed(moved[farthest], 0)} cm from where it "
+        f"began. {_capital(nearest)}: the gripper stays where it is. The translucent arm shows the "
         "beginning of the motion."
     )
     return beside(
@@ -229,7 +232,7 @@ def screw_motion(poses, through, axis):
         np.concatenate([shown, np.eye(4)[None]])[None],
         [0.0],
         f"A frame moves along a helix about a screw axis, which it does not touch, and rises by "
-        f"{rise:z.2f} m.",
+        f"{fixed(rise, 2)} m.",
         "The frame rotates about the screw axis S and slides along it. Its origin keeps its "
         "distance from the axis. The numbers 1 to 4 mark four instants.",
         paths=[(path, BLUE, ())],
@@ -346,14 +349,14 @@ def arm_movie(arm, motion):
     """Return a film of an arm that moves along a Trajectory, with the path of its end-effector."""
     path = arm.fk(motion.q)[:, :3, 3]
     size = ", ".join(
-        f"{c} from {a:z.2f} to {b:z.2f} m"
+        f"{c} from {fixed(a, 2)} to {fixed(b, 2)} m"
         for c, a, b in zip("xyz", path.min(0), path.max(0), strict=True)
     )
     return film(
         [*shell(arm), *scene.triad(arm.n, arm.home[-1], 0.16)],
         link_poses(arm, motion.q),
         motion.t,
-        f"Moving picture, {np.ptp(motion.t):z.1f} s: the arm follows the trajectory. Its "
+        f"Moving picture, {fixed(np.ptp(motion.t), 1)} s: the arm follows the trajectory. Its "
         f"end-effector moves within {size}.",
         "The end-effector follows the dashed path, which extends over "
         f"{_extents(path)} m. The translucent arms show the arm at other instants.",
@@ -366,7 +369,7 @@ def arm_movie(arm, motion):
 
 def _extents(path):
     """Return how far a path (n, 3) extends along x, y and z, in metres, as words."""
-    return " by ".join(f"{extent:z.2f}" for extent in np.ptp(path, axis=0))
+    return " by ".join(fixed(extent, 2) for extent in np.ptp(path, axis=0))
 
 
 def plane_projections(t, path):
@@ -473,7 +476,8 @@ def velocities_over_time(t, v, poses):
         ]
         charts_over_time.append((frame, "v (m/s)", curves))
     speeds = ", ".join(
-        f"{frame} up to {np.abs(values).max():z.2f} m/s" for frame, values in velocities.items()
+        f"{frame} up to {fixed(np.abs(values).max(), 2)} m/s"
+        for frame, values in velocities.items()
     )
     return film(
         scene.triad(0, np.eye(4), 0.22 * size),
@@ -582,7 +586,7 @@ def singular_values(arm, generic, straight):
         charts.add_line(fig, angles, smallest, name)
         words = name.replace("<sub>", "").replace("</sub>", "")
         minima.append(
-            f"{words}: least {smallest.min():.2g} at {angles[smallest.argmin()]:z.2f} rad"
+            f"{words}: least {smallest.min():.2g} at {fixed(angles[smallest.argmin()], 2)} rad"
         )
     alt = (
         "The smallest singular value of the Jacobian over an angle, for three motions. "
@@ -639,14 +643,14 @@ def near_its_bounds(t, manipulability, q, limits):
     charts.add_rule(fig, y=100, text="limit", panel=1)
     nearest = shares.max(0)
     least, most = np.min(manipulability), np.max(manipulability)
-    joint = f"Joint {nearest.argmax() + 1} comes nearest to a limit, at {nearest.max():z.0f} %"
+    joint = f"Joint {nearest.argmax() + 1} comes nearest to a limit, at {fixed(nearest.max(), 0)} %"
     return Picture(
         fig,
-        f"Two panels show curves over time. The manipulability is between {least:z.3f} and "
-        f"{most:z.3f} m³. {joint} of the way.",
+        f"Two panels show curves over time. The manipulability is between {fixed(least, 3)} and "
+        f"{fixed(most, 3)} m³. {joint} of the way.",
         f"The manipulability w, which is 0 in a singular configuration, stays at or above "
-        f"{least:z.3f} m³. {joint} of the way from the middle of its range. If you zoom in one "
-        "panel, the other follows.",
+        f"{fixed(least, 3)} m³. {joint} of the way from the middle of its range. If you zoom in "
+        f"one panel, the other follows.",
     )
 
 
@@ -678,15 +682,15 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
     -------
     Picture
     """
-    radii, heights = np.round(radii, _MAP_DECIMALS), np.round(heights, _MAP_DECIMALS)
+    radii, heights = rounded_array(radii, _MAP_DECIMALS), rounded_array(heights, _MAP_DECIMALS)
     fig = charts.panels(
         xlabel="distance r from axis 1 (m)", ylabel="height z (m)", equal=True, height=560
     )
     is_within = _whole_cells_within(radii, heights, np.transpose(outer_edge))
     values = np.where(is_within, manipulability, np.nan)
-    drawn = np.round(values, _MAP_DECIMALS)
+    drawn = rounded_array(values, _MAP_DECIMALS)
     charts.add_map(fig, radii, heights, drawn, charts.ColourScale("manipulability w (m³)", low=0))
-    edge_r, edge_z = np.round(outer_edge, _MAP_DECIMALS)
+    edge_r, edge_z = rounded_array(outer_edge, _MAP_DECIMALS)
     charts.add_line(fig, edge_r, edge_z, "arm stretched", colour=BLACK)
     charts.add_line(
         fig, [hole, hole], [edge_z.min(), edge_z.max()], "edge of the hole", colour=CRIMSON
@@ -697,9 +701,9 @@ def workspace(radii, heights, manipulability, hole, outer_edge):
     return Picture(
         fig,
         f"A map of the places that the flange reaches while it points down. Its manipulability is "
-        f"largest, {best[2]:z.3f} m³, near r = {best[0]:z.2f} m and z = {best[1]:z.2f} m. It falls "
-        "to "
-        f"zero at the hole around axis 1, of radius {hole:z.2f} m, and at the outer edge.",
+        f"largest, {fixed(best[2], 3)} m³, near r = {fixed(best[0], 2)} m and z = "
+        f"{fixed(best[1], 2)} m. It falls to "
+        f"zero at the hole around axis 1, of radius {fixed(hole, 2)} m, and at the outer edge.",
         "The flange reaches, from above, what lies between the red and the black line. The colour "
         "of a place shows the largest manipulability of all configurations that reach it. Cells "
         "that the black line cuts have no colour.",

@@ -8,6 +8,7 @@ Poses are rows (x, y, theta), in metres and radians; times are in seconds.
 import numpy as np
 
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import draw_arms, in_columns, in_metres, legend_above
 from course_lib.figures.style import (
@@ -65,7 +66,7 @@ def outline(pose):
         In metres; the last corner is the first again.
     """
     T = pose_matrix(pose)
-    return np.round(_BODY @ T[:2, :2].T + T[:2, 2], 3)
+    return rounded_array(_BODY @ T[:2, :2].T + T[:2, 2], 3)
 
 
 def _point(p):
@@ -78,7 +79,7 @@ def _rotation(theta):
     if abs(angle) < 0.005:
         return "without rotation"
     sense = "counter-clockwise" if angle > 0 else "clockwise"
-    return f"rotating {sense} by {abs(angle):z.2f} rad"
+    return f"rotating {sense} by {fixed(abs(angle), 2)} rad"
 
 
 # ---- robots on wheels ----
@@ -125,8 +126,8 @@ def parking(poses, dock, table, keep_away):
     nearest = np.linalg.norm(poses[:, :2] - middle, axis=1).min()
     alt = (
         f"A robot drives from {_point(poses[0])} to {_point(poses[-1])}. Its dock is at "
-        f"{_point(dock)}. On its way its centre comes as near as {nearest:z.2f} m to the middle of "
-        f"a round table; {keep_away:g} m are allowed."
+        f"{_point(dock)}. On its way its centre comes as near as {fixed(nearest, 2)} m to the "
+        f"middle of a round table; {keep_away:g} m are allowed."
     )
     caption = (
         "The centre of the robot has to stay outside the dashed circle. The robot has to stop in "
@@ -219,7 +220,9 @@ def body_movie(name, poses, times, ghost=None):
         bodies.insert(0, [outline(pose) for pose in ghost])
         look["colours"] = [GHOST, CRIMSON]
         apart = np.linalg.norm(track - ghost[:, :2], axis=1).max()
-        alt += f" A second body, outlined in grey, is up to {apart:z.2f} m away from the first."
+        alt += (
+            f" A second body, outlined in grey, is up to {fixed(apart, 2)} m away from the first."
+        )
     return flat_film(bodies, times, alt, _CAPTIONS.get(name, ""), name=name, **look)
 
 
@@ -240,7 +243,9 @@ def longer_arc(times, wrapped, unwrapped):
     motions = {"wrapped": wrapped, "not wrapped": unwrapped}
     in_words = []
     for name, poses in motions.items():
-        in_words.append(f"{name}: {poses[-1, 2] - poses[0, 2]:z.2f} rad, {_rotation(poses[:, 2])}")
+        in_words.append(
+            f"{name}: {fixed(poses[-1, 2] - poses[0, 2], 2)} rad, {_rotation(poses[:, 2])}"
+        )
     begin, end = _point(wrapped[0]), _point(wrapped[-1])
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. One body wraps the difference of its "
@@ -331,7 +336,7 @@ def _body_paths(contents, every, caption, pole=None):
         ax.set(xlim=(-HALF, HALF), ylim=(-HALF, HALF), aspect="equal")
         ax.set(xticks=range(-HALF, HALF + 1, 5), yticks=range(-HALF, HALF + 1, 5))
         length = np.linalg.norm(np.diff(poses[:, :2], axis=0), axis=1).sum()
-        ends = f"from {_point(poses[0])} to {_point(poses[-1])} over {length:z.1f} m"
+        ends = f"from {_point(poses[0])} to {_point(poses[-1])} over {fixed(length, 1)} m"
         in_words.append(f"{title.capitalize()}: {ends}, {_rotation(poses[:, 2])}.")
     if pole is not None:
         in_words.append(f"A dot marks the pole, at {_point(pole)}.")
@@ -358,10 +363,10 @@ def euler_paths(paths):
         off = np.linalg.norm(points[-1] - paths[exact][-1])
         name = label
         if label != exact:
-            name = f"{label}: {off:z.3f} m off"
+            name = f"{label}: {fixed(off, 3)} m off"
             in_words.append(
-                f'The path "{name}" ends at {_point(points[-1])}, {off:z.2f} m from the end of '
-                f'"{exact}".'
+                f'The path "{name}" ends at {_point(points[-1])}, {fixed(off, 2)} m from the '
+                f'end of "{exact}".'
             )
         is_short = len(points) < 60
         number = {"number of steps": np.arange(len(points))}
@@ -440,9 +445,9 @@ def time_scalings(u, curves):
             _add_impulses(fig, velocity[0], velocity[-1], largest, COLOURS[number])
             impulses = ", with an impulse at each end, where the velocity jumps"
         in_words.append(
-            f"The {name} one: velocity {velocity[0]:z.2f} at the start, up to "
-            f"{max(velocity):z.2f}; acceleration from {acceleration[0]:z.1f} to "
-            f"{acceleration[-1]:z.1f}{impulses}."
+            f"The {name} one: velocity {fixed(velocity[0], 2)} at the start, up to "
+            f"{fixed(max(velocity), 2)}; acceleration from {fixed(acceleration[0], 1)} to "
+            f"{fixed(acceleration[-1], 1)}{impulses}."
         )
     alt = f"Time scalings from 0 to 1. {' '.join(in_words)}"
     caption = (
@@ -502,8 +507,8 @@ def speed_profiles(profiles):
             charts.add_line(fig, times, curve, name, panel=panel)
         distance, speed, acceleration = curves
         in_words.append(
-            f"{name}: {distance[-1]:.3g} m in {times[-1]:z.2f} s, speed up to {speed.max():z.2f} "
-            f"m/s, acceleration up to {acceleration.max():z.2f} m/s²."
+            f"{name}: {distance[-1]:.3g} m in {fixed(times[-1], 2)} s, speed up to "
+            f"{fixed(speed.max(), 2)} m/s, acceleration up to {fixed(acceleration.max(), 2)} m/s²."
         )
     alt = f"Motions from rest to rest over time. {' '.join(in_words)}"
     caption = (
@@ -545,8 +550,8 @@ def past_via_points(points, motions):
         charts.add_line(fig, times, speed, name, dash=dash, panel=1)
         nearest = [np.linalg.norm(path - p, axis=1).min() for p in np.unique(points, axis=0)]
         in_words.append(
-            f"{name}: takes {times[-1]:z.2f} s and passes the farthest corner at "
-            f"{max(nearest):z.3f} m."
+            f"{name}: takes {fixed(times[-1], 2)} s and passes the farthest corner at "
+            f"{fixed(max(nearest), 3)} m."
         )
     fig.update_traces(line={"simplify": False})  # else plotly draws the blends as polygons
     count = len(np.unique(points, axis=0))
@@ -597,12 +602,11 @@ def arm_movie(name, points, times, beside=None, names=("linear", "cubic")):
         still += [path_of_tip, base]
     alt = (
         f"Moving picture, {times[-1] - times[0]:.3g} s. An arm of {links} links moves; its tip "
-        f"draws a dashed blue curve from {_point(points[0, -1])} to "
-        f"{_point(points[-1, -1] + 0.0)}."
+        f"draws a dashed blue curve from {_point(points[0, -1])} to {_point(points[-1, -1] + 0.0)}."
     )
     if beside is not None:
         off = np.linalg.norm(points[:, -1] - beside[:, -1], axis=1).max()
-        alt += f" A second arm moves to its right; their tips are up to {off:z.2f} m apart."
+        alt += f" A second arm moves to its right; their tips are up to {fixed(off, 2)} m apart."
     return flat_film(
         arms, times, alt, _CAPTIONS.get(name, ""), name=name, still=still, ghosts=_GHOSTS, **look
     )
@@ -626,9 +630,9 @@ def arm_paths(contents):
     titled = {}
     for title, points in contents.items():
         length = np.linalg.norm(np.diff(points[:, -1], axis=0), axis=1).sum()
-        titled[f"{title}: {length:z.2f} m"] = points
+        titled[f"{title}: {fixed(length, 2)} m"] = points
         ends = f"{_point(points[0, -1])} to {_point(points[-1, -1])}"
-        in_words.append(f"{title.capitalize()}: the path is {length:z.2f} m long, {ends}.")
+        in_words.append(f"{title.capitalize()}: the path is {fixed(length, 2)} m long, {ends}.")
     caption = (
         "On the joint-space line, the joints move in proportion to each other, and the path of "
         "the tip is a curve. On the task-space line, the path of the tip is straight."
@@ -658,8 +662,8 @@ def joint_tracks(paths):
         }
         charts.add_line(fig, *theta.T, label, details=degrees)
     in_words = [
-        f"{label.capitalize()}: joint 2 between {theta[:, 1].min():z.2f} and "
-        f"{theta[:, 1].max():z.2f} rad."
+        f"{label.capitalize()}: joint 2 between {fixed(theta[:, 1].min(), 2)} and "
+        f"{fixed(theta[:, 1].max(), 2)} rad."
         for label, theta in paths.items()
     ]
     alt = f"Paths in the plane of the two joint angles. {' '.join(in_words)}"

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.figures.digits import rounded_array
 from course_lib.figures.toys.alive import Figure
 from course_lib.figures.toys.toy import Toy, numbers
 from course_lib.planar import propagate_body_exact
@@ -56,14 +57,14 @@ def drive(plan, *, exact=False):
     def ask(f, question):
         log = [(tuple(velocity), duration) for velocity, duration in question["plan"]]
         poses = numbers(f(np.zeros(3), log, question["dt"]), "poses", "n", 3)
-        return {"value": poses.round(5).tolist(), "plan": question["plan"]}
+        return {"value": rounded_array(poses, 5).tolist(), "plan": question["plan"]}
 
     model = {
         "figure": "drive",
         "title": "A robot and its own dead reckoning",
         "half": 3,
         "centre": [0.3, 0.7],
-        "dock": driven[-1, :2].round(3).tolist(),
+        "dock": rounded_array(driven[-1, :2], 3).tolist(),
         "dt": _TIME_STEP,
         "exact": bool(exact),
         "plan": [[list(map(float, velocity)), float(duration)] for velocity, duration in plan],

@@ -7,6 +7,7 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import in_columns, lines, plain
 from course_lib.figures.solids import Part, scene
@@ -108,7 +109,7 @@ def frames(
     if longest > 1.01:
         caption = (
             "A rotation keeps all three axes at length one; here the longest grows to "
-            f"{longest:z.2f}. Inside the pale drone is one of the true size."
+            f"{fixed(longest, 2)}. Inside the pale drone is one of the true size."
         )
     size = max(1, scale * longest)
     apart, look = 2.5 * size, {"view": (1.35, 1.1, 0.8), "high": 1.5 * size}
@@ -193,7 +194,7 @@ def rotated_point(w, p, exp):
             words.append((name, at, BLACK))
     where = "in a plane" if np.ptp(path @ n) < 1e-6 else "which leaves the plane"
     alt = (
-        f"A point p moves about the axis w by {angle:z.2f} rad to R p, along an arc {where} "
+        f"A point p moves about the axis w by {fixed(angle, 2)} rad to R p, along an arc {where} "
         "perpendicular to it."
     )
     caption = "The point keeps its height along the axis $w$ and its distance from it."
@@ -255,9 +256,9 @@ def euler_rates(beta, smallest):
     first = _numbers(smallest[:1])
     last = _numbers(smallest[-1:])
     alt = (
-        f"The smallest singular value of the Euler rate matrix is {max(smallest):z.2f} at pitch "
-        f"{top} and falls to {first} at pitch {beta[0]:z.2f} and to {last} at pitch "
-        f"{beta[-1]:z.2f}: gimbal lock."
+        f"The smallest singular value of the Euler rate matrix is {fixed(max(smallest), 2)} at "
+        f"pitch {top} and falls to {first} at pitch {fixed(beta[0], 2)} and to {last} at pitch "
+        f"{fixed(beta[-1], 2)}: gimbal lock."
     )
     caption = (
         "At $\\beta = \\pm\\pi/2$ the smallest singular value is zero, so no rates of the "
@@ -301,7 +302,7 @@ def projections(M, rotations):
         terms = " + ".join(rf"{size:.3g} ({z:.2g})" for size, z in zip(s, sizes, strict=True))
         ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
         ax.set_title(f"{title}\n$s_1 z_{{11}} + s_2 z_{{22}} = {terms} = {s @ sizes:.3g}$")
-        in_words.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {s @ sizes:z.2f}")
+        in_words.append(f"{plain(title)}: {_numbers(sizes)}, and a sum of {fixed(s @ sizes, 2)}")
     alt = (
         "The ellipse that M makes of the unit circle, with its axes, and the images of v1 and v2 "
         f"under a rotation, with their projections on these axes. {'; '.join(in_words)}."
@@ -364,7 +365,7 @@ def on_sphere(samples):
         gaps = np.full_like(tips, np.nan)
         ticks = np.stack([tips, ends, gaps], 1).reshape(-1, 3)
         fig.add_scatter3d(
-            **dict(zip("xyz", ticks.T.round(3), strict=True)),
+            **dict(zip("xyz", rounded_array(ticks.T, 3), strict=True)),
             mode="lines",
             line={"color": RED, "width": 2},
             hoverinfo="skip",
@@ -372,13 +373,13 @@ def on_sphere(samples):
         )
         angle = np.rad2deg(np.linalg.norm(log_so3(R), axis=-1))
         fig.add_scatter3d(
-            **dict(zip("xyz", tips.T.round(3), strict=True)),
+            **dict(zip("xyz", rounded_array(tips.T, 3), strict=True)),
             mode="markers",
             marker={"color": BLUE, "size": 2.5},
-            customdata=angle.round(1)[:, None],
+            customdata=rounded_array(angle, 1)[:, None],
             hovertemplate=(
-                "R e<sub>x</sub> = (%{x:z.2f}, %{y:z.2f}, %{z:z.2f})<br>rotation angle: "
-                "%{customdata[0]:z.0f}°<extra></extra>"
+                "R e<sub>x</sub> = (%{x:.2f}, %{y:.2f}, %{z:.2f})<br>rotation angle: "
+                "%{customdata[0]:.0f}°<extra></extra>"
             ),
             scene=scene,
         )
@@ -436,7 +437,7 @@ def _add_sphere(fig, scene):
         [np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)]
     )
     fig.add_surface(
-        **dict(zip("xyz", points.round(3), strict=True)),
+        **dict(zip("xyz", rounded_array(points, 3), strict=True)),
         colorscale=[[0, SPHERE_GREY], [1, SPHERE_GREY]],
         showscale=False,
         hoverinfo="skip",
@@ -514,8 +515,8 @@ def distances(d_a, d_E, d_q):
     ratios = d_E[apart] / d_a[apart]
     alt = (
         f"Two distances of {len(d_a)} pairs of rotations over the angle between them. The "
-        f"difference of the Euler angles is {ratios.min():z.1f} to {ratios.max():z.1f} times the "
-        "angle. The quaternion distance lies on one curve, from 0 to 1."
+        f"difference of the Euler angles is {fixed(ratios.min(), 1)} to {fixed(ratios.max(), 1)} "
+        f"times the angle. The quaternion distance lies on one curve, from 0 to 1."
     )
     caption = (
         "Pairs with the same angle have very different $d_E$, some of them more than twice the "
@@ -540,4 +541,4 @@ def _direction(v):
 
 
 def _numbers(values):
-    return ", ".join(f"{value + 0.0:z.2f}".replace("-0.00", "0.00") for value in values)
+    return ", ".join(fixed(value, 2) for value in values)

@@ -10,6 +10,7 @@ import re
 import numpy as np
 
 from course_lib.figures import charts
+from course_lib.figures.digits import fixed, rounded, rounded_array
 from course_lib.figures.display import Picture
 from course_lib.figures.plots import draw_arms, in_metres, lines
 from course_lib.figures.solids import Part
@@ -81,13 +82,14 @@ def rotated_onto(k, p, g, theta):
     tried = np.linspace(-np.pi, np.pi, TRIED_ANGLES)
     nearest = min(np.linalg.norm(_rotated(k, angle, p) - g) for angle in tried)
     alt = (
-        f"A point p moves on a circle about the axis k, with a goal g. R p is {gap:z.3f} from g; p "
-        f"itself {gap_at_start:z.3f}."
+        f"A point p moves on a circle about the axis k, with a goal g. R p is {fixed(gap, 3)} from "
+        f"g; p itself {fixed(gap_at_start, 3)}."
     )
     caption = (
-        f"The dashed line shows the distance of $R\\,p$ from $g$, {gap:z.3f} m. Of {TRIED_ANGLES} "
-        f"points of the circle the nearest is {nearest:z.3f} m from $g$. The radii to $p$ and to "
-        "$R\\,p$ enclose the angle $\\theta$. "
+        f"The dashed line shows the distance of $R\\,p$ from $g$, {fixed(gap, 3)} m. Of "
+        f"{TRIED_ANGLES} points of the circle the nearest is {fixed(nearest, 3)} m from $g$. The "
+        f"radii to $p$ and "
+        f"to $R\\,p$ enclose the angle $\\theta$. "
         "Only the parts of $p$ and $g$ that are perpendicular to $k$ determine this angle."
     )
     dots = [(p, "p", INK), (g, "g", INK), (end, "R p", RED)]
@@ -205,8 +207,7 @@ def circle_and_plane(k, h, p, d, theta):
     )
     caption = (
         "The height of $R\\,p$ along $h$ goes up and down once in a revolution, so it takes each "
-        "value between its extremes twice. Here it is "
-        f"{_listed([h @ end for end, *_ in answers])}."
+        f"value between its extremes twice. Here it is {_listed([h @ end for end, *_ in answers])}."
     )
     dots = [(p, "p", INK), *answers]
     return _scene({"k": k, "h": n}, dots, [_circle(k, p, BLUE)], alt, caption, [plane])
@@ -237,7 +238,7 @@ def orientation_paths(tracks, duration):
         speed = np.linalg.norm(log_so3(R[1:] @ R[:-1].mT), axis=1) / time_step
         length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
         speed_in_words = f"{interval(speed)} rad/s"
-        lengths.append(f"{label} on a path of length {length:z.2f}, at {speed_in_words}")
+        lengths.append(f"{label} on a path of length {fixed(length, 2)}, at {speed_in_words}")
         symbol = label.replace("omega", "$\\omega$")
         speeds.append(f"at {speed_in_words} with {symbol}")
     start, end = next(iter(tracks.values()))[[0, -1], :, 0]
@@ -297,7 +298,7 @@ def _answers(k, p, theta):
 
 def _listed(lengths):
     """Return lengths in words; two that print alike are said once."""
-    in_words = [f"{length:z.3f} m" for length in lengths]
+    in_words = [f"{fixed(length, 3)} m" for length in lengths]
     if len(in_words) == 2 and in_words[0] == in_words[1]:
         return f"{in_words[0]} at both points"
     return " and ".join(in_words) or "nowhere"
@@ -371,14 +372,15 @@ def choices(times, counts):
     fig.update_layout(showlegend=False)
     commonest = int(tally.argmax())
     alt = (
-        f"The times to {len(times)} candidates are {times[0]:z.2f} to {times[-1]:z.2f} s. Beside "
-        f"them, dots count poses by their configurations within the limits: most often "
+        f"The times to {len(times)} candidates are {fixed(times[0], 2)} to {fixed(times[-1], 2)} "
+        f"s. Beside them, dots count poses by their configurations within the limits: most often "
         f"{commonest}, for {tally[commonest]} of {len(counts)} poses."
     )
     caption = (
         f"One pose: the motion to the slowest of its {len(times)} candidates takes "
-        f"{times[-1]:z.2f} s, and the motion to the fastest takes {times[0]:z.2f} s. {len(counts)} "
-        f"poses: between {min(counts)} and {max(counts)} of their eight configurations are within "
+        f"{fixed(times[-1], 2)} s, and the motion to the fastest takes {fixed(times[0], 2)} s. "
+        f"{len(counts)} poses: between {min(counts)} and {max(counts)} of their eight "
+        f"configurations are within "
         "the limits."
     )
     return Picture(fig, alt, caption)
@@ -456,7 +458,8 @@ def largest_rates(inverse_rate_matrix):
         ylabel="rates for 1 rad/s (rad/s)",
     )
     ranges = [
-        f"{label} from {rate.min():.2g} to {rate.max():z.0f} rad/s" for label, rate in rates.items()
+        f"{label} from {rate.min():.2g} to {fixed(rate.max(), 0)} rad/s"
+        for label, rate in rates.items()
     ]
     alt = (
         "The largest rates for an angular velocity of one, over b2, on a logarithmic axis: "
@@ -466,8 +469,8 @@ def largest_rates(inverse_rate_matrix):
     caption = (
         r"The largest single rate and the largest length grow without bound where "
         r"$\sin b_2 = 0$, because there the first and the third axis coincide. "
-        rf"At $b_2 = \pi/4$ they are {single[middle]:z.2f} (single) and "
-        f"{together[middle]:z.2f} rad/s (together)."
+        rf"At $b_2 = \pi/4$ they are {fixed(single[middle], 2)} (single) and "
+        f"{fixed(together[middle], 2)} rad/s (together)."
     )
     return Picture(fig, alt, caption)
 
@@ -507,7 +510,7 @@ def descents(runs, target, caption):
     for number, (label, arms) in enumerate(runs.items()):
         name = re.sub(r"\b(alpha|eps)\b", lambda word: GREEK[word[0]], label)
         colour = COLOURS[number % len(COLOURS)]
-        tips = arms[:, -1].round(DECIMALS_OF_TIPS)
+        tips = rounded_array(arms[:, -1], DECIMALS_OF_TIPS)
         steps = np.arange(len(tips))
         distances = _drawn_distances(arms[:, -1], target)
         details = {"step": steps, "distance from the target": _in_words(distances)}
@@ -535,8 +538,8 @@ def descents(runs, target, caption):
         fig.update_layout(yaxis2={"type": "log", "range": log_range})
     x, y = target
     alt = (
-        f"Paths of an arm's tip towards ({x:z.1f}, {y:z.1f}) m, and the distance over the steps. "
-        f"{'; '.join(in_words)}."
+        f"Paths of an arm's tip towards ({fixed(x, 1)}, {fixed(y, 1)}) m, and the distance over "
+        f"the steps. {'; '.join(in_words)}."
     )
     return Picture(fig, alt, caption)
 
@@ -544,10 +547,10 @@ def descents(runs, target, caption):
 def _drawn_distances(tips, target):
     """Return the distances (n,) of tips (n, 2) from a target, as they are drawn."""
     distances = np.linalg.norm(tips - target, axis=-1)
-    powers = np.floor(np.log10(distances.clip(LEAST_DISTANCE)))
+    powers = np.floor(np.log10(distances.clip(LEAST_DISTANCE)) + 1e-9)
     last_digit = 10.0 ** (powers + 1 - DIGITS_OF_DISTANCES)
-    rounded = np.round(distances / last_digit) * last_digit
-    return rounded.clip(LEAST_DISTANCE)
+    drawn = rounded_array(distances / last_digit, 0) * last_digit
+    return drawn.clip(LEAST_DISTANCE)
 
 
 def _in_words(distances):
@@ -563,7 +566,7 @@ def _draw_arm(fig, points, name, colour):
 
     The legend's entry `name` switches it off.
     """
-    points = points.round(DECIMALS_OF_TIPS)
+    points = rounded_array(points, DECIMALS_OF_TIPS)
     charts.add_line(fig, *points.T, name, colour=colour, dash="solid", width=5)
     fig.data[-1].update(opacity=0.45, hoverinfo="skip", hovertemplate=None)
 
@@ -638,11 +641,12 @@ def gains(epsilons, values, damping=2.0):
         raise ValueError(
             f"values must hold s1 and s2, with 0.02 <= s2 <= s1 <= 4 m; it is {values!r}"
         )
-    tops = ", ".join(f"{1 / (2 * np.sqrt(eps)):z.2f} rad/m for {eps:g} m²" for eps in epsilons)
+    tops = ", ".join(f"{fixed(1 / (2 * np.sqrt(eps)), 2)} rad/m for {eps:g} m²" for eps in epsilons)
     alt = (
         "The joint step per metre of error, over the singular value. Without damping it grows "
         f"without bound towards zero; with damping it rises from zero to a largest value, {tops}, "
-        f"and falls again. Two singular values, {values['s1']:z.2f} and {values['s2']:z.2f} m, are "
+        f"and falls again. Two singular values, {fixed(values['s1'], 2)} and "
+        f"{fixed(values['s2'], 2)} m, are "
         "the axes of an ellipse and can be dragged, and so can the direction of an error of 1 m. "
         "An arrow shows how far the damped step moves the tip."
     )
@@ -653,7 +657,7 @@ def gains(epsilons, values, damping=2.0):
     model = {
         "dampings": [float(eps) for eps in epsilons],
         "damping": float(damping),
-        "singularValues": [round(float(values[name]), 4) for name in ("s1", "s2")],
+        "singularValues": [rounded(float(values[name]), 4) for name in ("s1", "s2")],
     }
     return Toy("gains", model, alt, caption=caption)
 
@@ -694,9 +698,9 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
     marked = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
     alt = (
         "A map of the distance after a run, over step size and damping, both logarithmic. Left of "
-        f"a curve, the limit of the step size, {blue_left:z.0f} % of it is blue, below a "
-        f"centimetre; right of it {blue_right:z.0f} %. Circles mark {marked}. A ring that can be "
-        "dragged chooses a run, and beside the map the arm makes it."
+        f"a curve, the limit of the step size, {fixed(blue_left, 0)} % of it is blue, below a "
+        f"centimetre; right of it {fixed(blue_right, 0)} %. Circles mark {marked}. A ring that can "
+        f"be dragged chooses a run, and beside the map the arm makes it."
     )
     caption = (
         "Click just left and then just right of the black curve: on one side the tip comes to rest "
@@ -709,10 +713,10 @@ def step_map(alphas, epsilons, errors, largest, runs, start, target, steps):
         "q": list(map(float, start)),
         "target": list(map(float, target)),
         "steps": int(steps),
-        "alphas": np.log10(alphas).round(4).tolist(),
-        "epsilons": np.log10(epsilons).round(4).tolist(),
+        "alphas": rounded_array(np.log10(alphas), 4).tolist(),
+        "epsilons": rounded_array(np.log10(epsilons), 4).tolist(),
         "logErrors": [[_log_or_none(error) for error in row] for row in errors.T],
-        "largest": round(float(largest), 6),
+        "largest": rounded(float(largest), 6),
         "runs": [list(map(float, run)) for run in runs],
         "at": list(map(float, runs[0])),
     }
@@ -724,7 +728,7 @@ def _log_or_none(error):
     if np.isnan(error):
         return None
     # Rounding decides smaller distances, and the map shows them by the same colour.
-    return float(np.log10(max(error, _LEAST_OF_MAP)).round(2))
+    return rounded(float(np.log10(max(error, _LEAST_OF_MAP))), 2)
 
 
 def two_arms(paths, points_of):
@@ -750,7 +754,8 @@ def two_arms(paths, points_of):
         angles = [np.interp(spaced, length, angle) for angle in np.transpose(path)]
         arms[rf"$\epsilon$ = {eps:g} m²"] = points_of(np.transpose(angles))
     folds = ", ".join(
-        f"epsilon = {eps:g} m²: {np.abs(path[:, -1]).max():z.1f} rad" for eps, path in paths.items()
+        f"epsilon = {eps:g} m²: {fixed(np.abs(path[:, -1]).max(), 1)} rad"
+        for eps, path in paths.items()
     )
     alt = (
         "Arms between the same start and target, later ones darker. The last elbow bends at most "
@@ -781,7 +786,7 @@ def manipulability_along(dampings, values):
         np.arange(values.shape[1]), by_damping, xlabel="step", ylabel="manipulability (m²)"
     )
     ranges = [
-        f"epsilon = {eps:g} m²: {min(row):z.1f} to {max(row):z.1f}"
+        f"epsilon = {eps:g} m²: {fixed(min(row), 1)} to {fixed(max(row), 1)}"
         for eps, row in zip(dampings, values, strict=True)
     ]
     alt = f"The manipulability (m²) over the steps. {'; '.join(ranges)}."
