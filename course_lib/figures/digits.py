@@ -7,10 +7,7 @@ import numpy as np
 
 # A number half-way between two stored ones, as 0.5 m is in steps of 1 m, would be rounded up on one
 # processor and down on another. Shifted by this part of a step beforehand, it is rounded up on all.
-_OFF_TIES = 0.0137
-# The same for numbers in words, which are rounded by more than drawn ones: only what differs from a
-# tie by nothing but rounding errors is moved.
-_OFF_TIES_IN_WORDS = 1e-6
+_OFF_TIES = 1e-4
 # Nobody sees less: a hundred-thousandth of an axis is a hundredth of a pixel.
 DIGITS = 5
 
@@ -70,4 +67,4 @@ def fixed(number, decimals):
     >>> fixed(1.875 - 4e-16, 2), fixed(1.875 + 4e-16, 2), fixed(-0.001, 2)
     ('1.88', '1.88', '0.00')
     """
-    return f"{number + _OFF_TIES_IN_WORDS * 10.0**-decimals:z.{decimals}f}"
+    return f"{number + _OFF_TIES * 10.0**-decimals:z.{decimals}f}"

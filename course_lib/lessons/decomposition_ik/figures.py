@@ -393,8 +393,8 @@ def errors_of_arm(xy, angles, errors, cells, caption):
     centre = (np.minimum(low, 0) + np.maximum(high, 0)) / 2
     model = {
         "lengths": [1.0, 1.0],
-        "queries": (rounded_array(xy, 3) + 0.0).tolist(),
-        "angles": [_with_gaps(rounded_array(column, 3) + 0.0) for column in angles.swapaxes(0, 1)],
+        "queries": rounded_array(xy, 3).tolist(),
+        "angles": [_with_gaps(rounded_array(column, 3)) for column in angles.swapaxes(0, 1)],
         "errors": [[rounded(float(error), 2) for error in column] for column in errors.T],
         "cells": [int(cell) for cell in cells],
         "names": list(_ANSWERS),

@@ -221,7 +221,7 @@ def conventions(modified, standard, base):
 def _numbers(frames):
     """Return the numbers of the frames (n, 4, 4) with their origins, once for each origin."""
     names = {}
-    for i, origin in enumerate(rounded_array(frames[:, :3, 3], 3) + 0.0, 1):
+    for i, origin in enumerate(rounded_array(frames[:, :3, 3], 3), 1):
         names.setdefault(tuple(origin), []).append(str(i))
     return {", ".join(numbers): origin for origin, numbers in names.items()}
 
