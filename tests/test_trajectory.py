@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from course_lib.trajectory import Trajectory, disagreement, load, save
+from course_lib.trajectory import Trajectory, UnclearFileError, disagreement, load, save
 
 HEADER = "t,q1,q2,qd1,qd2"
 ROWS = ["0,0.1,0.2,1,2", "0.5,0.3,-0.4,3,4", "1,0.5,0.6,5,6"]
@@ -180,6 +180,73 @@ def test_two_files_that_do_not_belong_together(tmp_path):
         with pytest.raises(ValueError, match=r"^step must"):
             load(paths[0], SEVEN, paths[1], step)
     assert "give the time step, and the file of the velocities" in refusal(paths[0], SEVEN)
+
+
+def titled_files(folder, title_of_velocities):
+    """Write positions q1 to q7 and velocities with titles of this form, and return both paths."""
+    tables = ANGLES.T, 2 * ANGLES.T
+    paths = [folder / f"{name}.csv" for name in ("positions", "velocities")]
+    for path, title, table in zip(paths, ("q{}", title_of_velocities), tables, strict=True):
+        header = ",".join(title.format(i) for i in range(1, 8))
+        np.savetxt(path, table, delimiter=",", header=header, comments="")
+    return paths
+
+
+@pytest.mark.parametrize("columns", [{"qd": "foo_*"}, {"q": "q*", "qd": "foo_*"}])
+def test_columns_name_the_velocities_of_a_second_file(tmp_path, columns):
+    positions, velocities = titled_files(tmp_path, "foo_{}")
+    with pytest.raises(
+        UnclearFileError, match=r"velocities\.csv: (.*\n)*.*columns=\{\"qd\": \"foo_"
+    ):
+        load(positions, velocities=velocities, step=STEP)
+    read = load(positions, velocities=velocities, step=STEP, columns=columns)
+    np.testing.assert_allclose(read.qd, 2 * ANGLES.T)
+    np.testing.assert_allclose(read.q, ANGLES.T)
+
+
+def test_titles_of_angles_may_name_the_velocities_of_a_second_file(tmp_path):
+    positions, velocities = titled_files(tmp_path, "q{}")
+    read = load(positions, velocities=velocities, step=STEP)
+    np.testing.assert_allclose(read.qd, 2 * ANGLES.T)
+
+
+def test_a_second_file_with_angles_too_gives_its_velocities(tmp_path):
+    positions, _ = titled_files(tmp_path, "qd{}")
+    both = tmp_path / "both.csv"
+    header = ",".join(f"{kind}{i}" for kind in ("q", "qd") for i in range(1, 8))
+    table = np.hstack([ANGLES.T, 3 * ANGLES.T])
+    np.savetxt(both, table, delimiter=",", header=header, comments="")
+    read = load(positions, velocities=both, step=STEP)
+    np.testing.assert_allclose(read.qd, 3 * ANGLES.T)
+
+
+def test_a_missing_column_of_a_second_file_is_asked_for_as_a_velocity(tmp_path):
+    positions, velocities = titled_files(tmp_path, "q{}")
+    velocities.write_text(velocities.read_text().replace("q3", "effort", 1))
+    with pytest.raises(UnclearFileError, match=r'column qd3 is missing(.*\n)*.*columns=\{"qd": \['):
+        load(positions, velocities=velocities, step=STEP)
+
+
+@pytest.mark.parametrize(
+    ("argument", "refused"),
+    [
+        ({"step": 0.1, "units": {"t": "ms"}}, r'^units must not have "t" beside step=0\.1'),
+        ({"step": 0.1, "columns": {"t": "q1"}}, r'^columns must not have "t" beside step=0\.1'),
+        ({"step": 0.1, "units": {"qd": "deg/s"}}, r'^units must not have "qd", because no column'),
+    ],
+)
+def test_arguments_that_nothing_is_read_for_are_refused(tmp_path, argument, refused):
+    positions, _ = titled_files(tmp_path, "qd{}")
+    with pytest.raises(ValueError, match=refused):
+        load(positions, **argument)
+
+
+def test_a_unit_of_seconds_and_nanoseconds_is_refused(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("stamp_sec,stamp_nanosec,q1\n1,0,0.1\n1,500000000,0.2\n")
+    np.testing.assert_allclose(load(path).t, [1, 1.5])
+    with pytest.raises(ValueError, match=r'^units must not have "t", because times are read from'):
+        load(path, units={"t": "ms"})
 
 
 def swinging(step, factor=1.0, n=200):

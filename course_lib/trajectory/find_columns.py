@@ -23,6 +23,8 @@ _NAMED_ARMS = (
     ("base", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"),
     ("s0", "s1", "e0", "e1", "w0", "w1", "w2"),
 )
+_MEANING = {"q": "joint angles", "qd": "joint velocities"}
+_NO_HEADER = ", no header"
 
 
 @dataclass(frozen=True)
@@ -40,34 +42,59 @@ class FoundColumns:
     unused: tuple = ()
 
 
-def find_columns(table, joint_count, has_step, joints=None, chosen=None, velocities_alone=False):
+def find_columns(table, joint_count, has_step, joints=None, chosen=None):
     """Return the FoundColumns of a table, or ask.
 
     joint_count: the number of joints, or None. has_step: whether the user gave the time step.
-    joints, chosen: the arguments `joints` and `columns` of load. velocities_alone: whether the file
-    is the one of the velocities, which then are what is called q here.
+    joints, chosen: the arguments `joints` and `columns` of load.
     """
+    columns, remark = _understood_columns(table)
+    places = _chosen_places(table, chosen or {})
+    t, q, qd = ([columns[place] for place in places[kind]] for kind in ("t", "q", "qd"))
+    if not table.header and not remark and not q:
+        t, q, qd = _without_header(table, columns, joint_count, has_step)
+        remark = _NO_HEADER
+    if not t and not has_step:
+        t = _times(table, columns)
+    if not q:
+        q, qd = _joints(table, columns, joints)
+    used = {column.place for column in (*t, *q, *qd)}
+    unused = [c for c in columns if c.place not in used and table.holds_numbers(c.place)]
+    return FoundColumns(tuple(t), tuple(q), tuple(qd), remark, tuple(unused))
+
+
+def find_velocities(table, joints=None, chosen=None):
+    """Return the columns of the velocities, from the base, in a file that holds no positions, or
+    ask.
+
+    joints: the argument `joints` of load. chosen: the entries of its `columns` for velocities.
+    """
+    columns, remark = _understood_columns(table)
+    if chosen:
+        places = _chosen_places(table, chosen, needed="qd")
+        return [columns[place] for place in places["qd"]]
+    if not table.header and not remark:
+        return columns
+    # A program that writes both files may give both the same titles, such as q1 or joint_1.
+    if all(column.kind != "qd" for column in columns):
+        columns = [replace(c, kind="qd") if c.kind == "q" else c for c in columns]
+    sets = _joint_sets(table, columns, joints)
+    return _only_set(table, columns, sets.get("qd") or sets.get("q", []), "qd")
+
+
+def _understood_columns(table):
+    """Return the columns of a table, as their titles say or the rows of a ROS 2 message, and a
+    remark if such rows have no titles."""
     titles, remark = table.header, ""
     if not titles and (titles := _titles_of_ros2(table)):
-        remark = ", no header"
+        remark = _NO_HEADER
     columns = [understand(i, title) for i, title in enumerate(titles)]
     columns = _named_by_rows(table, columns)
     if titles[:2] == ("duration", "success_rate"):  # libfranka's log, which counts milliseconds
         columns[0] = replace(columns[0], kind="t", unit="ms")
     if not columns:
         columns = [Column(i, str(i + 1)) for i in range(table.width)]
-    places = _chosen_places(table, chosen or {})
-    t, q, qd = ([columns[place] for place in places[kind]] for kind in ("t", "q", "qd"))
-    if not titles and not q:
-        t, q, qd = _without_header(table, columns, joint_count, has_step)
-        remark = ", no header"
-    if not t and not has_step:
-        t = _times(table, columns)
-    if not q:
-        q, qd = _joints(table, columns, joints, velocities_alone)
-    used = {column.place for column in (*t, *q, *qd)}
-    unused = [c for c in columns if c.place not in used and table.holds_numbers(c.place)]
-    return FoundColumns(tuple(t), tuple(q), tuple(qd), remark, tuple(unused))
+    return columns, remark
 
 
 def _times(table, columns):
@@ -103,8 +130,18 @@ def _times(table, columns):
     )
 
 
-def _joints(table, columns, joints, velocities_alone):
+def _joints(table, columns, joints):
     """Return the columns of the angles and of the velocities, from the base."""
+    sets = _joint_sets(table, columns, joints)
+    angles = _only_set(table, columns, sets.get("q", []), "q")
+    return angles, _of_these_joints(table, columns, angles, sets.get("qd", []))
+
+
+def _joint_sets(table, columns, joints):
+    """Return {kind: sets} of columns, each with a column for every joint.
+
+    joints: the argument of load.
+    """
     if joints is None:
         sets = _numbered_sets(table, columns)
         for names in _NAMED_ARMS:
@@ -121,29 +158,32 @@ def _joints(table, columns, joints, velocities_alone):
                 f"joints names {missing[0]!r}, and no column has this name.",
                 "Write the names as they stand in the file, from the base to the end-effector.",
             )
-    angles, velocities = sets.get("q", []), sets.get("qd", [])
-    if velocities_alone and velocities and not angles:
-        angles, velocities = velocities, []
-    if len(angles) == 1:
-        if _are_quaternions(table, angles[0]):
-            raise unclear(
-                table,
-                columns,
-                f"{pattern_of(angles[0])} are four columns whose squares add up to 1 in each row, "
-                "as those of a quaternion do.",
-                f'If they are joint angles, write columns={{"q": {pattern_of(angles[0])}}}.',
-            )
-        return angles[0], _of_these_joints(table, columns, angles[0], velocities)
-    if angles:
+    return sets
+
+
+def _only_set(table, columns, sets, kind):
+    """Return the columns of the only one of these sets, or ask; kind: "q" or "qd"."""
+    if not sets:
+        raise no_joints(table, columns, kind)
+    first = pattern_of(sets[0])
+    if len(sets) > 1:
         raise unclear(
             table,
             columns,
-            f"{len(angles)} sets of columns may hold the joint angles: "
-            f"{', '.join(pattern_of(joint_set) for joint_set in angles)}.",
-            f'Write the right one, for example columns={{"q": {pattern_of(angles[0])}}}; * is for '
-            "the numbers.",
+            f"{len(sets)} sets of columns may hold the {_MEANING[kind]}: "
+            f"{', '.join(pattern_of(joint_set) for joint_set in sets)}.",
+            f'Write the right one, for example columns={{"{kind}": {first}}}; * is for the '
+            "numbers.",
         )
-    raise no_joints(table, columns)
+    if _are_quaternions(table, sets[0]):
+        raise unclear(
+            table,
+            columns,
+            f"{first} are four columns whose squares add up to 1 in each row, as those of a "
+            "quaternion do.",
+            f'If they are {_MEANING[kind]}, write columns={{"{kind}": {first}}}.',
+        )
+    return sets[0]
 
 
 def _are_quaternions(table, columns):
@@ -332,8 +372,11 @@ def _without_header(table, columns, joint_count, has_step):
 # -------------------------------------------------------------------------------------------------
 
 
-def _chosen_places(table, chosen):
-    """Return {"t": places, "q": places, "qd": places} of the argument `columns`."""
+def _chosen_places(table, chosen, needed="q"):
+    """Return {"t": places, "q": places, "qd": places} of the argument `columns`.
+
+    needed: of which kind there must be a column for each joint that the argument names.
+    """
     numbered = {"t": {}, "q": {}, "qd": {}}
     for key, value in chosen.items():
         parted = re.fullmatch(r"(t|qd?)([1-9]\d*)?", key) if isinstance(key, str) else None
@@ -352,7 +395,7 @@ def _chosen_places(table, chosen):
     count = max([*numbered["q"], *numbered["qd"]], default=0)
     for kind in ("q", "qd"):
         missing = [i for i in range(1, count + 1) if i not in numbered[kind]]
-        if missing and (numbered[kind] or kind == "q"):
+        if missing and (numbered[kind] or kind == needed):
             raise ValueError(
                 f"columns must name {kind}1 to {kind}{count}; {kind}{missing[0]} is missing"
             )

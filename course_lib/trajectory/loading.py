@@ -8,7 +8,7 @@ import numpy as np
 
 from course_lib.arguments import file_path, positive, real_array
 from course_lib.trajectory.column_names import UNITS
-from course_lib.trajectory.find_columns import find_columns
+from course_lib.trajectory.find_columns import find_columns, find_velocities
 from course_lib.trajectory.motion import Trajectory
 from course_lib.trajectory.text_table import read_table
 from course_lib.trajectory.understood import (
@@ -17,6 +17,7 @@ from course_lib.trajectory.understood import (
     column_label,
     joint_lines,
     listed_titles,
+    quoted,
     summary,
     unclear,
 )
@@ -81,7 +82,8 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
         Which column is what, for example ``{"t": "stamp", "q1": "shoulder_pan_joint"}``, by title
         or by number from 1. "q" and "qd" take a list of all joints, or one title with * for the
         joint's number, such as ``{"q": "actual_q_*"}``; "t" may be a list of a column of seconds
-        and one of nanoseconds. Joint angles that are named are all that are used.
+        and one of nanoseconds. Joint angles that are named are all that are used. With a file of
+        `velocities`, "qd" is of this file, and "q" is of `path`.
 
     Returns
     -------
@@ -117,11 +119,10 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
         raise ValueError("velocities need the time step between two samples, in seconds")
     units = _checked_units(units)
     joints = _checked_joints(joints)
-    if columns is not None and not (isinstance(columns, dict) and columns):
-        raise ValueError(
-            'columns must be a dict such as {"t": "time", "q1": "a title"}; it is'
-            f" {columns!r:.60}"
-        )
+    columns, velocity_columns = _checked_columns(columns, velocities is not None)
+    if step is not None:
+        _refuse_times("units", units, step)
+        _refuse_times("columns", columns, step)
     path = _table_file(path, "path")
     if limits is not None:
         limits = real_array(limits, "limits", ("n", 2), batched=False, infinite=True)
@@ -132,25 +133,25 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     if step is not None and joint_count is not None:
         table = table.with_samples_as_rows(joint_count)
     file_columns = find_columns(table, joint_count, step is not None, joints, columns)
-    chosen = columns is not None
+    chosen = bool(columns)
     q_columns = _with_units(table, file_columns.q, "q", units.get("q"), chosen)
     if joint_count is not None and len(q_columns) != joint_count:
         raise JointCountError(table.name, len(q_columns), joint_count)
     q = _values(table, q_columns, "q")
     if step is None:
         t, elapsed, unit = _times(table, file_columns.t, units.get("t"), chosen)
-        understood = [f"t in {unit}", f"t: {came_from(file_columns.t)}"]
+        times, understood = f"t in {unit}", [f"t: {came_from(file_columns.t)}"]
     else:
         t = elapsed = step * np.arange(len(q))
-        understood = [f"steps of {step:g} s"]
+        times, understood = f"steps of {step:g} s", []
     _ask_for_degrees(table, q_columns, q)
     q = q * _sizes(q_columns)
     qd_table, qd_columns = table, file_columns.qd
     if velocities is not None:
         qd_table = read_table(_table_file(velocities, "velocities"))
         qd_table = qd_table.with_samples_as_rows(len(q_columns))
-        qd_columns = find_columns(qd_table, joint_count, True, joints, velocities_alone=True).q
-        chosen = False
+        qd_columns = find_velocities(qd_table, joints, velocity_columns)
+        chosen = bool(velocity_columns)
     qd_columns = _with_units(qd_table, qd_columns, "qd", units.get("qd"), chosen)
     qd = _velocities(qd_table, qd_columns, q, q_columns)
     q, unwrapped = _unwrapped(table, q_columns, q, qd, elapsed, limits)
@@ -165,11 +166,11 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
     if file_columns.unused:
         understood.append(f"not used: {listed_titles(file_columns.unused)}")
     given_count = len(q_columns) - len(missing)
-    understood[0] = summary(len(q), understood[0], q_columns, given_count)
-    if table.decimal_comma:
-        understood[0] += ", decimal comma"
-    understood[0] += file_columns.remark
-    return Trajectory(t, q, qd, "\n  ".join(understood), velocities_given=given_count > 0)
+    first_line = summary(
+        len(q), times, q_columns, given_count, table.decimal_comma, file_columns.remark
+    )
+    lines = "\n  ".join([first_line, *understood])
+    return Trajectory(t, q, qd, lines, velocities_given=given_count > 0)
 
 
 # Arguments
@@ -204,6 +205,32 @@ def _checked_units(units):
     return units
 
 
+def _checked_columns(columns, two_files):
+    """Return the argument `columns` as a dict for the first file, and one for the file of the
+    velocities."""
+    if columns is None:
+        return {}, {}
+    if not isinstance(columns, dict) or not columns:
+        raise ValueError(
+            'columns must be a dict such as {"t": "time", "q1": "a title"}; it is'
+            f" {columns!r:.60}"
+        )
+    if not two_files:
+        return columns, {}
+    of_velocities = {key: value for key, value in columns.items() if str(key).startswith("qd")}
+    of_positions = {key: value for key, value in columns.items() if key not in of_velocities}
+    return of_positions, of_velocities
+
+
+def _refuse_times(name, argument, step):
+    """Refuse an argument that says something of times in the file, beside `step`."""
+    if "t" in argument:
+        raise ValueError(
+            f'{name} must not have "t" beside step={step:g}, which gives all times in seconds, so '
+            f"that none are read; it is {argument['t']!r:.60}. Leave out one of the two"
+        )
+
+
 def _checked_joints(joints):
     if joints is None:
         return None
@@ -229,6 +256,11 @@ def _with_units(table, columns, kind, unit, chosen):
     unit: what the user says, or None. chosen: whether the user chose the columns, and so knows what
     their titles say.
     """
+    if unit is not None and not columns:
+        raise ValueError(
+            f'units must not have "{kind}", because no column of {_QUANTITIES[kind]} is used of '
+            f"{table.name}; it is {unit!r}"
+        )
     columns = [_with_unit(table, column, kind, unit, chosen) for column in columns]
     with_unit = [column for column in columns if column.unit is not None]
     without = [column for column in columns if column.unit is None]
@@ -288,6 +320,11 @@ def _times(table, columns, unit, chosen):
     label = column_label("t", columns[0])
     if len(columns) == 1:
         columns = _with_units(table, columns, "t", unit, chosen)
+    elif unit is not None:
+        raise ValueError(
+            f'units must not have "t", because times are read from {came_from(columns)}; it is '
+            f'{unit!r}. For one column alone, write columns={{"t": {quoted(columns[0].title)}}}'
+        )
     for column in columns:
         values = table.numbers(column.place, label)[:, None]
         bad = ~(np.abs(values) <= _MAX_VALUE)
@@ -364,7 +401,8 @@ def _velocities(table, columns, q, q_columns):
     if qd.shape != q.shape:
         raise ValueError(
             f"positions and velocities must have one shape; positions are {q.shape}, and "
-            f"velocities in {table.name} are {qd.shape}, a row for each sample"
+            f"velocities in {table.name} are {qd.shape}, a row for each sample. Columns may be "
+            'chosen, such as columns={"qd": [2, 3, ...]}'
         )
     if all(column.unit is None for column in columns):  # that of the angles, per second
         pairs = zip(columns, q_columns, strict=True)

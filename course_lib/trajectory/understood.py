@@ -44,10 +44,16 @@ def _understood(table, columns):
     return "; ".join(parts)
 
 
-def no_joints(table, columns):
-    """Return the question which columns are the joints, with the line for those of the file."""
+def no_joints(table, columns, kind):
+    """Return the question which columns are the joints, with the line for those of the file.
+
+    kind: "q" if angles are missing, "qd" if velocities are.
+    """
     unknown = [c for c in columns if c.kind in ("", "q", "qd") and table.holds_numbers(c.place)]
-    problem = "column q1 is missing: no title says that a column holds the angle of a joint."
+    meaning = {"q": "angle", "qd": "velocity"}[kind]
+    problem = (
+        f"column {kind}1 is missing: no title says that a column holds the {meaning} of a joint."
+    )
     labels = [c for c in columns if c.words and set(c.words) <= {"joint", "name", "joints"}]
     if labels and not table.holds_numbers(labels[0].place):
         return unclear(
@@ -68,11 +74,11 @@ def no_joints(table, columns):
             table,
             columns,
             f"{problem} Numbered columns: {', '.join(families)}.",
-            "If some are joint angles, write them, for example "
-            f'columns={{"q": {families[0]}}}; * is for the numbers.',
+            f"If each holds the {meaning} of a joint, write them, for example "
+            f'columns={{"{kind}": {families[0]}}}; * is for the numbers.',
         )
     titled = [re.sub(r".*\((.*)\)", r"\1", column.title) for column in unknown if column.title]
-    if titled:
+    if titled and kind == "q":
         return unclear(
             table,
             columns,
@@ -84,7 +90,8 @@ def no_joints(table, columns):
         table,
         columns,
         problem,
-        'If some do, write their numbers, in the order of the joints: columns={"q": [2, 3, ...]}.',
+        "If some do, write their titles or their numbers, in the order of the joints: "
+        f'columns={{"{kind}": [2, 3, ...]}}.',
     )
 
 
@@ -125,14 +132,20 @@ def column_label(name, column):
     return f"column {name}" if name == column.title else f"column {name} ({column.title!r})"
 
 
-def summary(rows, time_said, q_columns, velocity_count):
-    """Return the first line: how many rows, times, angles and velocities, and their units."""
+def summary(rows, time_said, q_columns, velocity_count, decimal_comma, remark):
+    """Return the first line: how many rows, times, angles and velocities, their units, and how the
+    numbers are written.
+
+    remark: what else is to be said of the file, from its comma on, or "".
+    """
     k = len(q_columns)
     units = " and ".join(sorted({column.unit or "rad" for column in q_columns}))
     velocities = "no velocities (differences of the samples)"
     if velocity_count:
         velocities = f"{velocity_count} velocit{'ies' if velocity_count > 1 else 'y'}"
-    return f"{rows} rows, {time_said}, {k} angle{'s' * (k > 1)} in {units}, {velocities}"
+    comma = ", decimal comma" if decimal_comma else ""
+    angles = f"{k} angle{'s' * (k > 1)} in {units}"
+    return f"{rows} rows, {time_said}, {angles}, {velocities}{comma}{remark}"
 
 
 def came_from(columns):
