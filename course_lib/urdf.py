@@ -266,10 +266,6 @@ def _robot(path):
     return robot
 
 
-def _is_template(text):
-    return "${" in text or "$(" in text
-
-
 def _names(path, elements, kind):
     names = [element.get("name", "").strip() for element in elements]
     for number, name in enumerate(names):

@@ -23,6 +23,7 @@ from course_lib.pack.grade.csv_text import printable
 from course_lib.pack.grade.hand_ins import collect, zips
 from course_lib.pack.grade.hand_ins.collect import Refused, Submission, find, read
 from course_lib.pack.grade.hand_ins.names import file_names, split
+from course_lib.pack.grade.hand_ins.platforms import fitting
 from course_lib.pack.grade.hand_ins.roster import Roster
 
 NOTEBOOKS = ["01_rotations", "02_rigid_motion", "06_decomposition_ik"]
@@ -146,7 +147,8 @@ def test_exported_names_are_read_if_the_platform_is_named(platform, exported, tm
     assert {
         each.place: (each.student, each.notebook, each.platform_id, each.late) for each in seen
     } == exported
-    assert collect.platform_of(tmp_path / "in") == platform, "so that the instructor is asked"
+    fitting_names = [fit.name for fit in fitting(tmp_path / "in")]
+    assert fitting_names == [platform], "so that the instructor is asked"
     for named in (platform, ""):
         (inner,) = find(tmp_path, NOTEBOOKS, named)
         assert (
@@ -154,7 +156,7 @@ def test_exported_names_are_read_if_the_platform_is_named(platform, exported, tm
             in inner.refused
         )
     write(tmp_path / "in", "Bo/01_rotations.ipynb")
-    assert collect.platform_of(tmp_path / "in") == ""
+    assert fitting(tmp_path / "in") == []
     assert {each.platform_id for each in find(tmp_path / "in", NOTEBOOKS)} == {""}
 
 

@@ -16,8 +16,8 @@ from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.hand_ins import platforms as package
-from course_lib.pack.grade.hand_ins.collect import find, platform_of
-from course_lib.pack.grade.hand_ins.platforms import Platform, named, platforms
+from course_lib.pack.grade.hand_ins.collect import find
+from course_lib.pack.grade.hand_ins.platforms import Platform, fitting, named, platforms
 from course_lib.pack.grade.hand_ins.roster import _fields, read_roster
 from course_lib.pack.grade.marks.deadline import read_deadline
 from course_lib.pack.grade.marks.gradebook import gradebook_text
@@ -134,7 +134,7 @@ def test_an_export_is_read_as_the_platform_writes_it(tmp_path, platform):
 @pytest.mark.parametrize("platform", EXPORTS)
 def test_whoever_does_not_name_the_platform_is_asked(tmp_path, capsys, platform):
     exported(tmp_path / "in", platform)
-    assert platform_of(tmp_path / "in") == platform
+    assert [each.name for each in fitting(tmp_path / "in")] == [platform]
     assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
     title = named(platform).title
     assert f"The names look as {title} exports them: add LMS={platform}" in capsys.readouterr().err
@@ -144,7 +144,7 @@ def test_a_folder_that_fits_two_platforms_names_both(tmp_path, capsys):
     """An assignment whose title ends in two numbers makes Blackboard's names look like Canvas's."""
     name = "Sheet_1_2_bo_attempt_2026-11-30-18-05-00_01_rotations.ipynb"
     hand_in(tmp_path / "in", name, points=[1])
-    assert platform_of(tmp_path / "in") == "blackboard, canvas"
+    assert [each.name for each in fitting(tmp_path / "in")] == ["blackboard", "canvas"]
     assert main([str(tmp_path / "in"), "--output", str(tmp_path / "out")], grade=grade) == 1
     said = capsys.readouterr().err
     assert "as Blackboard and as Canvas export them" in said
@@ -491,7 +491,7 @@ def test_a_folder_that_cannot_be_read_stops_no_platform(tmp_path, monkeypatch):
 
     monkeypatch.setattr(os, "listdir", lambda path=".": refuse(path, listdir))
     monkeypatch.setattr(os, "scandir", lambda path=".": refuse(path, scandir))
-    assert platform_of(tmp_path) == ""
+    assert fitting(tmp_path) == []
     found = {each.student: each.refused for each in find(tmp_path, NOTEBOOKS)}
     assert found["ana"] == ""
     assert "cannot be read: Permission denied" in found["locked"]

@@ -148,7 +148,7 @@ def kind_of(pattern, has_name=False):
         return "name"
     if "t" in kinds:
         return "t" if kinds <= {"t", ""} and "*" not in pattern else ""
-    if "*" not in pattern or "t" in kinds:
+    if "*" not in pattern:
         return ""
     if "qd" in kinds:
         return "qd"

@@ -20,7 +20,7 @@ from course_lib.pack.grade.hand_ins.holders import EACH_ENTRY, LOGIN, Holder, ho
 from course_lib.pack.grade.hand_ins.identity import NOBODY, Doubt, Identity, Relation, tell_apart
 from course_lib.pack.grade.hand_ins.names import initials, kind_of_file, split, unknown_ending
 from course_lib.pack.grade.hand_ins.owners import owners
-from course_lib.pack.grade.hand_ins.platforms import HandIn, Platform, fitting, named, platforms
+from course_lib.pack.grade.hand_ins.platforms import HandIn, Platform, named, platforms
 from course_lib.pack.grade.hand_ins.platforms.base import (
     ADDED,
     READ,
@@ -135,14 +135,6 @@ def _within_bounds(submissions: list[Submission]) -> list[Submission]:
             reason = f"Only {MAX_GRADED} notebooks of a student are graded."
             submissions[number] = replace(submission, refused=reason)
     return submissions
-
-
-def platform_of(folder: Path) -> str:
-    """Return the name of the platform that may have exported all that a folder holds, or "".
-
-    Several names are separated by commas.
-    """
-    return ", ".join(platform.name for platform in fitting(folder))
 
 
 def _submission(hand_in: HandIn, path: Path, folder: Path) -> Submission:
