@@ -1,12 +1,46 @@
 """Run a notebook's cells and put questions to its functions: what a process in the sandbox does.
 
 All its output is only a claim, because the student's code runs in the same process and can forge
-it. It reads one JSON object with the cells, and runs them. Then it reads requests {"ask": name,
-...} until the end, and answers each in a child process, so that a crash in one answer affects no
-other. While the whole notebook runs, it says so at each of its checks, and answers requests about
-the function that is checked, until one asks nothing.
+it. It reads an order with the cells, and runs them. Then it reads requests until the end, and
+answers each in a child process, so that a crash in one answer affects no other. While the whole
+notebook runs, it says so at each of its checks, and answers requests about the function that is
+checked, until one asks nothing.
 
 What a cell, or an answer, asks of a function that only the checks have is passed on to the grader.
+
+Each message is a JSON object on one line. The grader (verdicts/cells.py, student_process.py) sends
+
+    message     key         what it holds
+    ----------  ----------  --------------------------------------------------------------------
+    order,      cells       the texts of all code cells
+    once        whole       whether all cells run as in Jupyter, or only the needed statements
+                needed      [number of a cell, its text as Python, places of statements in it]
+                            for each cell that has needed statements; empty if whole
+                without     [number of a cell, line] of what is left out; line 0: the whole cell
+    request     ask         the name of the exercise that is asked
+                questions   JSON text, see call_student.reply
+                cpu         the most seconds of processor time for the answers
+                instead     {name: names of its arguments} of functions that the grader answers
+                reply       the most bytes of the reply
+    {}                      no more requests at this check: the cells go on
+    answer      answer      to `library` and `call`: JSON text; null after too many calls
+
+and this process (Conversation.say) sends
+
+    key         what it holds, and what follows
+    ----------  --------------------------------------------------------------------------------
+    running     [number of a cell, line] of what begins to run; line 0: the whole cell
+    missing     the name of a module that an import did not find
+    checked     the name of the exercise whose check runs now; requests follow, then {}
+    library     a cell's call of a function of the checks, as JSON text; an answer follows
+    ran         true: the cells have run; requests follow, until the pipe is closed
+
+    exercise    the name of the exercise that was asked; beside it stands one of these:
+    - call      an answer's call of a function that the grader answers; an answer follows
+    - reply     the answers, JSON text as of call_student.reply
+    - ended     why there is no reply, or "" if the child process ended; with `status`, its exit
+                code or the negative number of a signal, and `computed`, its processor seconds,
+                unless no child process could be made
 """
 
 import ast
