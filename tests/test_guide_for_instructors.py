@@ -120,8 +120,10 @@ def test_the_gradebook_has_the_rosters_students(copy, followed):
 
 def test_its_limits_are_those_of_the_grader():
     text, limits = " ".join(GUIDE.read_text(encoding="utf-8").split()), Limits()
-    times = f"{limits.cpu_seconds} seconds for a function, {limits.cell_cpu_seconds} for a cell, "
-    assert times + f"{limits.submission_cpu_seconds // 60} minutes for a submission" in text
+    answers = f"{limits.cpu_seconds} seconds for a function and a set of cases"
+    cells = f"{limits.cell_cpu_seconds} for a cell"
+    submission = f"{limits.submission_cpu_seconds // 60} minutes for a submission"
+    assert f"{answers}, {cells}, {submission}" in text
     assert f"at most {collect.MAX_GRADED} notebooks are graded" in text
 
 

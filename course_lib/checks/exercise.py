@@ -88,7 +88,8 @@ class Property:
 class Exercise:
     """One task of a notebook.
 
-    Its mistakes stand below it, as functions with the decorator `EXERCISE.mistake`.
+    Its mistakes are its argument `mistakes`, as `declared` gives them, or stand below it, as
+    functions with the decorator `EXERCISE.mistake`.
 
     Parameters
     ----------
@@ -140,7 +141,7 @@ class Exercise:
     sets : int
         Of cases, each of other numbers, that the notebook asks: fewer where an answer takes long.
     mistakes : Mistakes
-        In the order in which they are tried; `mistake` fills it.
+        In the order in which they are tried; `mistake` adds one.
 
     Examples
     --------

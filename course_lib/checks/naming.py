@@ -53,11 +53,12 @@ class Naming:
         failing: the positions among them at which the property fails of which the message speaks;
         a mistake that is recognised in the answers, and not predicted, is looked for in these.
 
-        Said first is what can be told from the answers themselves: rounding, float32, and digits
-        cut off in whole numbers. Then comes a mistake of the exercise that predicts every answer,
-        and then that only the first digits are right: such an answer is blamed for nothing else.
-        At last, one that explains all answers is preferred to one that explains the wrong ones
-        only; a few True or False, or signs, fit many mistakes by chance, so these must explain all.
+        Said first is what can be told from the answers themselves: a result kept for an array that
+        is filled again, rounding, float32, and answers wrong for whole numbers only. Then comes a
+        mistake of the exercise that predicts every answer, and then that only the first digits are
+        right: such an answer is blamed for nothing else. At last, one that explains all answers is
+        preferred to one that explains the wrong ones only; a few True or False, or signs, fit many
+        mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
         if wrong and all(isinstance(self.cases[i], InPlace) for i in wrong):

@@ -42,13 +42,13 @@ class Limits:
     for a processor.
     """
 
-    cpu_seconds: int = 20  # for all answers of one exercise
+    cpu_seconds: int = 20  # for all answers to one set of an exercise's cases
     cell_cpu_seconds: int = 120
     notebook_cpu_seconds: int = 400  # for all cells of one run
     # For everything together; exercises that remain then are not graded.
     submission_cpu_seconds: int = 1200
     idle_seconds: int = 60  # in a row, but for a hundredth of them
-    answer_seconds: int = 900  # for all answers of one exercise
+    answer_seconds: int = 900  # for all answers to one set of an exercise's cases
     notebook_seconds: int = 3600  # for all cells of one run
     submission_seconds: int = 7200
     memory: int = 4 * 10**9  # of one process; numpy reserves much and uses little
