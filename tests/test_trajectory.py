@@ -210,6 +210,17 @@ def test_titles_of_angles_may_name_the_velocities_of_a_second_file(tmp_path):
     np.testing.assert_allclose(read.qd, 2 * ANGLES.T)
 
 
+def test_titles_without_numbers_of_a_second_file_are_shown_as_they_are_to_be_written(tmp_path):
+    positions, velocities = (tmp_path / f"{name}.csv" for name in ("positions", "velocities"))
+    positions.write_text("q1,q2\n0,0\n1,2\n")
+    velocities.write_text("alpha,beta\n1,2\n1,2\n")
+    with pytest.raises(UnclearFileError) as asked:
+        load(positions, velocities=velocities, step=STEP)
+    assert 'columns={"qd": ["alpha", "beta"]}' in str(asked.value)
+    read = load(positions, None, velocities, STEP, columns={"qd": ["alpha", "beta"]})
+    np.testing.assert_allclose(read.qd, [[1, 2], [1, 2]])
+
+
 def test_a_second_file_with_angles_too_gives_its_velocities(tmp_path):
     positions, _ = titled_files(tmp_path, "qd{}")
     both = tmp_path / "both.csv"
@@ -232,7 +243,7 @@ def test_a_missing_column_of_a_second_file_is_asked_for_as_a_velocity(tmp_path):
     [
         ({"step": 0.1, "units": {"t": "ms"}}, r'^units must not have "t" beside step=0\.1'),
         ({"step": 0.1, "columns": {"t": "q1"}}, r'^columns must not have "t" beside step=0\.1'),
-        ({"step": 0.1, "units": {"qd": "deg/s"}}, r'^units must not have "qd", because no column'),
+        ({"step": 0.1, "units": {"qd": "deg/s"}}, r'^units must not have "qd", because no angular'),
     ],
 )
 def test_arguments_that_nothing_is_read_for_are_refused(tmp_path, argument, refused):

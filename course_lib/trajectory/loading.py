@@ -258,7 +258,7 @@ def _with_units(table, columns, kind, unit, chosen):
     """
     if unit is not None and not columns:
         raise ValueError(
-            f'units must not have "{kind}", because no column of {_QUANTITIES[kind]} is used of '
+            f'units must not have "{kind}", because no {_QUANTITIES[kind]} are read from '
             f"{table.name}; it is {unit!r}"
         )
     columns = [_with_unit(table, column, kind, unit, chosen) for column in columns]

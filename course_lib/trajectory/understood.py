@@ -77,8 +77,17 @@ def no_joints(table, columns, kind):
             f"If each holds the {meaning} of a joint, write them, for example "
             f'columns={{"{kind}": {families[0]}}}; * is for the numbers.',
         )
+    if kind == "qd" and table.header:
+        written = ", ".join(example(table, column.place) for column in unknown)
+        return unclear(
+            table,
+            columns,
+            problem,
+            "If these are the joints, write them from the base to the end-effector: "
+            f'columns={{"qd": [{written}]}}.',
+        )
     titled = [re.sub(r".*\((.*)\)", r"\1", column.title) for column in unknown if column.title]
-    if titled and kind == "q":
+    if titled:
         return unclear(
             table,
             columns,
@@ -90,8 +99,7 @@ def no_joints(table, columns, kind):
         table,
         columns,
         problem,
-        "If some do, write their titles or their numbers, in the order of the joints: "
-        f'columns={{"{kind}": [2, 3, ...]}}.',
+        'If some do, write their numbers, in the order of the joints: columns={"q": [2, 3, ...]}.',
     )
 
 
