@@ -78,6 +78,11 @@ def changing(*index, to):
         (np.eye(2), changing((0, 1), to=0.5), "x[0, 1] was 0 before the call and is 0.5 after it"),
         (np.array([-1e-300]), changing(0, to=0.0), "x[0] was -1e-300 before the call and is 0"),
         (
+            np.array([-0.0]),
+            changing(0, to=0.0),
+            "x[0] was -0.0 before the call and is 0.0 after it",
+        ),
+        (
             np.array([1.0]),
             changing(0, to=1 + 2e-16),
             "x[0] was 1.0 before the call and is 1.0000000000000002 after it",

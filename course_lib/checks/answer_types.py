@@ -6,8 +6,10 @@ from course_lib.checks.exercise import Mistake, Unreadable
 from course_lib.checks.mistake import OTHER_FORM
 
 NOT_A_NUMBER = Mistake(
-    "something is divided by zero, or a function is asked outside its domain",
-    "Print each intermediate value for this input: where does the first nan or inf appear?",
+    "something is divided by zero, a function is asked outside its domain, or nan or inf is "
+    "returned as it stands",
+    "Print each intermediate value for this input: where does the first nan or inf appear? "
+    "What does the task ask for in this case?",
 )
 
 

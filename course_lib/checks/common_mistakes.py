@@ -292,6 +292,12 @@ def _reversed(x):
     return np.asarray(x)[..., ::-1]
 
 
+def _flattened(x):
+    if np.ndim(x) < 2:
+        raise ValueError("no rows")
+    return np.ravel(x)
+
+
 def _negated_bits(x):
     if not np.isin(x, (0, 1)).all():
         raise ValueError("not True or False")
@@ -357,8 +363,8 @@ CUT_OFF = (
     ),
 )
 _INTEGERS = (
-    "An array made from integers, by np.array, copy or np.zeros_like, holds integers. "
-    "What becomes of the digits after the point that you write into such an array?"
+    "Follow the digits after the point through your function. Which operation, or which array made "
+    "from integers, cuts them off?"
 )
 CUT_OFF_OF_WHOLE_NUMBERS = (
     "the answer is wrong for arrays of integers only: digits after the point are cut off",
@@ -476,7 +482,7 @@ OTHER_FORMS = (
     ("only the second half is returned", "Both halves are asked for.", lambda x: x[len(x) // 2 :]),
     ("the last item is missing", "How many items are there, both ends included?", lambda x: x[:-1]),
     ("the first item is missing", "How many items are there, both ends included?", lambda x: x[1:]),
-    ("the answer is flattened", "Keep the rows.", np.ravel),
+    ("the answer is flattened", "Keep the rows.", _flattened),
     (
         "there is one pair of brackets too many",
         "Print your answer and its np.shape.",

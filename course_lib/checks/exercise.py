@@ -27,7 +27,8 @@ UNCHANGED = "the bug is still there"  # what is returned is what the given code 
 
 SHARED_RESULT = Mistake(
     "one array is returned by several calls, and each call writes its result into it",
-    "Whoever keeps two results then has the last one twice. Make the array inside the function.",
+    "Whoever keeps two results then has the last one twice. Where is the array made that your "
+    "function returns, and how often?",
 )
 
 FORGOTTEN_RETURN = Mistake(

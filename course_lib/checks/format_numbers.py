@@ -7,7 +7,7 @@ ALL_DIGITS = 17
 ORDINALS = "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"
 
 
-def format_tuple(numbers, rounding=1e-12):
+def format_tuple(numbers, rounding=1e-12, digits=4):
     """Return numbers in the form of a tuple, and a single number without brackets; rounding errors
     are written as 0.
 
@@ -16,6 +16,7 @@ def format_tuple(numbers, rounding=1e-12):
     numbers : array_like
     rounding : float, optional
         The largest rounding error.
+    digits : int, optional
 
     Returns
     -------
@@ -27,7 +28,7 @@ def format_tuple(numbers, rounding=1e-12):
     ('(0.1, -2, 0)', '0.3333')
     """
     entries = [0 if abs(number) <= rounding else number for number in np.ravel(numbers)]
-    written = [f"{entry:.4g}" for entry in entries]
+    written = [f"{entry:.{digits}g}" for entry in entries]
     return written[0] if np.size(numbers) == 1 else f"({', '.join(written)})"
 
 

@@ -135,8 +135,10 @@ class Naming:
         arrays = [attempt(np.asarray, value, float) for value in self.values]
         if any(array is None for array in arrays):
             return None
+        if self._are_cut_off(arrays, wrong):
+            return Mistake(*CUT_OFF)
         if all(map(is_whole, arrays)):
-            return Mistake(*CUT_OFF) if self._are_cut_off(arrays, wrong) else None
+            return None
         in_float32 = all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays)
         if in_float32 and not all(map(_is_short, arrays)):
             return Mistake("the answer has the seven digits of float32", USE_FLOAT64)
@@ -151,7 +153,7 @@ class Naming:
         """Return whether wrong answers, whole numbers all, are the right ones without the digits
         after the point."""
         if (
-            not any(array.any() for array in arrays)
+            not any(arrays[i].any() for i in wrong)
             or sum(arrays[i].size for i in wrong) < MIN_NUMBERS
         ):
             return False

@@ -13,7 +13,8 @@ from course_lib.checks.wire import write
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
-_TINY = 1e-9  # below which numbers are shown with their powers of ten
+_ROUNDING = 1e-12  # below which an entry is shown as 0
+_DIGITS = (4, 7, 10, 13, 17)  # tried in turn, until two numbers look different
 COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
 SOLVERS = tuple(
     f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root")
@@ -315,17 +316,21 @@ def first_off(answer, expected, what="The {} column"):
 
 
 def compared(expected, answer, verb="is"):
-    """Return in words what is wanted and what was found, and by how much it is off if the digits
-    shown agree.
+    """Return in words what is wanted and what was found, with the digits in which they differ, and
+    by how much it is off if four digits do not show that.
 
     verb: "are" where the numbers are spoken of, and not a column or a point.
     """
     right, yours = format_tuple(expected), format_tuple(answer)
-    if right == yours and np.abs(expected).max(initial=0) < _TINY:  # both are shown as zeros
-        right, yours = format_tuple(expected, rounding=0), format_tuple(answer, rounding=0)
-    if right == yours:
-        yours += f", off by {np.abs(answer - expected).max():.2g}"
-    return f"{right}; yours {verb} {yours}"
+    if right != yours:
+        return f"{right}; yours {verb} {yours}"
+    gap = np.abs(answer - expected).max()
+    rounding = min(_ROUNDING, gap / 100)  # so that the entry that is off is not shown as 0
+    for digits in _DIGITS:
+        right, yours = (format_tuple(numbers, rounding, digits) for numbers in (expected, answer))
+        if right != yours:
+            break
+    return f"{right}; yours {verb} {yours}, off by {gap:.2g}"
 
 
 def _first_otherwise(values, cases):

@@ -64,7 +64,7 @@ EXERCISE = declared(
         Mistake(
             "[p] and R are in the wrong order, or R is missing or transposed in the lower left "
             "block",
-            "In which frame is p given, and in which frame must omega be before the cross product?",
+            "In which frame must omega be before the cross product?",
             _coupling(lambda R, P: R @ P),
             _coupling(lambda R, P: P),
             _coupling(lambda R, P: P @ R.T),

@@ -4,12 +4,20 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import LAST_ROW, X, Y, Z, away_from_zero, first_off, unit
+from course_lib.checks.vocabulary import (
+    LAST_ROW,
+    X,
+    Y,
+    Z,
+    away_from_zero,
+    compared,
+    first_off,
+    unit,
+)
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN
 from course_lib.rigid import exp_se3
 from course_lib.rotations import exp_so3, length
@@ -79,11 +87,8 @@ def _off(T, twist):
 
 
 def _found(T, twist):
-    right, yours = format_tuple(exp_se3(twist)[COLUMN]), format_tuple(T[COLUMN])
-    return (
-        f"|omega| is {_angle(twist):.4g}. p should be {right}; yours is {yours}, off by "
-        f"{_off(T, twist):.2g}."
-    )
+    both = compared(exp_se3(twist)[COLUMN], T[COLUMN])
+    return f"|omega| is {_angle(twist):.4g}. p should be {both}."
 
 
 def _otherwise(T, twist):
@@ -92,8 +97,8 @@ def _otherwise(T, twist):
         return None
     return Mistake(
         "p is not where the origin arrives",
-        "Compute the three terms of p for the twist below by hand: the part of v along omega, the "
-        "step along the arc, and the step to its side. Which of them differs from yours?",
+        "What does your formula give for twists along the same line, from a short omega to the one "
+        "below? From which length on does p go wrong, and which term of p is it?",
     )
 
 

@@ -4,10 +4,17 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property, same
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, first_off, near, products, rotation
+from course_lib.checks.vocabulary import (
+    LAST_ROW,
+    SAME_TWICE,
+    compared,
+    first_off,
+    near,
+    products,
+    rotation,
+)
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import exp_se3
 
@@ -17,10 +24,7 @@ _SMALL_ANGLE = 0.01  # rad: the largest that somebody may take for 0
 def _found(T, *case):
     right = shared.tool_pose(*case)
     if not near(T[:3, 3], right[:3, 3]):
-        return (
-            f"The end-effector is at {format_tuple(right[:3, 3])}; the last column of your T says "
-            f"{format_tuple(T[:3, 3])}."
-        )
+        return f"The position in T should be {compared(right[:3, 3], T[:3, 3])}."
     return (
         "The position in your T is right, and the orientation is not. "
         f"{first_off(T[:3, :3], right[:3, :3])}"

@@ -132,8 +132,8 @@ EXERCISE = declared(
         ),
         Mistake(
             "small angles are taken for none, or lose their digits",
-            "At omega = 1e-8 the body still moves sideways by omega v / 2. Which of your formulas "
-            "does this omega take, and how many digits has it there?",
+            "Which of your formulas for the rotation, and which of those for the position, does "
+            "this omega take, and how many digits has each of them there?",
             *map(_small_below, (1e-8, 1e-4, 1e-3)),
             seen=_is_nearly_right,
         ),

@@ -125,6 +125,21 @@ def _is_off_by_the_cosine(angles, R):
     return 1e-7 < _cosine(R) < 0.1 and _gap(angles, R) < 3 * _cosine(R)
 
 
+def _otherwise(angles, R):
+    """Return the Mistake of angles at gimbal lock."""
+    if not np.isfinite(angles).all():
+        return Mistake(
+            "an angle is not a number at gimbal lock",
+            "Which function, or which division, gives the first nan for this R? How far may "
+            "rounding take an entry of R beyond 1 or -1?",
+        )
+    return Mistake(
+        "gimbal lock is not recognised here, or its formula is not right for both signs of beta",
+        "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries depend on "
+        "gamma?",
+    )
+
+
 EXERCISE = declared(
     "euler_angles",
     points=3,
@@ -155,11 +170,7 @@ EXERCISE = declared(
     ),
     says="the angles give R again at gimbal lock too",
     found=lambda angles, R: f"cos(beta) is 0 here, and {_cosine(R):.2g} by rounding.",
-    otherwise=Mistake(
-        "gimbal lock is not recognised here, or its formula is not right for both signs of beta",
-        "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries depend on "
-        "gamma?",
-    ),
+    otherwise=_otherwise,
     hints=(
         "Multiply Rz(gamma) Ry(beta) Rx(alpha) out: the first column and the last row are simple.",
         "R[2, 0] = -sin(beta), R[1, 0] / R[0, 0] = tan(gamma), R[2, 1] / R[2, 2] = tan(alpha). "

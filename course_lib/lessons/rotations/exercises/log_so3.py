@@ -195,8 +195,9 @@ EXERCISE = declared(
         Mistake(
             "near 180 degrees the sign of the axis is not that of R - R^T, or the answer is too "
             "inaccurate",
-            "Near 180 degrees sin(a) is small, so that rounding changes it a lot, and the formula "
-            "for 180 degrees is exact at pi only. Which part of R still has the sign of the axis?",
+            "Is only the sign of your answer wrong for this R, or are its digits? Near 180 degrees "
+            "sin(a) is small, so that rounding changes it a lot, and the formula for 180 degrees "
+            "is exact at pi only. Which of your formulas does this R take?",
             _pi_too_soon,
             seen=_is_near_half_a_turn_and_wrong,
         ),

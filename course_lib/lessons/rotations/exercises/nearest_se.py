@@ -7,7 +7,16 @@ from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import LAST_ROW, any_pose, any_rotation, is_rotation, near, pose
+from course_lib.checks.vocabulary import (
+    LAST_ROW,
+    any_pose,
+    any_rotation,
+    compared,
+    is_rotation,
+    near,
+    no_rotation,
+    pose,
+)
 from course_lib.lessons.rotations.exercises import shared
 from course_lib.rigid import nearest_se
 
@@ -47,7 +56,11 @@ DAMAGED = Kind(
 
 def _found(X, T):
     block = X[:-1, :-1]
-    return shared.distances(block, T[:-1, :-1]) if is_rotation(block) else ""
+    if not near(X[-1], np.eye(len(T))[-1]):
+        return LAST_ROW.says(X, T)
+    if not near(X[:-1, -1], T[:-1, -1]):
+        return f"The translation should be {compared(T[:-1, -1], X[:-1, -1])}."
+    return shared.distances(block, T[:-1, :-1]) if is_rotation(block) else no_rotation(block)
 
 
 def _otherwise(X, T):
@@ -58,7 +71,9 @@ def _otherwise(X, T):
     if is_rotation(X[:-1, :-1]):
         return shared.NOT_NEAREST
     return Mistake(
-        "the block is not a rotation", "Which of your functions makes a rotation of a matrix?"
+        "the block is not a rotation",
+        "Which line should make a rotation of the block? Print each factor that it multiplies, for "
+        "this T.",
     )
 
 

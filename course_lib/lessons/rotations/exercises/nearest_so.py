@@ -10,7 +10,7 @@ from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import any_rotation, orthogonality_error
+from course_lib.checks.vocabulary import any_rotation, no_rotation, orthogonality_error
 from course_lib.lessons.rotations.exercises import shared
 from course_lib.lessons.rotations.exercises.shared import NOT_NEAREST, distances, ones, polar
 from course_lib.rotations import nearest_so
@@ -26,7 +26,9 @@ DAMAGED = Kind(
 
 
 def _found(R, M):
-    if orthogonality_error(R) > EXACT or np.linalg.det(R) > 0:
+    if orthogonality_error(R) > EXACT:
+        return no_rotation(R)
+    if np.linalg.det(R) > 0:
         return distances(R, M)
     of_yours, of_M = np.linalg.det(R), np.linalg.det(M)
     return f"The determinant of your answer is {of_yours:.0f}, and that of M is {of_M:.3g}."

@@ -176,7 +176,8 @@ def _other_angles(R):
     return Mistake(
         name,
         "Compare the histogram of your angles with (1 - cos a)/pi. Which random numbers decide the "
-        "angle? Do they have the right distribution, and are they drawn anew for each of the n?",
+        "angle? Do they have the right distribution, are they drawn anew for each of the n, and "
+        "does each later step, such as a change of sign, keep the distribution uniform?",
     )
 
 

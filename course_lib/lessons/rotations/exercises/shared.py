@@ -3,6 +3,7 @@
 import numpy as np
 
 from course_lib.checks.exercise import Mistake
+from course_lib.checks.vocabulary import compared
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -83,9 +84,10 @@ NOT_NEAREST = Mistake(
 
 def distances(R, M):
     """Return a sentence that compares the distances of R and of the nearest rotation to M."""
+    of_yours, of_nearest = np.linalg.norm(M - R), np.linalg.norm(M - nearest_so(M))
     return (
-        f"Yours lies at distance {np.linalg.norm(M - R):.4f} (Frobenius norm), the nearest at "
-        f"{np.linalg.norm(M - nearest_so(M)):.4f}."
+        "The distance from M to the nearest rotation, in the Frobenius norm, is "
+        f"{compared(of_nearest, of_yours)}."
     )
 
 

@@ -36,8 +36,8 @@ _AT_THE_END = Mistake(
 
 _FIRST = Mistake(
     "the first triple does not rebuild R",
-    "R e_y is a column of R, and e_y^T R a row. Which sign has the b1 of subproblem 2? np.arctan2 "
-    "sees both signs.",
+    "Build an R from three angles that you know: which of b1, b2 and b3 is the first that your "
+    "function does not find again? From which angle to which does the function go that finds it?",
 )
 _SECOND = Mistake(
     "the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?"
@@ -165,9 +165,9 @@ EXERCISE = Exercise(
             lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
             where=_end,
             mistake=Mistake(
-                "b1 and b3 do not fit together where sin(b2) = 0",
-                "At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If you choose b1, what "
-                "remains of R for b3? "
+                "the angles do not fit together where sin(b2) = 0",
+                "Is b2 0 or pi here? At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If "
+                "you choose b1, what remains of R for b3? "
                 "And rounding may leave a tiny sine: how do you compare it with 0?",
             ),
         ),

@@ -22,7 +22,7 @@ _NOT_ONE = Mistake(
 NO_SOLUTION = Mistake(
     "the list holds something that is no solution",
     "Put the one that is shown into the equation, term by term. Which length, point or angle "
-    "differs from what you expected?",
+    "differs from what you expected, and in which of its digits?",
 )
 _ROUNDED_OUT = Mistake(
     "rounding takes a number slightly out of its range, where the two solutions coincide",
@@ -228,8 +228,8 @@ def add_too_few(exercise, solutions, misses):
 
     @exercise.mistake(
         "only one of the two solutions is returned",
-        "A root has two signs, and so has an angle with a given cosine: where does your function "
-        "use both?",
+        "Print what your function computes for both solutions of this input. Is the second one "
+        "never computed, is it the same as the first, or which line drops it?",
         seen=alone,
     )
     def one_only(*case):

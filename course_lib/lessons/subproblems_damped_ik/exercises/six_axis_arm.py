@@ -80,9 +80,9 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             lambda found, *case: len(found) > 0,
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
-                "a subproblem finds nothing",
-                "Print what each subproblem returns. Are both points of subproblem 2 equally far "
-                "from the shoulder, for each q3?",
+                "the list is empty although the target is within reach",
+                "Follow this target through your function: which line is the first after which no "
+                "solution is left, and what does the line ask or compute?",
             ),
         ),
         Property(

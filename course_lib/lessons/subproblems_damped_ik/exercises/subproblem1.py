@@ -4,10 +4,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER
 from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
-from course_lib.checks.vocabulary import X, Y, Z, angle_gap, distance_of_angles, unit
+from course_lib.checks.vocabulary import X, Y, Z, angle_gap, compared, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
     angle_about,
@@ -173,15 +172,12 @@ EXERCISE = Exercise(
         Property(
             "R(k, theta) p = g",
             _right,
-            lambda theta, k, p, g: (
-                f"With your theta, R(k, theta) p is {format_tuple(rotated(k, theta, p))} and g is "
-                f"{format_tuple(g)}."
-            ),
+            lambda theta, k, p, g: f"R(k, theta) p should be {compared(g, rotated(k, theta, p))}.",
             where=_reached,
             mistake=Mistake(
                 "theta is not the angle about k from p to g",
-                "Compare with a case that you can draw: what does your formula give for another"
-                " axis k, and for opposite points?",
+                "Compare with a case that you can draw: what does your formula give for another "
+                "axis k, for opposite points, and for points that nearly coincide?",
             ),
         ),
         Property(
@@ -197,8 +193,8 @@ EXERCISE = Exercise(
             "if no angle brings p to g, R(k, theta) p is as near to g as possible",
             _right,
             lambda theta, k, p, g: (
-                f"Yours ends {np.linalg.norm(rotated(k, theta, p) - g):.6g} from g; "
-                f"{np.linalg.norm(rotated(k, angle_about(k, p, g), p) - g):.6g} is possible."
+                "The point nearest to g should be "
+                f"{compared(rotated(k, angle_about(k, p, g), p), rotated(k, theta, p))}."
             ),
             where=_nearest,
         ),
