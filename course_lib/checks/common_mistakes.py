@@ -61,6 +61,12 @@ def common_mistakes(naming):
         enumerate(exercise.arguments),
         key=lambda numbered: attempt(np.ndim, naming.cases[0][numbered[0]]) or 0,
     )
+    for names, change in _kept_from(naming.cases[0], exercise.arguments):
+        yield Mistake(
+            f"the answer is that for {names} of the first call",
+            _KEPT,
+            _asked(exercise.library, change),
+        )
     for k, argument in numbers_first:
         yield Mistake(
             f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k])
@@ -257,6 +263,18 @@ def _at(k, change):
     return changed
 
 
+def _kept_from(first, names):
+    """Yield some of the arguments, in words, and the change of a case that puts those of the first
+    case in their places."""
+    for number in range(1, len(names)):
+        for kept in itertools.combinations(range(len(names)), number):
+
+            def changed(case, kept=kept):
+                return [first[k] if k in kept else case[k] for k in range(len(names))]
+
+            yield " and ".join(names[k] for k in kept), changed
+
+
 def _of_an_entry(argument):
     """Yield the names, hints and changes of a vector: another sign of an entry, 0 for it, another
     order."""
@@ -331,6 +349,10 @@ _ORDER = (
     "the one, and where the other?"
 )
 _RETURN = "Return the result."
+_KEPT = (
+    "Called alone with the input below, does your function give this answer? A default such as "
+    "x=[], and a list outside the function, outlive the call: what stands in them?"
+)
 _SAME = "Where does your function use its arguments?"
 _RADIANS = "Angles are in radians throughout."
 _SIGN = "Compare the sign with an example that you can do by hand."

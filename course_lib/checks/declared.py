@@ -116,13 +116,22 @@ def declared(
             return first_off(value, right)
         return f"The right answer is {compared(right, value)}."
 
+    def remark(value, *case):
+        """Return what was found and, where it is nearly right, which error is allowed."""
+        text = (found or in_words)(value, *case)
+        right = right_answer(*case)
+        error = error_of(right, *case)
+        if " off by " in text and distance(value, right, *case) < 1000 * error:
+            text += f" Here it may be off by {error:.1g} at most."
+        return text
+
     return Exercise(
         name=name,
         points=points,
         arguments=tuple(arguments),
         cases=all_cases,
         returns=reads or numbers(lambda *case: np.shape(library(*case))),
-        properties=(*properties, Property(says, is_right, found or in_words, mistake=otherwise)),
+        properties=(*properties, Property(says, is_right, remark, mistake=otherwise)),
         hints=hints,
         library=library,
         tolerance=tolerance,

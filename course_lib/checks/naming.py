@@ -21,6 +21,7 @@ from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import InPlace, MadeCase
 from course_lib.checks.tolerances import EXACT
 
+_SIMILAR = 0.01  # what rounding to two decimals makes equal
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
 
@@ -28,6 +29,12 @@ KEPT_FOR_AN_ARRAY = Mistake(
     "a result is kept for an array, and found again when other numbers stand in the array",
     "The same array may hold other numbers at the next call, for example in a loop that fills it. "
     "Compute the result from the numbers.",
+)
+
+KEPT_FOR_SIMILAR_INPUT = Mistake(
+    "the answer to an earlier, similar input is returned again",
+    "Called alone with the input below, does your function give this answer? What does it keep "
+    "from one call to the next, and when does it take two inputs for the same?",
 )
 
 
@@ -81,12 +88,25 @@ class Naming:
         for known in common_mistakes(self):
             if self._explains_enough(known, failing, wrong):
                 return known
+        if wrong and all(map(self._is_given_again, wrong)):
+            return KEPT_FOR_SIMILAR_INPUT
         if self.has_few_values():
             return None
         for known in own:
             if self._explains(known, failing, wrong):
                 return known
         return None
+
+    def _is_given_again(self, position):
+        """Return whether an answer is, to the last digit, that to a similar case asked before."""
+        value = attempt(np.asarray, self.values[position], float)
+        if value is None or value.size < MIN_NUMBERS or is_whole(value):
+            return False  # two inputs may rightly have the same few, or whole, numbers
+        return any(
+            attempt(np.array_equal, value, self.values[k])
+            and _are_similar(self.cases[k], self.cases[position])
+            for k in range(position)
+        )
 
     def _predicts_all(self, mistake, wrong):
         """Return whether a function of the mistake predicts all wrong answers, and contradicts no
@@ -306,6 +326,17 @@ class Naming:
         if between <= rounding:
             return True if difference(value, predicted) <= rounding else None
         return same(value, predicted) and bool(difference(value, predicted) <= 0.1 * between)
+
+
+def _are_similar(case, other):
+    """Return whether two cases are different and have arguments that differ by little."""
+    pairs = list(zip(case, other, strict=True))
+    if all(attempt(np.array_equal, a, b) for a, b in pairs):
+        return False
+    return all(
+        same(a, b, tolerance=_SIMILAR) if isinstance(a, np.ndarray | float) else a == b
+        for a, b in pairs
+    )
 
 
 def _has_integers(case):
