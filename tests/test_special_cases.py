@@ -32,7 +32,7 @@ from course_lib.checks.special_cases import (
     made_cases,
 )
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import pose, same_list
+from course_lib.checks.vocabulary import compared, pose, same_list
 from course_lib.rigid import is_se
 from course_lib.rotations import exp_so3, is_so
 
@@ -252,6 +252,54 @@ TINY_ROTATIONS = replace(
 def test_a_transpose_is_named_beside_tiny_rotations():
     mistake = judge(TINY_ROTATIONS, LocalFunction(lambda w: exp_so3(w).T)).mistake
     assert mistake.name == "the answer is the transpose of what it should be"
+
+
+def test_digits_that_are_cut_off_in_some_cases_only_are_named():
+    cases = lambda rng: [(np.array([1.5, 0.25, 7.0]),), (np.array([3.0, 5.0, 7.0]),)]  # noqa: E731
+    whole_for_whole = lambda x: np.trunc(x / 2) if x[0] == 3 else x / 2  # noqa: E731
+    mistake = judge(replace(HALF, cases=cases), LocalFunction(whole_for_whole)).mistake
+    assert mistake.name == "digits after the point are cut off"
+
+
+def test_an_answer_that_is_found_again_for_a_similar_input_is_named():
+    kept = {}
+
+    def find_again(w):
+        return kept.setdefault(tuple(np.round(w, 4)), exp_so3(w))
+
+    vectors = np.array([[0.3, 0.2, 0.1], [0.3, 0.2, 0.10001], [0.5, 0.1, 0.2]])
+    exercise = replace(TINY_ROTATIONS, cases=lambda rng: [(w,) for w in vectors])
+    mistake = judge(exercise, LocalFunction(find_again)).mistake
+    assert mistake.name == "the answer to an earlier, similar input is returned again"
+
+
+def test_an_argument_that_is_kept_from_the_first_call_is_named():
+    kept = []
+
+    def product_with_the_first(v, w):
+        kept.append(exp_so3(v))
+        return kept[0] @ exp_so3(w)
+
+    product = replace(
+        TINY_ROTATIONS,
+        arguments=("v", "w"),
+        cases=lambda rng: [(rng.normal(size=3), rng.normal(size=3)) for _ in range(3)],
+        properties=(
+            Property("R is exp v exp w", lambda R, v, w: np.allclose(R, exp_so3(v) @ exp_so3(w))),
+        ),
+        returns=numbers(lambda v, w: (3, 3)),
+        library=lambda v, w: exp_so3(v) @ exp_so3(w),
+    )
+    mistake = judge(product, LocalFunction(product_with_the_first)).mistake
+    assert mistake.name == "the answer is that for v of the first call"
+
+
+@pytest.mark.parametrize("gap", [3e-5, 4e-9, 2e-13])
+def test_two_rows_of_numbers_are_shown_with_the_digits_in_which_they_differ(gap):
+    right = np.array([1.0, 2.5, 1e-17])
+    wanted, yours = compared(right, right + np.array([0, gap, 0])).split("; yours is ")
+    assert wanted != yours.split(", off by ")[0]
+    assert yours.endswith(f", off by {gap:.2g}")
 
 
 def test_lists_of_another_shape_are_not_the_same():

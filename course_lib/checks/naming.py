@@ -155,9 +155,11 @@ class Naming:
         arrays = [attempt(np.asarray, value, float) for value in self.values]
         if any(array is None for array in arrays):
             return None
-        if self._are_cut_off(arrays, wrong):
+        all_are_whole = all(map(is_whole, arrays))
+        are_telling = all(arrays[i].size >= MIN_NUMBERS for i in wrong)  # one number may be whole
+        if (all_are_whole or are_telling) and self._are_cut_off(arrays, wrong):
             return Mistake(*CUT_OFF)
-        if all(map(is_whole, arrays)):
+        if all_are_whole:
             return None
         in_float32 = all(np.array_equal(x, x.astype(np.float32), equal_nan=True) for x in arrays)
         if in_float32 and not all(map(_is_short, arrays)):

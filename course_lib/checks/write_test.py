@@ -162,7 +162,8 @@ class WriteTest(Exercise):
         reason += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
         reason += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
-        always = self.refuses if len(refused) == n_right and not missed else always
+        if refused and not missed:
+            always = self._too_strict(len(refused) == n_right)
         accepted = [version.kind for version, accepted in judged if version.right and accepted]
         overlooked = [version.mistake for version in refused]
         always = next(
@@ -179,6 +180,12 @@ class WriteTest(Exercise):
         nothing = refused or failed_example
         credit = 0 if nothing else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, reason, always, credit=credit)
+
+    def _too_strict(self, rejects_all):
+        """Return the Mistake of a test that rejects every wrong version, and right ones too."""
+        if rejects_all:
+            return self.refuses
+        return Mistake("your test rejects right versions", self.refuses.hint)
 
     def _consultant(self, order):
         """Return a function that answers a call of a candidate; a student controls its argument.

@@ -59,12 +59,16 @@ EXERCISE = WriteTest(
             "that subtracts one revolution at most",
             lambda a: wrap_angle(a) if abs(a) < 9 else _one_revolution(a),
         ),
-        _wrong("that is wrong only for negative angles", lambda a: wrap_angle(a) if a >= 0 else a),
+        _wrong(
+            "that returns negative angles as they came", lambda a: wrap_angle(a) if a >= 0 else a
+        ),
         _wrong(
             "that is wrong only for negative angles",
             lambda a: wrap_angle(a) if a >= 0 else -wrap_angle(a),
         ),
-        _wrong("that is wrong only for positive angles", lambda a: wrap_angle(a) if a <= 0 else a),
+        _wrong(
+            "that returns positive angles as they came", lambda a: wrap_angle(a) if a <= 0 else a
+        ),
         _wrong(
             "that is wrong only for positive angles",
             lambda a: wrap_angle(a) if a <= 0 else -wrap_angle(a),

@@ -4,14 +4,16 @@ import itertools
 
 import numpy as np
 
+from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import ROTATION, Kind, number
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import any_rotation, near, orthogonality_error
+from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error
 from course_lib.rotations import exp_so3, hat, rot_z
 
+_NEARLY = 1e-5  # off by less than a small rotation
 _ROLL = np.array([[1.0, 0, 0], [1, 0, 0]])
 LOG = Kind(
     drawn=lambda rng: rng.normal(size=(4, 3)),
@@ -62,6 +64,23 @@ def _with_R_bi(next_one):
     )
 
 
+def _found(R, *case):
+    right = _right(*case)
+    k = int(np.argmax([not near(*pair) for pair in zip(R, right, strict=True)]))
+    return f"The orientations differ from number {k} on. {first_off(R[k], right[k])}"
+
+
+def _otherwise(R, *case):
+    """Return the Mistake of orientations that are nearly right; None of others."""
+    if difference(R, _right(*case)) > _NEARLY:
+        return None
+    return Mistake(
+        "small rotations are left out, or lose their digits",
+        "By how much does the first sample below change the orientation? Which lines of yours "
+        "treat a small rotation, or a small change, otherwise than a large one?",
+    )
+
+
 EXERCISE = declared(
     "gyroscope",
     points=3,
@@ -93,7 +112,8 @@ EXERCISE = declared(
     ),
     says="however the sensor is mounted, each sample rotates the body about the axis, and by the "
     "angle, that the sensor has reported along its own axes",
-    found=lambda R, *case: "",
+    found=_found,
+    otherwise=_otherwise,
     hints=(
         "A sample holds the coordinates of the angular velocity in the sensor's frame. What are "
         "its coordinates in the body's frame? Read the letters of R_bi.",

@@ -94,5 +94,5 @@ def wrong_elbows_that_are_nearly_the_same(center):
 
 
 def wrong_nothing_near_the_axis_of_joint_1(center):
-    """a subproblem finds nothing"""
+    """the list is empty although the target is within reach"""
     return right_by_subproblems(center) if np.hypot(*center[:2]) > 1e-3 else []

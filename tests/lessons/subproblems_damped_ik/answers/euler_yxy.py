@@ -54,7 +54,7 @@ def wrong_one_row_where_both_are_one(R):
 
 
 def wrong_free_angle_not_chosen(R):
-    """b1 and b3 do not fit together"""
+    """the angles do not fit together"""
     b1, b3 = np.arctan2(R[0, 1], R[2, 1]), np.arctan2(R[1, 0], -R[1, 2])
     b2 = np.arccos(np.clip(R[1, 1], -1, 1))
     return np.array([[b1, b2, b3], [b1 + np.pi, -b2, b3 + np.pi]])
