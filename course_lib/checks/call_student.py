@@ -242,7 +242,7 @@ def _first_change(before, after, place=""):
             # repr shows eight digits of an array, and not all entries of a long one.
             if repr(old) != repr(new) or not _as_it_was(old, new):
                 return _first_change(old, new, f"{place}[{k}]")
-    old, new = (f"{x:.6g}" if isinstance(x, float) and x else repr(x) for x in (before, after))
+    old, new = (f"{x:.6g}" if isinstance(x, float) else repr(x) for x in (before, after))
     if old == new or {old, new} == {"-0", "0"}:  # in what these do not show
         old, new = repr(before), repr(after)
     if old == new:  # another type of numbers, for example
