@@ -271,7 +271,7 @@ ENTRY_BY_ENTRY = Mistake(
 LAST_ROW = Property(  # of a pose, or of each in an array of them
     "the last row is (0, ..., 0, 1)",
     lambda T, *case: near(T[..., -1, :], np.eye(T.shape[-1])[-1]),
-    says=lambda T, *case: f"Yours is {format_array(T[..., -1, :])}.",
+    says=lambda T, *case: f"Your last row is {format_array(T[..., -1, :])}.",
     mistake=Mistake(
         "the last row is not that of a pose", "What becomes of the 1 at the end of a point?"
     ),
