@@ -21,6 +21,7 @@ from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import InPlace, MadeCase
 from course_lib.checks.tolerances import EXACT
 
+_CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
@@ -156,7 +157,10 @@ class Naming:
         if any(array is None for array in arrays):
             return None
         all_are_whole = all(map(is_whole, arrays))
-        are_telling = all(arrays[i].size >= MIN_NUMBERS for i in wrong)  # one number may be whole
+        # A single whole number, or the identity for a small rotation, is not a number cut off.
+        are_telling = all(
+            arrays[i].size >= MIN_NUMBERS and self.distance(i) > _CLEARLY_OFF for i in wrong
+        )
         if (all_are_whole or are_telling) and self._are_cut_off(arrays, wrong):
             return Mistake(*CUT_OFF)
         if all_are_whole:

@@ -32,7 +32,7 @@ def right_whole_revolutions_with_assertions(wrap_angle):
 
 
 def wrong_compares_exactly(wrap_angle):
-    """unnamed"""
+    """your test rejects right versions"""
     # For these angles most right versions are right to the last digit.
     for angle in (4.0, 7.0, -4.0, 100.0, 0.0, 0.5):
         revolutions = (angle - wrap_angle(angle)) / (2 * np.pi)
