@@ -65,10 +65,18 @@ def test_whole_numbers_are_asked_again_as_integers():
     assert again[0].tolist() == [3, -1]
 
 
-def test_one_argument_alone_holds_whole_numbers_too():
-    both, one = made([(np.array([3.0, -1.0]), np.array([2.0, 5.0, 6.0]))], ("x", "y"))
+def test_each_argument_alone_holds_whole_numbers_too():
+    both, *alone = made([(np.array([3.0, -1.0]), np.array([2.0, 5.0, 6.0]))], ("x", "y"))
     assert [array.dtype.kind for array in both] == ["i", "i"]
-    assert [array.dtype.kind for array in one] == ["f", "i"]
+    assert [[array.dtype.kind for array in case] for case in alone] == [["i", "f"], ["f", "i"]]
+
+
+def test_whole_numbers_stand_beside_others_where_a_case_has_some():
+    whole, fraction = np.array([3.0, -1.0]), np.array([0.5, 1.5])
+    cases = [(whole, whole), (whole, fraction), (0 * whole, fraction)]
+    alone = made(cases, ("x", "y"))[len(cases)]
+    assert alone[0].dtype == int
+    np.testing.assert_array_equal(alone, [whole, fraction])
 
 
 def test_the_same_arrays_are_asked_with_other_numbers():

@@ -5,6 +5,7 @@ that is wrong only in a corner of a kind, such as beyond ten radians, is then re
 exercise that has an argument of this kind.
 """
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -37,6 +38,9 @@ class Kind:
         named(rng): a list of values, the simplest first, then the special ones.
     beside : tuple of (str, callable, tuple of float)
         What is special, value(rng, gap) beside it, and the gaps.
+    beside_another : tuple of (str, callable, tuple of float)
+        Of two arguments that are drawn alike: what is special of them together, value(rng, other,
+        gap) of the second one beside this, and the gaps.
     angle : bool
         Whether it may exceed one revolution.
     small : bool
@@ -46,13 +50,9 @@ class Kind:
     drawn: Callable
     named: Callable = lambda rng: []
     beside: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
+    beside_another: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
     angle: bool = False
     small: bool = False
-
-    @property
-    def ordinary(self):
-        """The same without its special values: for a product, in which none of them is special."""
-        return replace(self, named=lambda rng: [], beside=())
 
     def but(self, **changed):
         """Return the same with some attributes changed."""
@@ -67,20 +67,39 @@ def cases_of(kinds, rng):
         simplest.append(values[0] if values else kind.drawn(rng))
     cases = [tuple(simplest)]
     for k, values in enumerate(named):
-        for value in values[1:]:
+        for value in values[len(kinds) == 1 :]:  # alone, the simplest one has been asked
             cases.append(_among_ordinary(kinds, rng, k, value))
     return cases + [tuple(kind.drawn(rng) for kind in kinds) for _ in range(_SECRET_DRAWS)]
 
 
 def sweeps_of(kinds):
-    """Return the sweeps: beside each special value of each argument, among ordinary others."""
-    return tuple(
-        _sweep(kinds, k, *beside) for k, kind in enumerate(kinds) for beside in kind.beside
-    )
+    """Return the sweeps: beside each special value of each argument, and beside what is special of
+    two arguments that are drawn alike, among ordinary others."""
+    of_one = [_sweep(kinds, k, *beside) for k, kind in enumerate(kinds) for beside in kind.beside]
+    alike = [
+        (first, second)
+        for first, second in itertools.combinations(range(len(kinds)), 2)
+        if kinds[first].drawn is kinds[second].drawn
+    ]
+    of_two = [
+        _sweep_of_two(kinds, *pair, *beside)
+        for pair in alike
+        for beside in kinds[pair[0]].beside_another
+    ]
+    return (*of_one, *of_two)
 
 
 def _sweep(kinds, k, what, value, gaps):
     return Sweep(what, lambda rng, gap: _among_ordinary(kinds, rng, k, value(rng, gap)), gaps)
+
+
+def _sweep_of_two(kinds, first, second, what, value, gaps):
+    def case(rng, gap):
+        arguments = [kind.drawn(rng) for kind in kinds]
+        arguments[second] = value(rng, arguments[first], gap)
+        return tuple(arguments)
+
+    return Sweep(what, case, gaps)
 
 
 def _among_ordinary(kinds, rng, k, value):
@@ -112,6 +131,7 @@ ROTATION_VECTOR = Kind(
     beside=(
         ("a tiny angle", lambda rng, gap: gap * unit(rng), BESIDE),
         ("an angle near pi", lambda rng, gap: (np.pi - gap) * unit(rng), ON_BOTH_SIDES),
+        ("a length near 1", lambda rng, gap: (1 + gap) * unit(rng), SMALL),
     ),
 )
 
@@ -172,6 +192,24 @@ def _just_below_pi(rng, gap):
     return exp_so3((np.pi - abs(gap)) * np.sign(gap) * leaning_axis(rng))
 
 
+_APART = (0.0, 1e-8, 1e-4)  # radians
+
+
+def _half_a_revolution_from(rng, R, gap):
+    return R @ exp_so3((np.pi - gap) * leaning_axis(rng))
+
+
+def _with_a_half_turn(rng, R, gap):
+    """Return the rotation whose product with R is a rotation by nearly pi."""
+    return _half_a_revolution_from(rng, R.T, gap)
+
+
+def _locked_with(rng, R, gap):
+    """Return a rotation whose roll, pitch and yaw relative to R are nearly at gimbal lock."""
+    yaw, roll = rng.uniform(0.3, 1.2, 2)
+    return R @ rot_z(yaw) @ rot_y(QUARTER - gap) @ rot_x(roll)
+
+
 ROTATION = Kind(
     drawn=any_rotation,
     named=_rotations,
@@ -179,7 +217,18 @@ ROTATION = Kind(
         ("a tiny angle", lambda rng, gap: exp_so3(gap * unit(rng)), BESIDE),
         ("an angle just below pi", _just_below_pi, ON_BOTH_SIDES),
     ),
+    beside_another=(
+        ("half a revolution apart", _half_a_revolution_from, _APART),
+        ("of which the product is half a revolution", _with_a_half_turn, _APART),
+        ("a pitch of a quarter apart", _locked_with, _APART),
+    ),
     small=True,
+)
+
+
+# In a product, which answers by quaternions or angles may form: half a revolution is special.
+FACTOR = ROTATION.but(
+    named=lambda rng: [rot_z(QUARTER), rot_x(np.pi), half_turn(leaning_axis(rng))], beside=()
 )
 
 
@@ -245,15 +294,23 @@ POSE = Kind(
 def vector(n=3, **more):
     """Return the Kind of vectors (n,) whose entries are not small.
 
-    One named value holds whole numbers, one holds a whole number beside others, and one is 0.
+    One named value holds whole numbers, one holds them in its first half only, and one is 0.
     """
     whole = np.arange(1.0, n + 1)
-    partly_whole = np.where(np.arange(n) == 0, 2.0, whole / 4)
+    partly_whole = np.where(np.arange(n) < max(1, n // 2), 2 * whole, whole / 4 + 0.1)
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),
         named=lambda rng: [whole, partly_whole, np.zeros(n)],
         **more,
     )
+
+
+def nearly_unit_omega(rng, gap):
+    """Return a twist (6,) whose omega is nearly of length one, as that of a screw axis is."""
+    return np.append((1 + gap) * unit(rng), away_from_zero(rng, 3))
+
+
+TWIST = vector(6, beside=(("an omega nearly of length one", nearly_unit_omega, SMALL),))
 
 
 ANGLE = Kind(
@@ -294,6 +351,7 @@ def number(low, high, *named, **more):
     return Kind(
         drawn=lambda rng: float(np.round(rng.uniform(low, high), 2)),
         named=lambda rng: list(named),
+        beside_another=(("two nearly equal numbers", lambda rng, other, gap: other + gap, SMALL),),
         **more,
     )
 

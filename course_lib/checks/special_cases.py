@@ -105,7 +105,7 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
     """
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])[:_MAX_WHOLE]
-    whole += _different([_with_one_whole_argument(case) for case in cases])[:_MAX_WHOLE]
+    whole += _with_one_whole_argument(cases)
     negative_zeros = [_with_negative_zeros(case) for case in cases]
     several = []
     if angles:
@@ -156,14 +156,27 @@ def _with_whole_numbers(case):
     return tuple(np.rint(arg).astype(int) if _is_whole(arg) else arg for arg in case)
 
 
-def _with_one_whole_argument(case):
-    """Return the case with one array of integers beside others of floats; None if it has none."""
-    arrays = [k for k, argument in enumerate(case) if _is_floats(argument)]
-    whole = [k for k in arrays if _is_whole(case[k])]
-    if len(arrays) < 2 or not whole:
-        return None
-    k = max(whole, key=lambda k: _variety((case[k],)))
-    return (*case[:k], np.rint(case[k]).astype(int), *case[k + 1 :])
+def _with_one_whole_argument(cases):
+    """Return a case for each argument that may hold whole numbers: an array of integers, beside
+    others of floats.
+
+    It is the case in which the fewest of the others are whole: an answer that takes its type from
+    one argument cuts off digits only if another one has some.
+    """
+    best = {}
+    for case in cases:
+        arrays = [k for k, argument in enumerate(case) if _is_floats(argument)]
+        whole = [k for k in arrays if _is_whole(case[k])]
+        if len(arrays) < 2:
+            continue
+        for k in whole:
+            variety = _variety((case[k],))
+            rank = (variety > 0, len(arrays) - len(whole), variety, _variety(case))
+            if k not in best or rank > best[k][0]:
+                best[k] = rank, case
+    return [
+        (*case[:k], np.rint(case[k]).astype(int), *case[k + 1 :]) for k, (_, case) in best.items()
+    ]
 
 
 def _different(cases):

@@ -4,9 +4,9 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, nearly_unit_omega
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS
+from course_lib.checks.special_cases import BESIDE, SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import (
     LAST_ROW,
@@ -68,6 +68,7 @@ TWIST = Kind(
             lambda rng, size: np.append(2 * unit(rng), size * away_from_zero(rng, 3)),
             SMALL_NUMBERS,
         ),
+        ("an omega nearly of length one", nearly_unit_omega, SMALL),
     ),
 )
 

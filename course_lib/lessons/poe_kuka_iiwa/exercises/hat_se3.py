@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import ORDINALS
-from course_lib.checks.kinds import vector
+from course_lib.checks.kinds import TWIST
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE
 from course_lib.checks.tolerances import EXACT
@@ -14,7 +14,7 @@ from course_lib.rigid import hat_se3
 from course_lib.rotations import hat
 
 # An answer that rounds, or takes a slow motion for none, loses slow twists.
-_TWIST = vector(6, beside=(("a slow twist", lambda rng, size: size * rng.normal(size=6), BESIDE),))
+_SLOW = ("a slow twist", lambda rng, size: size * rng.normal(size=6), BESIDE)
 
 
 def _cases(rng):
@@ -66,7 +66,7 @@ def _axis_for_omega(twist):
 EXERCISE = declared(
     "hat_se3",
     points=1,
-    arguments={"twist": _TWIST},
+    arguments={"twist": TWIST.but(beside=(*TWIST.beside, _SLOW))},
     cases=_cases,
     library=hat_se3,
     distance=_distance,

@@ -87,7 +87,7 @@ EXERCISE = declared(
         "M": POSE,
         "q": joint_angles(4),
         "mass": _MASS,
-        "center": vector(),
+        "center": vector(small=True),
     },
     cases=_cases,
     library=_torques(),

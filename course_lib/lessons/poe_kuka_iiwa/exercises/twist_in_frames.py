@@ -6,7 +6,7 @@ import numpy as np
 from numpy.linalg import matrix_power
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import POSE, vector
+from course_lib.checks.kinds import POSE, TWIST
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, first_off, near
@@ -75,7 +75,7 @@ def _otherwise(value, *case):
 EXERCISE = declared(
     "twist_in_frames",
     points=2,
-    arguments={"V_s": vector(6), "T": POSE},
+    arguments={"V_s": TWIST, "T": POSE},
     cases=_cases,
     library=_right,
     says="the rows are the twist as the space frame sees it, V_s itself; as the end-effector sees "

@@ -3,15 +3,15 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import Kind, number
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.planar import cubic_time_scaling
 
+_TIMES = Kind(drawn=lambda rng: rng.uniform(0.05, 0.95, 6).round(3))
 _END = number(-3, 3, 0.0, 2.0, small=True)
 _SPEED = number(-2, 2, 0.0, 3.0, small=True)
 
@@ -49,10 +49,14 @@ def _beside(end):
     return case
 
 
-def _distance(value, right, t, T, s0, s1, v0, v1):
-    """Return how far the values are off, relative to what goes into them where that is above 1."""
-    size = max(1.0, abs(s0), abs(s1), T * abs(v0), T * abs(v1))
-    return difference(value, right) / size
+def _allowed(t, T, s0, s1, v0, v1):
+    """Return the error that values may have, relative to what goes into them."""
+    return EXACT * max(abs(s0), abs(s1), T * abs(v0), T * abs(v1))
+
+
+def _from_rest_to_rest(rng, change):
+    s0 = _END.drawn(rng)
+    return _TIMES.drawn(rng), 1.5, s0, s0 + change, 0.0, 0.0
 
 
 def _is_cubic(value, t, T, *ends):
@@ -88,7 +92,7 @@ EXERCISE = declared(
     "cubic_time_scaling",
     points=2,
     arguments={
-        "t": Kind(drawn=lambda rng: rng.uniform(0.05, 0.95, 6).round(3)),
+        "t": _TIMES,
         "T": number(1, 5, 1.0, 2.0),
         "s0": _END,
         "s1": _END,
@@ -100,9 +104,10 @@ EXERCISE = declared(
     sweeps=(
         Sweep("a time just after 0", _beside(0), SMALL_NUMBERS),
         Sweep("a time just before T", _beside(1), SMALL_NUMBERS),
+        Sweep("a small change from rest to rest", _from_rest_to_rest, SMALL),
     ),
     tolerance=EXACT,
-    distance=_distance,
+    allowed=_allowed,
     library=cubic_time_scaling,
     properties=(
         Property(

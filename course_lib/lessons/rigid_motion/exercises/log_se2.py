@@ -6,7 +6,7 @@ from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import ON_BOTH_SIDES
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL
 from course_lib.checks.tolerances import EXACT
 from course_lib.rigid import exp_se2, log_se2
 
@@ -36,12 +36,17 @@ def _beside_half(rng, gap):
     return _pose_of_omega(rng, np.sign(gap) * (np.pi - abs(gap)))
 
 
+def _beside_quarter(rng, gap):
+    return _pose_of_omega(rng, rng.choice([-1, 1]) * np.pi / 2 + rng.choice([-1, 1]) * gap)
+
+
 POSE = Kind(
     drawn=lambda rng: _pose_of_omega(rng, round(rng.uniform(-3, 3), 2)),
     named=lambda rng: [*map(exp_se2, _TWISTS), _QUARTER],
     beside=(
         ("omega near 0", _pose_of_omega, ON_BOTH_SIDES),
         ("omega near pi", _beside_half, ON_BOTH_SIDES),
+        ("omega near pi/2 or -pi/2", _beside_quarter, SMALL),
     ),
 )
 
@@ -62,9 +67,14 @@ def _at_half(T):
 
 def _distance(twist, right, T):
     """Return how far a twist is from the right one; at half a revolution its negative is right,
-    too."""
-    opposite = difference(twist, -right) if _at_half(T) else np.inf
-    return min(difference(twist, right), opposite)
+    too.
+
+    The tolerance grows with the largest entry, and that of omega does not.
+    """
+    largest = max(1, np.abs(right).max())
+    rights = (right, -right) if _at_half(T) else (right,)
+    gaps = [max(difference(twist, one), largest * difference(twist[:1], one[:1])) for one in rights]
+    return min(gaps)
 
 
 def _otherwise(twist, T):

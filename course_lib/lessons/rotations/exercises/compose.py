@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import ROTATION, one_of
+from course_lib.checks.kinds import FACTOR, one_of
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
 from course_lib.rotations import rot_x, rot_y, rot_z
@@ -22,14 +22,14 @@ def _reversed_in(*frames):
 
 def _cases(rng):
     pairs = [(rot_z(_QUARTER), rot_x(_QUARTER)), (rot_x(_QUARTER), rot_y(0.3))]
-    pairs += [(np.eye(3), rot_z(1.0)), (ROTATION.drawn(rng), ROTATION.drawn(rng))]
+    pairs += [(np.eye(3), rot_z(1.0)), (FACTOR.drawn(rng), FACTOR.drawn(rng))]
     return [(R, step, frame) for R, step in pairs for frame in FRAMES]
 
 
 EXERCISE = declared(
     "compose",
     points=1,
-    arguments={"R": ROTATION.ordinary, "step": ROTATION.ordinary, "frame": one_of(*FRAMES)},
+    arguments={"R": FACTOR, "step": FACTOR, "frame": one_of(*FRAMES)},
     cases=_cases,
     tolerance=EXACT,
     library=_right,

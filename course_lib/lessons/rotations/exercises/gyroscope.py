@@ -7,14 +7,22 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import ROTATION, Kind, number
+from course_lib.checks.kinds import FACTOR, ROTATION, Kind, number
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error
+from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error, unit
 from course_lib.rotations import exp_so3, hat, rot_z
 
 _NEARLY = 1e-5  # off by less than a small rotation
 _ROLL = np.array([[1.0, 0, 0], [1, 0, 0]])
+# rad/s: at these the error of the second order is too small to be seen in one step, and adds up.
+_SLOW = (1e-2, 5.6e-3, 3.1e-3, 1.8e-3, 1e-3)
+
+
+def _slow_samples(rng, rate):
+    return np.tile(rate * unit(rng), (100, 1))
+
+
 LOG = Kind(
     drawn=lambda rng: rng.normal(size=(4, 3)),
     named=lambda rng: [
@@ -24,6 +32,7 @@ LOG = Kind(
         # Rates that are whole along the sensor's axes, and not whole along the body's.
         np.array([[1, -2, 0], [0, 1, 2]]),
     ],
+    beside=(("a hundred slow samples", _slow_samples, _SLOW),),
     small=True,
 )
 
@@ -85,7 +94,7 @@ EXERCISE = declared(
     "gyroscope",
     points=3,
     arguments={
-        "R_0": ROTATION.ordinary,
+        "R_0": FACTOR,
         "log": LOG,
         "dt": number(0.1, 0.6),
         "R_bi": ROTATION.but(beside=()),

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import ROTATION
+from course_lib.checks.kinds import FACTOR
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import ENTRY_BY_ENTRY, any_rotation, rotation
@@ -55,7 +55,7 @@ def _cases(rng):
 EXERCISE = declared(
     "mug_orientation",
     points=2,
-    arguments=dict.fromkeys(("R_bg", "R_cg", "R_cm"), ROTATION.ordinary),
+    arguments=dict.fromkeys(("R_bg", "R_cg", "R_cm"), FACTOR),
     cases=_cases,
     tolerance=EXACT,
     library=_product(*_RIGHT),

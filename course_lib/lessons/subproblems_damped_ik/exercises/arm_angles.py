@@ -11,8 +11,10 @@ from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     BENDS,
+    BEYOND,
     ELBOW,
     FOLDED,
+    LOW,
     SHOULDER,
     STRETCHED,
     WRIST,
@@ -20,6 +22,7 @@ from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     bent,
     center_of,
     every_solution,
+    just_out_of_reach,
 )
 from course_lib.rotations import rot_y
 from course_lib.subproblems import subproblem2
@@ -28,7 +31,7 @@ from course_lib.subproblems import subproblem2
 def _cases(rng):
     named = [[0.3, 0.4, -0.5], [-1.2, -0.6, 0.7]]
     drawn = [rng.uniform(0.3, 1.2, 3) * rng.choice([-1, 1], 3) for _ in range(3)]
-    reached = [(center_of(q),) for q in named + drawn]
+    reached = [(center_of(q),) for q in [*named, *LOW, *drawn]]
     return [*reached, (np.array([0.5, 0.6, 0.4]),), (SHOULDER + np.array([0.0, 0.01, 0.02]),)]
 
 
@@ -49,6 +52,10 @@ def _nearly_above(rng, radius):
     angle = rng.uniform(-np.pi, np.pi)
     aside = [radius * np.cos(angle), radius * np.sin(angle)]
     return (SHOULDER + np.array([*aside, rng.uniform(0.3, 0.5)]),)
+
+
+def _just_out_of_reach(rng, beyond):
+    return (just_out_of_reach(rng, beyond),)
 
 
 def _misses(q, center):
@@ -93,6 +100,7 @@ EXERCISE = Exercise(
     sweeps=(
         Sweep("a small q1", _nearly_in_a_plane, SMALL_NUMBERS),
         Sweep("an arm nearly stretched, or folded", _nearly_straight, BENDS),
+        Sweep("a center just out of reach", _just_out_of_reach, BEYOND),
         Sweep("a center nearly above the shoulder", _nearly_above, SMALL_NUMBERS[:4]),
     ),
     returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),

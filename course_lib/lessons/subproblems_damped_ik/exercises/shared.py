@@ -46,6 +46,11 @@ def across(k, p):
     return p - (k @ p) * k
 
 
+def at_height(k, p, height):
+    """Return the point p, moved along the axis k to this height."""
+    return across(k, p) + height * k
+
+
 def cross(p, g):
     """Return p x g of two vectors (3,).
 

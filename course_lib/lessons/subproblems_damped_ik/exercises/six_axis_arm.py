@@ -5,8 +5,9 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.special_cases import OUT_OF_REACH
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import X, Y, Z, remembered
+from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, remembered
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, different
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_y, rot_z
@@ -22,6 +23,22 @@ FOLDED = STRETCHED + np.pi
 # is a nanometre.
 BENDS = tuple(sign * bend for bend in (0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4) for sign in (1, -1))
 SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
+
+
+# The reach of the wrist center, from the shoulder: the nearest and the farthest.
+_LINKS = np.linalg.norm(ELBOW - SHOULDER), np.linalg.norm(WRIST - ELBOW)
+_REACH = abs(_LINKS[0] - _LINKS[1]), sum(_LINKS)
+BEYOND = tuple(sign * gap for gap in OUT_OF_REACH for sign in (1, -1))
+# Triples whose wrist center is below the base, in front of it and behind it.
+LOW = ((0.5, 2.3, -0.6), (-2.6, 2.1, -0.4))
+
+
+def just_out_of_reach(rng, beyond):
+    """Return a wrist center that is too far from the shoulder or, with a negative number, too
+    near, relative to the reach."""
+    direction = np.append(away_from_zero(rng, 2), rng.uniform(-0.6, 0.6))
+    distance = _REACH[1] * (1 + beyond) if beyond > 0 else _REACH[0] * (1 + beyond)
+    return SHOULDER + distance * direction / np.linalg.norm(direction)
 
 
 def bent(q3):

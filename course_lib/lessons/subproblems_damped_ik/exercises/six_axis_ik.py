@@ -7,17 +7,20 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import distance_of_lists, same_list
+from course_lib.checks.vocabulary import any_rotation, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, add_nan
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     ARM,
+    BEYOND,
     FOLDED,
     HOME,
+    LOW,
     STRETCHED,
     WRIST,
     all_solutions,
     arm_solutions,
     every_solution,
+    just_out_of_reach,
     wrist_angles,
 )
 from course_lib.rigid import inverse, transform
@@ -30,7 +33,8 @@ def _cases(rng):
         [0.5, -0.4, 0.9, 0.8, -2.2, 0.6],
     ]  # a slightly and a well bent arm
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
-    reached = [(ARM.fk(q),) for q in named + drawn]
+    low = [[*q, 0.6, 0.7, -0.8] for q in LOW]
+    reached = [(ARM.fk(q),) for q in named + low + drawn]
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
 
 
@@ -53,6 +57,12 @@ def _wrist_nearly_straight(rng, q5):
     """A pose at which the axes of joints 4 and 6 are nearly the same."""
     q1, q2, q3, q4, q6 = rng.uniform(0.3, 1.2, 5)
     return (ARM.fk([q1, q2, q3, q4, q5, q6]),)
+
+
+def _just_out_of_reach(rng, beyond):
+    R = any_rotation(rng)
+    center = just_out_of_reach(rng, beyond)
+    return (transform(R, center + 0.072 * R[:, 2]),)
 
 
 def _misses(q, T):
@@ -92,6 +102,7 @@ EXERCISE = Exercise(
     sweeps=(
         Sweep("a pose with small entries", _nearly_in_a_plane, SMALL_NUMBERS),
         Sweep("an arm nearly stretched, or folded", _nearly_straight, _BENDS),
+        Sweep("a target just out of reach", _just_out_of_reach, BEYOND),
         Sweep("a wrist nearly stretched", _wrist_nearly_straight, _BENDS),
     ),
     returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),

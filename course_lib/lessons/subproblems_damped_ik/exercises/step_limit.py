@@ -8,19 +8,29 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind, number
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
 
 # The eigenvalues of a square J are not its singular values.
 _SHAPES = (3, 6), (2, 2), (3, 3), (2, 4)
+
+
+def _nearly_equal(rng, gap):
+    """Return a Jacobian (2, 4) whose singular values are nearly the same."""
+    U, _, Vt = np.linalg.svd(rng.normal(size=(2, 4)), full_matrices=False)
+    return U * [1.0, 1 - gap] @ Vt
+
+
 JACOBIAN = Kind(
     drawn=lambda rng: rng.normal(size=(2, 4)),
     named=lambda rng: [
         np.diag([2.0, 1.0]),
+        np.diag([1.0, 2.0]),
         np.array([[0.0, -1, -1, -1], [4, 3, 2, 1]]),
         *(rng.normal(size=shape) for shape in _SHAPES),
     ],
+    beside=(("nearly equal singular values", _nearly_equal, SMALL),),
     small=True,
 )
 DAMPING = number(0.3, 5, 1.0, 0.01, 50.0).but(

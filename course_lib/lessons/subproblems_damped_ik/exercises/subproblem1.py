@@ -36,6 +36,8 @@ def _cases(rng):
     plain = [(Z, X, Y), (Z, Y, X), (Z, X, X), (Z, X, 0 - X), (Y, Z, X), (0 - X, Y, Z)]
     there = 2 * X + 3 * Y  # |there|^2 / (|there| |there|) comes out above 1
     heights = [(Z, X + 2 * Z, Y + 2 * Z), (Z, there, there)]
+    # Points in whole numbers, whose parts across the axis are not whole.
+    whole = [(np.array([0.6, 0.8, 0]), np.array([1.0, 2, 3]), np.array([3.0, 1, 2]))]
     reached = []
     for angle in (
         some_angle(rng, 1),
@@ -53,7 +55,7 @@ def _cases(rng):
         (k, p, g + 1.5 * across(k, g)),
     ]
     missed += [(k, 100 * p, 30 * unit(rng) + 70 * across(k, g)), (k, g + 2 * k, p - 2 * k)]
-    return plain + heights + reached + missed + [(Z, 2 * Z, X), (Z, X, 0 - Z)]
+    return plain + heights + whole + reached + missed + [(Z, 2 * Z, X), (Z, X, 0 - Z)]
 
 
 def _rotating_by(angle):

@@ -73,9 +73,11 @@ def _cases(rng):
     def large(sign):
         return sign * rng.uniform(1.9, 2.8)
 
+    whole = np.array([3.0, 4, 2])
     meeting = [
         (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -2, 1])),
         (Z, _ANGLED, np.array([0.0, 5, 2]), rotated(_ANGLED, 1.0, np.array([3.0, 4, 2]))),
+        (Z, _ANGLED, rotated(Z, 0.8, rotated(_ANGLED, 1.0, whole)), whole),
         _meeting(rng, 0.0, (small(1), small(-1)), 1.0),
         _meeting(rng, 0.5, (large(1), small(1)), 1.0),
         _meeting(rng, 0.7, (small(-1), large(1)), 2.0),

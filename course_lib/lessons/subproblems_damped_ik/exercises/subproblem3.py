@@ -75,6 +75,13 @@ def _small(rng, size):
     return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
 
 
+def _nearly_level(rng, size):
+    """Points whose heights along the axis are nearly the same."""
+    k, p, g, _ = _reachable(rng, 0.8, 1.1, 1)
+    g = shared.at_height(k, g, k @ p + size)
+    return k, p, g, float(np.linalg.norm(rotated(k, angle_about(k, p, g) + 0.8, p) - g))
+
+
 def _beyond(side):
     """Distances just below the smallest, or just above the largest, that p comes to."""
 
@@ -140,6 +147,7 @@ EXERCISE = Exercise(
         _within(-1),
         Sweep("a negative distance, nearly 0", _negative, _NEGATIVE),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+        Sweep("points nearly at one height", _nearly_level, SMALL_NUMBERS),
         shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 1),
     ),
     properties=shared.all_of_them(

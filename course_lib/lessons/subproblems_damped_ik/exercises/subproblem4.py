@@ -59,6 +59,13 @@ def _small(rng, size):
     return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
 
 
+def _nearly_level(rng, size):
+    """A point whose height along the axis is nearly 0."""
+    k, h, p, _ = _reachable(rng, 0.8, 1.1, 1)
+    p = shared.at_height(k, p, size)
+    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + 0.8, p))
+
+
 def _beyond(side):
     """Heights just above the highest, or below the lowest, that p comes to."""
 
@@ -117,6 +124,7 @@ EXERCISE = Exercise(
         _within(1),
         _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
+        Sweep("a point nearly at height 0", _nearly_level, SMALL_NUMBERS),
         shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 2),
         shared.near_the_origin(lambda rng: _beyond(1).case(rng, 1e-3), 0, 1, 1, 2),
     ),

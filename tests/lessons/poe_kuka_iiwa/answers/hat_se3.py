@@ -29,3 +29,12 @@ def wrong_slow_is_still(twist):
     if np.linalg.norm(twist[:3]) > 1e-9:
         V[:3, :3] = hat(twist[:3])
     return V
+
+
+def wrong_nearly_a_unit_vector(twist):
+    """the block is not [omega]"""
+    V = right_filled_in(np.asarray(twist, float)).real
+    length = np.linalg.norm(twist[:3])
+    if abs(length - 1) < 1e-3:
+        V[:3, :3] /= length
+    return V

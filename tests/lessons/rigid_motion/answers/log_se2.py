@@ -34,3 +34,9 @@ def wrong_series_used_too_far(T):
     if abs(omega) < 3e-4:
         return np.array([omega, x + omega / 2 * y, y - omega / 2 * x])
     return right_linear_system(T)
+
+
+def wrong_arcsin_with_the_sign_of_the_cosine(T):
+    """unnamed"""
+    omega = np.arcsin(np.clip(T[1, 0], -1, 1))
+    return _twist(omega if T[0, 0] >= 0 else np.copysign(np.pi, omega) - omega, T)

@@ -28,3 +28,8 @@ def wrong_short_pi(angle):
 def wrong_float32(angle):
     """the seven digits of float32"""
     return np.float32(right_rounded(angle))
+
+
+def wrong_slightly_beyond_pi(angle):
+    """unnamed"""
+    return np.where(np.abs(angle) < np.pi + 1e-8, angle, right_rounded(angle))

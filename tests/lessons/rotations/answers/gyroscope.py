@@ -42,3 +42,21 @@ def wrong_rates_in_an_array_of_integers(R_0, log, dt, R_bi):
     for k, rate in enumerate(log):
         body_rates[k] = R_bi @ rate
     return right_in_the_bodys_axes(R_0, body_rates, dt, np.eye(3))
+
+
+def wrong_orientations_of_the_type_of_the_first(R_0, log, dt, R_bi):
+    """the answer is wrong for arrays of integers only"""
+    orientations = np.empty((len(log) + 1, 3, 3), dtype=R_0.dtype)
+    orientations[:] = right_in_the_bodys_axes(R_0, log, dt, R_bi)
+    return orientations
+
+
+def wrong_second_order_for_slow_samples(R_0, log, dt, R_bi):
+    """unnamed"""
+    orientations = [R_0]
+    for omega in log:
+        step = hat(R_bi @ omega * dt)
+        is_slow = np.abs(step).max() < 1e-3
+        factor = np.eye(3) + step + step @ step / 2 if is_slow else scipy.linalg.expm(step)
+        orientations.append(orientations[-1] @ factor)
+    return np.array(orientations)

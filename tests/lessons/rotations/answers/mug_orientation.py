@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from course_lib.rotations import rot_x, rot_y, rot_z
+
 
 def right_by_letters(R_bg, R_cg, R_cm):
     R_gc = R_cg.T
@@ -22,3 +24,11 @@ def wrong_stored_with_the_type_of_the_first_link(R_bg, R_cg, R_cm):
     R_bm = np.empty_like(R_bg)
     R_bm[:] = R_bg @ R_cg.T @ R_cm
     return R_bm
+
+
+def wrong_by_roll_pitch_and_yaw(R_bg, R_cg, R_cm):
+    """unnamed"""
+    R = R_cg.T @ R_cm
+    roll, yaw = np.arctan2(R[2, 1], R[2, 2]), np.arctan2(R[1, 0], R[0, 0])
+    pitch = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    return R_bg @ rot_z(yaw) @ rot_y(pitch) @ rot_x(roll)

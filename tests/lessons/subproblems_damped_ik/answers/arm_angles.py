@@ -96,3 +96,12 @@ def wrong_elbows_that_are_nearly_the_same(center):
 def wrong_nothing_near_the_axis_of_joint_1(center):
     """the list is empty although the target is within reach"""
     return right_by_subproblems(center) if np.hypot(*center[:2]) > 1e-3 else []
+
+
+def wrong_stretched_for_what_is_just_out_of_reach(center):
+    """joint angles are returned for a target out of reach"""
+    reach = np.linalg.norm(ELBOW - SHOULDER) + np.linalg.norm(WRIST - ELBOW)
+    ratio = np.linalg.norm(center - SHOULDER) / reach
+    if 1 < ratio < 1 + 1e-5:
+        return right_by_subproblems(SHOULDER + (center - SHOULDER) / ratio * (1 - 1e-9))
+    return right_by_subproblems(center)

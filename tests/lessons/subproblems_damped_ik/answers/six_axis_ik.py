@@ -64,3 +64,9 @@ def wrong_one_wrist_where_its_axes_are_nearly_the_same(T):
     """solutions are missing"""
     found = right_by_the_flange(T)
     return [q for k, q in enumerate(found) if abs(np.sin(q[4])) > 1e-3 or k % 2 == 0]
+
+
+def wrong_nothing_below_the_base(T):
+    """a subproblem finds nothing"""
+    center = T[:3, 3] - 0.072 * T[:3, 2]
+    return right_by_the_flange(T) if center[2] > 0 else []

@@ -37,3 +37,12 @@ def wrong_little_damping_left_out(J, eps):
 def wrong_at_least_some_damping(J, eps):
     """the smallest factor is not -1 at your limit"""
     return right_by_norm(J, max(eps, 1e-8))
+
+
+def wrong_few_power_iterations(J, eps):
+    """the smallest factor is not -1 at your limit"""
+    M, x = J @ J.T, np.arange(1.0, len(J) + 1)
+    for _ in range(200):
+        x = M @ x
+        x /= np.linalg.norm(x)
+    return 2 + 2 * eps / (x @ M @ x)

@@ -44,3 +44,10 @@ def wrong_allclose_to_the_axis(k, p, g):
     """unnamed"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     return 0.0 if np.allclose(a, 0) or np.allclose(b, 0) else right_by_matrices(k, p, g)
+
+
+def wrong_parts_across_of_the_type_of_the_points(k, p, g):
+    """the answer is wrong for arrays of integers only"""
+    a, b = np.empty_like(p), np.empty_like(g)
+    a[:], b[:] = p - (k @ p) * k, g - (k @ g) * k
+    return np.arctan2(k @ np.cross(a, b), a @ b)

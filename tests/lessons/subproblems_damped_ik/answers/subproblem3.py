@@ -84,3 +84,10 @@ def wrong_short_points(k, p, g, d):
     """the list is empty although there are solutions"""
     is_short = np.linalg.norm(p) * np.linalg.norm(g) < 1e-9
     return [] if is_short else right_by_substitution(k, p, g, d)
+
+
+def wrong_heights_that_are_nearly_the_same(k, p, g, d):
+    """the list holds something that is no solution"""
+    apart = k @ (p - g)
+    is_level = abs(apart) < 1e-3 * np.linalg.norm(p)
+    return right_by_substitution(k, p, g + apart * k if is_level else g, d)
