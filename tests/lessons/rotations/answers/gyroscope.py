@@ -45,14 +45,14 @@ def wrong_rates_in_an_array_of_integers(R_0, log, dt, R_bi):
 
 
 def wrong_orientations_of_the_type_of_the_first(R_0, log, dt, R_bi):
-    """the answer is wrong for arrays of integers only"""
+    """digits after the point are cut off"""
     orientations = np.empty((len(log) + 1, 3, 3), dtype=R_0.dtype)
     orientations[:] = right_in_the_bodys_axes(R_0, log, dt, R_bi)
     return orientations
 
 
 def wrong_second_order_for_slow_samples(R_0, log, dt, R_bi):
-    """unnamed"""
+    """small rotations are left out, or lose their digits"""
     orientations = [R_0]
     for omega in log:
         step = hat(R_bi @ omega * dt)

@@ -67,6 +67,6 @@ def wrong_one_wrist_where_its_axes_are_nearly_the_same(T):
 
 
 def wrong_nothing_below_the_base(T):
-    """a subproblem finds nothing"""
+    """the list is empty although the target is within reach"""
     center = T[:3, 3] - 0.072 * T[:3, 2]
     return right_by_the_flange(T) if center[2] > 0 else []
