@@ -49,7 +49,29 @@ def can_be_told(
     """
     if len(in_order) > MAX_STATEMENTS or sum(map(len, sources)) > MAX_CHARACTERS:
         return False
+    if any(patches(each.tree) for each in in_order if each.cell not in given):
+        return False
     return only_by_names(text for number, text in enumerate(sources) if number not in given)
+
+
+def patches(tree: ast.stmt) -> bool:
+    """Return whether a function in a statement changes attributes of what may be another's, as
+    np.abs = f does. Those of self are its own.
+
+    Examples
+    --------
+    >>> patches(ast.parse("def f(x):\\n    np.abs = x").body[0])
+    True
+    >>> patches(ast.parse("def f(x):\\n    x[0] = np.abs(x)").body[0])
+    False
+    """
+    definitions = (node for node in ast.walk(tree) if isinstance(node, DEFINITIONS))
+    inside = (node for definition in definitions for node in ast.walk(definition))
+    attributes = (node for node in inside if isinstance(node, ast.Attribute))
+    return any(
+        isinstance(node.ctx, ast.Store | ast.Del) and ast.unparse(node.value) != "self"
+        for node in attributes
+    )
 
 
 def only_by_names(sources: Iterable[str]) -> bool:
