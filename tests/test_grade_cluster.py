@@ -117,7 +117,9 @@ def test_workers_that_are_killed_old_late_or_without_bubblewrap(
     """The real grader on real workers gives the same bytes as on one machine, and no log shows the
     seed."""
     first, right = answers(solutions)
-    for student, content in {"a": book(first, right["nearest_so"]), "b": b"no JSON"}.items():
+    waits = "import time\ntime.sleep(15)"  # so that its worker is killed while it runs
+    contents = {"a": book(first, waits, right["nearest_so"]), "b": b"no JSON"}
+    for student, content in contents.items():
         hand_in(tmp_path / "in", f"{student}_01_rotations.ipynb").write_bytes(content)
     old = copied(tmp_path / "old", notebooks="01*")
     address = dask().address
