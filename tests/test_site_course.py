@@ -235,7 +235,7 @@ def test_every_link_leads_somewhere(course, parsed):
         ("adjoint", "Product of exponentials"),
         ("quaternion", "Rotations"),
         ("SO(3)", "Rotations"),
-        ("θ", "Subproblems"),
+        ("θ", "Rigid motion"),
         ("0.1222", "decomposition"),
         ("1.301", "Product of exponentials"),
         ("50,000", "decomposition"),
