@@ -19,7 +19,6 @@ from hostile.build import answers, book
 
 from course_lib.pack.grade.__main__ import main
 from course_lib.pack.grade.cluster import Cluster, Order, Task
-from course_lib.pack.grade.jail.sandbox import Limits
 
 STAND_IN = Path(__file__).with_name("grade_stand_in.py")
 SEED = "48151623421"
@@ -100,19 +99,32 @@ def written(folder):
     }
 
 
-def grading(worker):
-    """Return the processes below a worker once one of them is the jail of a submission, not the
-    one of the trial, which has other limits."""
+@pytest.fixture
+def given(monkeypatch):
+    """The submissions that have been given to workers so far; what they are asked before is not
+    among them."""
+    tasks, give = [], Cluster._give
+
+    def noted(cluster, task, worker):
+        give(cluster, task, worker)
+        if task.path:
+            tasks.append(task)
+
+    monkeypatch.setattr(Cluster, "_give", noted)
+    return tasks
+
+
+def jailed(worker):
+    """Return the processes below a worker if one of them is a jail."""
     below = psutil.Process(worker.pid).children(recursive=True)
-    for process in below:
-        with suppress(psutil.NoSuchProcess):  # it ends meanwhile
-            if process.name() == "bwrap" and str(Limits().scratch) in process.cmdline():
-                return below
+    with suppress(psutil.NoSuchProcess):  # one ends meanwhile
+        if any(process.name() == "bwrap" for process in below):
+            return below
     return None
 
 
 def test_workers_that_are_killed_old_late_or_without_bubblewrap(
-    dask, tmp_path, solutions, isolated, capsys
+    dask, tmp_path, solutions, isolated, given, capsys
 ):
     """The real grader on real workers gives the same bytes as on one machine, and no log shows the
     seed."""
@@ -127,7 +139,8 @@ def test_workers_that_are_killed_old_late_or_without_bubblewrap(
     dask(address, "--no-nanny", PYTHONPATH=str(old))
     dask(address, "--no-nanny", PATH=os.environ["PATH"].partition(":")[0])
     run = Run(tmp_path, address)
-    below = wait_for(lambda: grading(killed))
+    wait_for(lambda: given)
+    below = wait_for(lambda: jailed(killed))
     killed.kill()
     wait_for(lambda: not any(process.is_running() for process in below))
     late = dask(address)
