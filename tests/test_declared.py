@@ -43,8 +43,8 @@ def test_each_named_value_is_asked_among_ordinary_others():
     first = Kind(drawn=lambda rng: 0, named=lambda rng: [1, 2])
     second = Kind(drawn=lambda rng: 10, named=lambda rng: [11, 12])
     cases = cases_of((first, second), np.random.default_rng(0))
-    assert cases[:3] == [(1, 11), (2, 10), (0, 12)]
-    assert set(cases[3:]) == {(0, 10)}
+    assert cases[:5] == [(1, 11), (1, 10), (2, 10), (0, 11), (0, 12)]
+    assert set(cases[5:]) == {(0, 10)}
 
 
 def test_what_lies_beside_is_asked_among_ordinary_others():
