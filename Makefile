@@ -58,13 +58,14 @@ BIOME = $(shell command -v biome || ls node_modules/.bin/biome 2>/dev/null)
 BIOME_IS_MISSING = JavaScript is not checked, because Biome is not installed. To install it: \
 	npm install --no-save @biomejs/biome@2.6 (npm comes with Node.js)
 
-# The times hold for two processors of 2.1 GHz with three test processes.
+# The times hold for two processors (an AMD EPYC in 2026) with three test processes.
 WHAT_TEST_DOES = $(if $(filter-out no,$(ALL)),$(WHAT_ALL_DOES),$(WHAT_THE_SHORT_RUN_DOES)) Tests \
 	whose programs are not installed are skipped. To run only a part: make test ONLY=exp_so3
-WHAT_THE_SHORT_RUN_DOES = Running the linters, all notebooks and the quick tests. This takes about ten \
-	minutes of processor time, which is five on two quiet processors. To run all tests: make test ALL=yes.
-WHAT_ALL_DOES = Running the linters, all notebooks and all tests. This takes about half an hour on \
-	two processors, and longer on a busy machine.
+WHAT_THE_SHORT_RUN_DOES = Running the linters, all notebooks and the quick tests. This takes ten to \
+	fifteen minutes of processor time, which is six to nine on two quiet processors. To run all tests: \
+	make test ALL=yes.
+WHAT_ALL_DOES = Running the linters, all notebooks and all tests. This takes about 40 minutes on two \
+	processors, and longer on a busy machine.
 
 # Tests that are marked as slow (pyproject.toml) run with ALL=yes, and with ONLY if they have that name.
 WHICH_TESTS = $(if $(ONLY)$(filter-out no,$(ALL)),,-m "not slow")
