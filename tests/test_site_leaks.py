@@ -22,6 +22,13 @@ VERDICT = re.compile(
 )  # what only checks say, and their box
 
 
+def as_sphinx_reads_it(pages, site, *others):
+    """Make a site of pages as they are before Sphinx, with an empty sheet for the style of code."""
+    shutil.copytree(pages, site)
+    (site / "_static").mkdir(exist_ok=True)
+    (site / "_static/pygments.css").touch()
+
+
 @pytest.fixture(scope="module")
 def sites(tmp_path_factory):
     """What Sphinx reads, and the zip: for the site with solutions and for the one without."""
@@ -32,9 +39,7 @@ def sites(tmp_path_factory):
             "picture",
             lambda output, kind, name, alt, folder: f'<img class="{name}" alt="{alt}">',
         )
-        patch.setattr(
-            builder, "_run_sphinx", lambda pages, site, *others: shutil.copytree(pages, site)
-        )
+        patch.setattr(builder, "_run_sphinx", as_sphinx_reads_it)
         builder.build(ROOT / "notebooks", folder / "yes")
         builder.build(ROOT / "notebooks", folder / "no", solutions=False)
     return {"yes": folder / "yes", "no": folder / "no"}
