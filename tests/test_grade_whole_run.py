@@ -6,7 +6,12 @@ from hostile.build import NAME, SEED, book
 from course_lib.pack.grade.jail.statements import statements
 from course_lib.pack.grade.verdicts import submission
 from course_lib.pack.grade.verdicts.submission import grade
-from course_lib.pack.grade.verdicts.whole_run import idle_cells, is_settled, only_by_names
+from course_lib.pack.grade.verdicts.whole_run import (
+    can_be_told,
+    idle_cells,
+    is_settled,
+    only_by_names,
+)
 
 IMPORT = "import numpy as np"
 DOUBLE = "def double(x):\n    return 2 * x"
@@ -90,7 +95,58 @@ def test_the_same_import_in_two_cells_binds_one_thing():
     assert not settled("root", IMPORT, f"import mine as np\n{root}")
 
 
-@pytest.mark.parametrize("setting", ["np.seterr(all='raise')", "np.sqrt = abs"])
+CHANGED = "table = {'k': 1}", "def f(x):\n    return table['k'] * x"
+
+
+@pytest.mark.parametrize(
+    "others",
+    [
+        ("def change():\n    table['k'] = 2", "change()"),
+        ("def change():\n    table.update(k=2)", "change()"),
+        ("other = table\nother['k'] = 2",),
+        ("update = table.update", "update(k=2)"),
+        ("table.update(k=2)",),
+        ("f.table = 3",),
+    ],
+)
+def test_a_function_whose_table_another_cell_may_change_is_not_settled(others):
+    assert settled("f", *CHANGED)
+    assert not settled("f", *CHANGED, *others)
+
+
+def test_a_table_that_another_function_reads_is_not_settled():
+    read = "def g(x):\n    return table.get(x)"
+    assert settled("f", *CHANGED, given={0})
+    assert not settled("f", *CHANGED, read, given={0})
+
+
+def test_no_cell_is_idle_if_a_function_changes_something():
+    change = "def change():\n    table['k'] = 2"
+    assert idle(*CHANGED, "print(1)", given={2}) == {2}
+    assert idle(*CHANGED, change, "print(1)", given={3}) == set()
+
+
+def told(*sources):
+    return can_be_told(statements(sources), sources, ())
+
+
+@pytest.mark.parametrize(
+    "patch",
+    [
+        "np.abs = max",
+        "if True:\n    np.abs = max",
+        "def patch():\n    np.linalg.norm = max",
+        "del np.abs",
+    ],
+)
+def test_of_a_notebook_that_patches_a_module_nothing_can_be_told(patch):
+    assert told(IMPORT, DOUBLE)
+    assert not told(IMPORT, DOUBLE, patch)
+
+
+@pytest.mark.parametrize(
+    "setting", ["np.seterr(all='raise')", "def strict():\n    np.seterr(all='raise')"]
+)
 def test_a_setting_of_the_student_s_may_change_a_function(setting):
     root = "def root(x):\n    return np.sqrt(x)"
     assert not settled("root", IMPORT, root, setting)

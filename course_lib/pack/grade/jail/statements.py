@@ -199,9 +199,9 @@ def _looked_at(cell: int, place: int, tree: ast.stmt) -> Statement:
     _bound(tree, statement.binds)
     for node in _outside_scopes(tree):
         if isinstance(node, ast.Subscript | ast.Attribute) and not isinstance(node.ctx, ast.Load):
-            statement.changes |= _base(node)
+            statement.changes |= base_of(node)
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            statement.changes |= _base(node.func)
+            statement.changes |= base_of(node.func)
     if (
         isinstance(tree, ast.Expr)
         and isinstance(tree.value, ast.Call)
@@ -262,7 +262,7 @@ def _outside_scopes(tree: ast.AST) -> Iterator[ast.AST]:
             left += ast.iter_child_nodes(node)
 
 
-def _base(node: ast.AST) -> set[str]:
+def base_of(node: ast.AST) -> set[str]:
     """Return the name at the beginning of a.b[0].c, as a set."""
     while isinstance(node, ast.Subscript | ast.Attribute | ast.Call):
         node = node.func if isinstance(node, ast.Call) else node.value
@@ -271,4 +271,4 @@ def _base(node: ast.AST) -> set[str]:
 
 def _only_shows(call: ast.Call) -> bool:
     name = call.func.id if isinstance(call.func, ast.Name) else ""
-    return name in ("print", "show", "display") or "check" in _base(call.func)
+    return name in ("print", "show", "display") or "check" in base_of(call.func)

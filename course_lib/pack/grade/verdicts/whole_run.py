@@ -12,6 +12,7 @@ makes names in another way, by exec or in a file, shows it by its words.
 import ast
 import builtins
 import re
+import types
 import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
@@ -20,6 +21,7 @@ from course_lib.pack.grade.jail.statements import (
     IMPORTS,
     SIMPLE,
     Statement,
+    base_of,
     plain,
 )
 
@@ -36,6 +38,14 @@ OTHER_WAYS = {
 # longer one runs as a whole: to look at it takes a time that grows with the square of its length.
 MAX_STATEMENTS, MAX_CHARACTERS = 3_000, 200_000
 CHECK = "check"
+# The methods by which containers and arrays change themselves: what only the changing one of two
+# types has. Those of the library's objects return something new.
+CHANGING = {"fill", "put", "partition", "resize", "setflags", "byteswap"}.union(
+    *(
+        set(dir(kind)) - set(dir(lasting))
+        for kind, lasting in ((list, tuple), (set, frozenset), (dict, types.MappingProxyType))
+    )
+)
 CALLED_CHECK = re.compile(r"\bcheck\.\w+\(")  # in a cell at which the grader may ask
 DEFINITIONS = (*FUNCTIONS, ast.Lambda)  # what they read, they read when they are called
 
@@ -49,29 +59,11 @@ def can_be_told(
     """
     if len(in_order) > MAX_STATEMENTS or sum(map(len, sources)) > MAX_CHARACTERS:
         return False
-    if any(patches(each.tree) for each in in_order if each.cell not in given):
+    imported = _imported(in_order)
+    own = [statement for statement in in_order if statement.cell not in given]
+    if any(_assigned_inside(statement.tree) & imported for statement in own):
         return False
     return only_by_names(text for number, text in enumerate(sources) if number not in given)
-
-
-def patches(tree: ast.stmt) -> bool:
-    """Return whether a function in a statement changes attributes of what may be another's, as
-    np.abs = f does. Those of self are its own.
-
-    Examples
-    --------
-    >>> patches(ast.parse("def f(x):\\n    np.abs = x").body[0])
-    True
-    >>> patches(ast.parse("def f(x):\\n    x[0] = np.abs(x)").body[0])
-    False
-    """
-    definitions = (node for node in ast.walk(tree) if isinstance(node, DEFINITIONS))
-    inside = (node for definition in definitions for node in ast.walk(definition))
-    attributes = (node for node in inside if isinstance(node, ast.Attribute))
-    return any(
-        isinstance(node.ctx, ast.Store | ast.Del) and ast.unparse(node.value) != "self"
-        for node in attributes
-    )
 
 
 def only_by_names(sources: Iterable[str]) -> bool:
@@ -106,8 +98,15 @@ def idle_cells(
         Of its cells.
     given : iterable of int
         The numbers of the cells that are as students are given them. Those with a check are not
-        idle.
+        idle, and none is if a function of the student's, which it may call, changes something.
     """
+    given = set(given)
+    known, imported = _known(in_order, given), _imported(in_order)
+    functions = [
+        each for each in in_order if each.cell not in given and isinstance(each.tree, FUNCTIONS)
+    ]
+    if any(_changes(each, known) - imported for each in functions):
+        return set()
     idle = {number for number in given if not CALLED_CHECK.search(sources[number])}
     left_by, in_cell = _places(in_order), {}
     for place, statement in enumerate(in_order):
@@ -150,13 +149,13 @@ def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int])
     """Return whether a function of this name is the same whenever it is asked.
 
     Each name that it reads, and that what it reads does, is bound by one statement, or by several
-    that bind the same, and changed by no other. The settings of the given cells, whose numbers are
-    given, only say how numbers are printed.
+    that bind the same, and no other statement changes what stands behind it. What can be changed,
+    such as a list, has no other reader among the student's statements, because one may pass it on.
     """
     bound_by, changed_by = _by_name(in_order, given)
     if "*" in bound_by:
         return False
-    reached, waiting = set(), [name]
+    reached, needed, waiting = set(), [], [name]
     while waiting:
         read = waiting.pop()
         if read in reached:
@@ -167,10 +166,36 @@ def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int])
             continue
         if not bindings or len({_what_it_binds(each, read) for each in bindings}) > 1:
             return False
-        if any(statement not in bindings for statement in changed_by.get(read, [])):
-            return False
+        needed += bindings
         waiting += bindings[0].reads
-    return True
+    others = [statement for statement in in_order if statement not in needed]
+    if any(statement in others for read in reached for statement in changed_by.get(read, [])):
+        return False
+    own_others = [statement for statement in others if statement.cell not in given]
+    return not any(
+        read in statement.reads
+        for read in reached & _changeable(needed)
+        for statement in own_others
+    )
+
+
+def _changeable(bindings: Iterable[Statement]) -> set[str]:
+    """Return the names that are bound to what can be changed: to all but functions, modules and
+    numbers or texts that are written down."""
+    lasting = (*FUNCTIONS, *IMPORTS)
+    return {
+        name
+        for statement in bindings
+        if not isinstance(statement.tree, lasting) and not _is_constant(statement.tree)
+        for name in statement.binds
+    }
+
+
+def _is_constant(tree: ast.stmt) -> bool:
+    if not isinstance(tree, ast.Assign):
+        return False
+    parts = (ast.Constant, ast.UnaryOp, ast.BinOp, ast.operator, ast.unaryop)
+    return all(isinstance(node, parts) for node in ast.walk(tree.value))
 
 
 def _what_it_binds(statement: Statement, name: str) -> str:
@@ -185,13 +210,19 @@ def _what_it_binds(statement: Statement, name: str) -> str:
 
 
 def _by_name(in_order: Sequence[Statement], given: Collection[int]) -> tuple[dict, dict]:
-    """Return {name: statements that bind it} and {name: statements that change it}."""
-    bound_by, changed_by, imported = {}, {}, _imported(in_order)
+    """Return {name: statements that bind it} and {name: statements that change it}.
+
+    The settings of the given cells only say how numbers are printed.
+    """
+    bound_by, changed_by = {}, {}
+    known, imported = _known(in_order, given), _imported(in_order)
     for statement in in_order:
         for name in statement.binds:
             bound_by.setdefault(name, []).append(statement)
-        settings = set() if statement.cell in given else _settings(statement.tree)
-        for name in (statement.changes - imported) | settings:
+        changes = statement.changes - imported
+        if statement.cell not in given:
+            changes |= _changes(statement, known) - imported | _settings(statement.tree)
+        for name in changes:
             changed_by.setdefault(name, []).append(statement)
     return bound_by, changed_by
 
@@ -201,24 +232,43 @@ def _imported(in_order: Sequence[Statement]) -> set[str]:
     return {name for statement in imports for name in statement.binds}
 
 
+def _assigned_inside(tree: ast.stmt) -> set[str]:
+    """Return the names whose attributes or items a statement, or a function in it, assigns to or
+    deletes."""
+    parts = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute | ast.Subscript))
+    return {name for node in parts if not isinstance(node.ctx, ast.Load) for name in base_of(node)}
+
+
+def _changes(statement: Statement, known: Collection[str]) -> set[str]:
+    """Return the names of the notebook that a statement, or a function in it, may change: it
+    assigns to a part of them, or calls a method.
+
+    known: the names that only given cells bind, whose methods are known.
+    """
+    calls = (node for node in ast.walk(statement.tree) if isinstance(node, ast.Call))
+    methods = (call.func for call in calls if isinstance(call.func, ast.Attribute))
+    owners = {
+        name
+        for method in methods
+        for name in base_of(method)
+        if method.attr in CHANGING or name not in known
+    }
+    return (_assigned_inside(statement.tree) | owners) & statement.reads - {CHECK}
+
+
+def _known(in_order: Sequence[Statement], given: Collection[int]) -> set[str]:
+    """Return the names that only given cells bind, and imported ones."""
+    own = {name for each in in_order if each.cell not in given for name in each.binds}
+    return {name for each in in_order for name in each.binds} - own | _imported(in_order)
+
+
 def _settings(tree: ast.stmt) -> set[str]:
-    """Return the name whose attribute a statement assigns to, or of which it only calls a method,
-    as np.seterr(all="raise") does."""
-    targets = []
-    if isinstance(tree, ast.Assign):
-        targets = tree.targets
-    elif isinstance(tree, ast.AugAssign | ast.AnnAssign):
-        targets = [tree.target]
-    elif isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Call):
-        targets = [tree.value.func]
-    names = set()
-    for target in targets:
-        inside = target
-        while isinstance(inside, ast.Attribute | ast.Subscript):
-            inside = inside.value
-        if inside is not target and isinstance(inside, ast.Name):
-            names.add(inside.id)
-    return names - {CHECK}
+    """Return the names of which a statement, or a function in it, calls a method for its effect, as
+    np.seterr(all="raise") does."""
+    results = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
+    calls = (value for value in results if isinstance(value, ast.Call))
+    methods = (call.func for call in calls if isinstance(call.func, ast.Attribute))
+    return {name for method in methods for name in base_of(method)} - {CHECK}
 
 
 def _words(source: str) -> set[str]:
