@@ -124,8 +124,8 @@ def pytest_xdist_auto_num_workers():
     )
 
 
-# A sandbox, a browser, a cluster, a copy of the course and its sites, and programs that are killed at
-# each of their steps take seconds, whatever the test does with them.
+# A sandbox, a browser, a cluster, a copy of the course and its sites, and programs that are killed
+# at each of their steps take seconds, whatever the test does with them.
 SLOW = {"isolated", "browser", "course", "sites", "dask", "killed_updates"}
 
 

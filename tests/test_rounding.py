@@ -97,7 +97,7 @@ ROUNDED_IN_FIGURES = re.compile(
 
 
 def test_figures_round_by_one_rule():
-    """Rounded otherwise, 1.875 is 1.87 on one processor and 1.88 on another, and -0.001 is -0.00."""
+    """Otherwise 1.875 is 1.87 on one processor and 1.88 on another, and -0.001 is -0.00."""
     course = TESTS.parent / "course_lib"
     files = {*course.glob("figures/**/*.py"), *course.glob("lessons/*/*.py")}
     files -= {course / "figures/digits.py"}

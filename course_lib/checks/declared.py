@@ -18,6 +18,7 @@ from course_lib.checks.vocabulary import compared, first_off
 
 # Below this an error of a thousandth comes near the rounding of numbers near 1.
 _SMALLEST = 0.99e-12
+_NEARLY = 1000  # times the allowed error: an answer so near is told which error is allowed
 
 
 def declared(
@@ -121,8 +122,8 @@ def declared(
         text = (found or in_words)(value, *case)
         right = right_answer(*case)
         error = error_of(right, *case)
-        if " off by " in text and distance(value, right, *case) < 1000 * error:
-            text += f" Here it may be off by {error:.1g} at most."
+        if distance(value, right, *case) < _NEARLY * error:
+            text += f" Here the error may be {error:.1g} at most."
         return text
 
     return Exercise(

@@ -234,9 +234,8 @@ class Exercise:
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         first = next((i for i, answer in enumerate(answers) if "error" in answer), None)
         if first is not None:
-            return self._mistake_in_earlier_case(first, cases, answers) or self._stopped_by_error(
-                first, cases, answers
-            )
+            named = self._mistake_in_earlier_case(first, cases, answers)
+            return named or self._stopped_by_error(first, cases, answers)
         values = [answer["value"] for answer in answers]
         if self.broken and self._is_unchanged(cases, values):
             return Verdict(self, UNCHANGED)
@@ -277,10 +276,8 @@ class Exercise:
         return replace(verdict, credit=credit)
 
     def _verdict_on_form(self, position, cases, answers, other_kind):
-        value, mistake = (
-            answers[position]["value"],
-            self._mistake_of_form(other_kind, cases[position]),
-        )
+        value = answers[position]["value"]
+        mistake = self._mistake_of_form(other_kind, cases[position])
         if mistake is None:
             mistake = Naming(self, cases, []).of_other_form(position, value) or other_kind.mistake
         credit = self._credit(cases, answers)

@@ -159,7 +159,7 @@ EXERCISE = declared(
         "code with the task, number by number.",
     ),
     sweeps=tuple(
-        Sweep(f"{half} beside the bound", _beside_the_bound(half), _BESIDE_THE_BOUND)
+        Sweep(f"{half} next to the bound", _beside_the_bound(half), _BESIDE_THE_BOUND)
         for half in ("metres", "radians")
     ),
     hints=(

@@ -88,7 +88,7 @@ def _of_size(rng, n):
 
 
 def _small_weight(rng, size):
-    """Return a case with a weight that is small beside the others, and counts."""
+    """Return a case with a weight that is small compared with the others, and counts."""
     weights = _uneven(rng, 5)
     weights[0] = size
     return noisy(rng, weights, 0.6)
@@ -188,7 +188,7 @@ EXERCISE = Exercise(
     sweeps=(
         Sweep("the number of points", _of_size, tuple(n for n in SIZES if n > 2)),
         Sweep("points nearly in a plane", nearly_in_a_plane),
-        Sweep("a weight that is small beside the others", _small_weight, _SMALL_WEIGHTS),
+        Sweep("a weight that is small compared with the others", _small_weight, _SMALL_WEIGHTS),
         Sweep("small coordinates, and a pose nearly the identity", _small, SMALL_NUMBERS),
     ),
     broken=_broken,

@@ -35,7 +35,7 @@ and this process (Conversation.say) sends
     library     a cell's call of a function of the checks, as JSON text; an answer follows
     ran         true: the cells have run; requests follow, until the pipe is closed
 
-    exercise    the name of the exercise that was asked; beside it stands one of these:
+    exercise    the name of the exercise that was asked, together with one of these:
     - call      an answer's call of a function that the grader answers; an answer follows
     - reply     the answers, JSON text as of call_student.reply
     - ended     why there is no reply, or "" if the child process ended; with `status`, its exit

@@ -169,7 +169,7 @@ def _carry_answer(
         return Result(ANSWER, name, NOT_CARRIED, reason, number)
     of_its_kind = [cell for cell in written if cell.kind == place.kind]
     if of_its_kind:
-        # What was kept beside the answer, for instance as a raw cell, is a cell of the student's.
+        # What was kept next to the answer, for instance as a raw cell, is a cell of the student's.
         for cell in written:
             if cell not in of_its_kind:
                 del places[cell.number]
