@@ -30,8 +30,8 @@ def test_the_table_takes_its_place_in_the_readme(monkeypatch, tmp_path):
     bench.main([])
     text = bench.README.read_text(encoding="utf-8")
     assert text.startswith(
-        f"before\n\n{bench.BEGIN}\n| | time for one | beside | ratio |\n|---|---|---|---|\n| Twice "
-        f"| "
+        f"before\n\n{bench.BEGIN}\n| | time for one | compared with | ratio |\n|---|---|---|---|\n"
+        "| Twice | "
     )
     versions = f"numpy {np.__version__}, scipy {scipy.__version__}"
     assert text.endswith(f"With {versions},\non {bench.processor()}.\n\n{bench.END}\nafter\n")

@@ -85,7 +85,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     poses = parser.parse_args(arguments).poses
     peers, missing = installed()
-    lines = ["| | time for one | beside | ratio |", "|---|---|---|---|"]
+    lines = ["| | time for one | compared with | ratio |", "|---|---|---|---|"]
     for task in tasks(peers, poses or POSES):
         print(task.title, "...", flush=True)
         seconds, share_of = shares(task)
