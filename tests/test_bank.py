@@ -140,7 +140,7 @@ def called(verdict):
     """Return the words by which a verdict calls the mistake; for an error in the code, the words
     that describe it."""
     if verdict.state == ERROR:
-        return verdict.reason
+        return str(verdict.reason)
     return verdict.mistake.name if verdict.mistake else "unnamed"
 
 

@@ -18,6 +18,7 @@ from toy_exercises import NEAREST_SO, right
 
 from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
+from course_lib.checks.call_student import TOGETHER
 from course_lib.checks.errors import explain_error
 from course_lib.checks.exercise import ERROR, RIGHT, WRONG, LocalFunction, judge
 from course_lib.checks.messages import describe
@@ -274,8 +275,7 @@ def test_calls_that_are_slow_only_in_sum_are_not_blamed_singly():
 
 def test_panda_ik_says_when_only_its_calls_together_are_slow():
     exercise = panda_dh_ik.panda_ik.exercise
-    message = "more than 20 seconds of computing in several calls together"
-    *_, mistake, _ = explain_error(exercise, {"type": "TimeUp", "message": message})
+    *_, mistake, _ = explain_error(exercise, {"type": "TimeUp", "message": TOGETHER})
     assert "no single call takes very long" in mistake.name
 
 

@@ -28,8 +28,9 @@ from course_lib.checks.exercise import (
 from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.naming import KEPT_FOR_AN_ARRAY
+from course_lib.checks.reasons import Misjudges
 from course_lib.checks.special_cases import MadeCase, Sweep
-from course_lib.checks.write_test import Version, _kinds
+from course_lib.checks.write_test import Version
 
 
 class Forged:
@@ -142,10 +143,10 @@ def test_versions_that_slip_through_cost_points_in_proportion():
 
 @pytest.mark.parametrize("kinds", ["a", "ab", "aab", "abcd", "abcdd", "abcde", "aabbccddee"])
 def test_named_and_other_versions_add_up(kinds):
-    versions = [Version(f"that is {kind}", abs) for kind in kinds]
-    text = _kinds(versions)
+    missed = [f"that is {kind}" for kind in kinds]
+    text = str(Misjudges([], missed, n_right=3, n_wrong=len(missed)))
     others = re.search(r"and (\d+) others?\)", text)
-    assert text.count("one that") + int(others[1] if others else 0) == len(versions)
+    assert text.count("one that") + int(others[1] if others else 0) == len(missed)
     assert text.count("; ") == text.count("one that") - 1 + bool(others)
 
 
@@ -177,7 +178,7 @@ def test_a_test_that_fails_on_a_right_version_says_where():
 
 @pytest.mark.parametrize(("times", "state"), [(90, RIGHT), (101, ERROR)])
 def test_a_test_may_try_many_inputs_but_not_call_without_an_end(monkeypatch, times, state):
-    monkeypatch.setattr("course_lib.checks.call_student._MAX_CALLS", 100)
+    monkeypatch.setattr("course_lib.checks.call_student.MAX_CALLS", 100)
 
     def tries(log):
         for _ in range(times):

@@ -369,7 +369,7 @@ def test_columns_in_reverse_order_are_called_columns():
 
 
 def test_a_nearly_equal_height_is_shown_with_its_difference():
-    text = reached(0.25, "height", 1.332365741, 1.3323657483)
+    text = str(reached(0.25, "height", 1.332365741, 1.3323657483))
     assert text.endswith("the height is 1.33237; d is 1.33237, which differs by 7.3e-09.")
     assert reached(0.25, "height", 1.5, 1.25).endswith("the height is 1.5; d is 1.25.")
 

@@ -305,7 +305,9 @@ def test_an_argument_that_is_kept_from_the_first_call_is_named():
 @pytest.mark.parametrize("gap", [3e-5, 4e-9, 2e-13])
 def test_two_rows_of_numbers_are_shown_with_the_digits_in_which_they_differ(gap):
     right = np.array([1.0, 2.5, 1e-17])
-    wanted, yours = compared(right, right + np.array([0, gap, 0])).split("; yours is ")
+    finding = compared(right, right + np.array([0, gap, 0]))
+    wanted, yours = str(finding).split("; yours is ")
+    assert np.isclose(finding.off_by, gap, rtol=0.01)
     assert wanted != yours.split(", off by ")[0]
     assert yours.endswith(f", off by {gap:.2g}")
 

@@ -34,7 +34,7 @@ def boolean(value, *case):
     """
     array = _array(value, "True or False")
     if array.size != 1 or array.item() not in (0, 1):
-        raise Unreadable(f"the answer is True or False. Yours is {_form(array)}.", OTHER_FORM)
+        raise Unreadable("the answer is True or False", f"Yours is {_form(array)}.", OTHER_FORM)
     return bool(array.item())
 
 
@@ -71,8 +71,12 @@ def numbers(shape_of, gaps=False, exact=False):
         )
         number = shape == () and array.size == 1
         if array.shape != shape and (exact or not (vectors or number)):
-            reason = f"the answer is an array of shape {shape}. Yours has shape {array.shape}."
-            raise Unreadable(reason, OTHER_FORM, array=array.real)
+            raise Unreadable(
+                f"the answer is an array of shape {shape}",
+                f"Yours has shape {array.shape}.",
+                OTHER_FORM,
+                array=array.real,
+            )
         return _finite(array, gaps).reshape(shape)
 
     return reader
@@ -107,11 +111,17 @@ def rows(width, expected, most=16):
         one_item = array.ndim <= 1 and array.size == width
         column = width == 1 and array.size == max(array.shape, default=1)
         if array.size and not (one_item or column or array.shape[1:] in ((width,), (width, 1))):
-            reason = f"the answer is {expected}. Yours is {_form(array)}."
-            raise Unreadable(reason, OTHER_FORM, array=array.real)
+            raise Unreadable(
+                f"the answer is {expected}",
+                f"Yours is {_form(array)}.",
+                OTHER_FORM,
+                array=array.real,
+            )
         if array.size > most * width:
             raise Unreadable(
-                f"the answer is {expected}. Yours has {array.size // width} of them.", OTHER_FORM
+                f"the answer is {expected}",
+                f"Yours has {array.size // width} of them.",
+                OTHER_FORM,
             )
         items = _finite(array).reshape(array.size // width, width)
         return items[:, 0] if width == 1 else items
@@ -125,13 +135,14 @@ def _finite(array, gaps=False):
     if array.dtype.kind == "c":
         if np.abs(array.imag).max(initial=0) > 0:
             raise Unreadable(
-                "the answer's entries are real numbers. Yours are complex.", OTHER_FORM
+                "the answer's entries are real numbers", "Yours are complex.", OTHER_FORM
             )
         array = array.real
     array = array.astype(float)
     if not gaps and not np.isfinite(array).all():
         raise Unreadable(
-            "every entry of the answer is a number. Yours holds nan or inf.",
+            "every entry of the answer is a number",
+            "Yours holds nan or inf.",
             NOT_A_NUMBER,
             not_a_number=True,
         )
@@ -143,10 +154,12 @@ def _array(value, expected):
         array = np.asarray(value)
     except ValueError:
         kind = f"a {type(value).__name__} whose parts differ in shape"
-        raise Unreadable(f"the answer is {expected}. Yours is {kind}.", OTHER_FORM) from None
+        raise Unreadable(f"the answer is {expected}", f"Yours is {kind}.", OTHER_FORM) from None
     if array.dtype.kind not in "biufc":
         raise Unreadable(
-            f"the answer is {expected}. Yours is of type {type(value).__name__}.", OTHER_FORM
+            f"the answer is {expected}",
+            f"Yours is of type {type(value).__name__}.",
+            OTHER_FORM,
         )
     return array
 

@@ -25,10 +25,10 @@ from course_lib.checks.right_ones import namespace_of, right_ones, written_funct
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
-# Of an error: no single call used up the time. How many calls it takes depends on the machine, and
-# grading compares messages, so the number is not said.
-CALLS_TOGETHER = "in several calls together"
-_MAX_CALLS = 5_000  # of one candidate, by a test; the tasks say so
+# The bound that an error of type TimeUp names as its message. With TOGETHER, no single call used up
+# the time: how many calls it takes depends on the machine, so their number is not said.
+ALONE, TOGETHER, TOO_MANY_CALLS = BOUNDS = "one call", "calls together", "too many calls"
+MAX_CALLS = 5_000  # of one candidate, by a test; the tasks say so
 _MAX_WARNING = 300  # characters of a warning or an error's message
 _MODULES_OF_CHECKS = ("course_lib.lessons.", "course_lib.checks.")
 ENDS_ALL = ("TimeUp", "NotAllowed", "KeyboardInterrupt")  # errors after which no case is asked
@@ -86,8 +86,7 @@ def reply(
     stand_ins = {
         name: _StandIn(name, consult, arguments) for name, arguments in (instead or {}).items()
     }
-    too_long = f"more than {asked['seconds']} seconds of computing"
-    answers, last = [], _error("TimeUp", too_long)
+    answers, last = [], _error("TimeUp", ALONE)
     in_place, arguments, results = set(asked.get("in_place", ())), [], []
     with contextlib.ExitStack() as stack:
         stack.enter_context(contextlib.suppress(TimeUp))
@@ -97,7 +96,7 @@ def reply(
         refused = stack.enter_context(
             _forbidden_replaced(asked["forbidden"], function, asked["exercise"])
         )
-        start_again = stack.enter_context(cpu_clock(asked["seconds"], TimeUp, too_long))
+        start_again = stack.enter_context(cpu_clock(asked["seconds"], TimeUp, ALONE))
         for position, case in enumerate(cases):
             if any(isinstance(argument, Candidate) for argument in case):
                 start_again()  # a test has its time for each candidate, as in grading
@@ -114,8 +113,8 @@ def reply(
             if error.get("type") in ENDS_ALL:
                 # The clock runs for all cases. A call that took little of the time is not to blame.
                 in_this_call = time.process_time() - began
-                if error.get("message") == too_long and in_this_call < asked["seconds"] / 2:
-                    error["message"] = f"{too_long} {CALLS_TOGETHER}"
+                if error.get("message") == ALONE and in_this_call < asked["seconds"] / 2:
+                    error["message"] = TOGETHER
                 last = answers[-1]
                 break
         _mark_overwritten(answers, results)
@@ -274,7 +273,7 @@ def _students_line(raised, function):
 
 
 class TimeUp(BaseException):
-    """The CPU time for all cases, or the calls, are used up.
+    """The CPU time for all cases, or the calls, are used up; its text is one of BOUNDS.
 
     Not an Exception, which `except Exception` swallows.
     """
@@ -315,8 +314,8 @@ class _StandIn:
 
     def __call__(self, *arguments, **named):
         self._calls += 1
-        if self._calls > _MAX_CALLS and not self._names:
-            raise TimeUp(f"more than {_MAX_CALLS:,} calls of the function that it tests")
+        if self._calls > MAX_CALLS and not self._names:
+            raise TimeUp(TOO_MANY_CALLS)
         further = self._names[len(arguments) :]
         arguments += tuple(named.pop(name) for name in further if name in named)
         if named:

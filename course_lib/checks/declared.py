@@ -115,16 +115,16 @@ def declared(
         right = right_answer(*case)
         if right.ndim == 2:
             return first_off(value, right)
-        return f"The right answer is {compared(right, value)}."
+        return "The right answer is " + compared(right, value) + "."
 
     def remark(value, *case):
         """Return what was found and, where it is nearly right, which error is allowed."""
-        text = (found or in_words)(value, *case)
+        finding = (found or in_words)(value, *case)
         right = right_answer(*case)
         error = error_of(right, *case)
         if distance(value, right, *case) < _NEARLY * error:
-            text += f" Here the error may be {error:.1g} at most."
-        return text
+            finding += f" Here the error may be {error:.1g} at most."
+        return finding
 
     return Exercise(
         name=name,

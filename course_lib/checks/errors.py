@@ -2,8 +2,9 @@
 
 import re
 
-from course_lib.checks.call_student import CALLS_TOGETHER
+from course_lib.checks.call_student import ALONE, CPU_SECONDS, TOGETHER, TOO_MANY_CALLS
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import CallsForbidden, Fails, OutOfTime, Raised, WaitsFor
 
 UNWRITTEN = "Write {} here."  # the message of the line that replaces an answer not yet written
 
@@ -75,10 +76,10 @@ _TOO_MANY_CALLS = Mistake(
     "the test calls the function more often than the task allows",
     "Count the calls. The passes of loops inside each other multiply.",
 )
-_OUT_OF_TIME = {  # words of the message, and the mistake; the first that fits
-    "calls of the function": _TOO_MANY_CALLS,
-    CALLS_TOGETHER: _TOO_LONG_TOGETHER,
-    "": _TOO_LONG,
+_OUT_OF_TIME = {
+    ALONE: _TOO_LONG,
+    TOGETHER: _TOO_LONG_TOGETHER,
+    TOO_MANY_CALLS: _TOO_MANY_CALLS,
 }
 _DIVIDED = Mistake(
     "something is divided by zero",
@@ -148,41 +149,33 @@ def explain_error(exercise, error):
     ----------
     exercise : Exercise
     error : dict
-        "type" and "message", the name of the exception's type and its text; and, where they are
-        known, "line", "source" and "cell": the number and the text of the student's last line that
-        ran, and the function whose cell holds it if that is another one.
+        "type" and "message", the name of the exception's type and its text, which for TimeUp is the
+        bound that was reached; and, where they are known, "line", "source" and "cell": the number
+        and the text of the student's last line that ran, and the function whose cell holds it if
+        that is another one; and "seconds", the processor time that there was for all cases.
     """
     kind, message = error["type"], error["message"]
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
     if kind == "NotImplementedError":
         return "waits", _what_to_write_first(exercise.name, message), None, False
     if kind == "NotPlain":
-        return (
-            "wrong",
-            f"the answer is numbers, booleans, arrays or lists. Yours is {message}.",
-            None,
-            False,
-        )
+        kinds = "the answer is numbers, booleans, arrays or lists"
+        return "wrong", Fails(kinds, f"Yours is {message}."), None, False
     if kind == "NotAllowed":
         mistake = Mistake(f"{message} is called", "It does what you are asked to write here.")
-        return "wrong", "compute the answer yourself.", mistake, False
+        return "wrong", CallsForbidden(message), mistake, False
     if kind == "KeyboardInterrupt":
         return "error", f"{call} was interrupted.", None, False
     if kind == "NoNumber":
-        reason = (
-            "if the arguments are numbers, each entry of the answer is a number. One of yours is "
-            f"{message}."
-        )
-        return "wrong", reason, _ANOTHER_SYMBOL, False
+        holds = "if the arguments are numbers, each entry of the answer is a number"
+        return "wrong", Fails(holds, f"One of yours is {message}."), _ANOTHER_SYMBOL, False
     own = [mistake for mistake in exercise.mistakes if mistake.is_raised(kind, message)]
     if kind == "TimeUp":
-        of_any_exercise = next(
-            mistake for words, mistake in _OUT_OF_TIME.items() if words in message
-        )
-        mistake = own[0] if own else of_any_exercise
+        mistake = own[0] if own else _OUT_OF_TIME.get(message, _TOO_LONG)
         # The case in which the time of all calls together ends depends on the machine.
-        shows_case = CALLS_TOGETHER not in message
-        return "error", f"{call} took {message}.", mistake, shows_case
+        shows_case = message != TOGETHER
+        reason = OutOfTime(call, message, error.get("seconds", CPU_SECONDS))
+        return "error", reason, mistake, shows_case
     of_any_exercise = [
         mistake
         for known_kind, words, mistake in _KNOWN
@@ -193,26 +186,16 @@ def explain_error(exercise, error):
     if source.startswith("raise "):
         mistakes.append(_RAISED)
     mistake = mistakes[0] if mistakes else None
-    where = _line_that_raised(error) if source else f"Calling {call}"
-    exception = f"{kind}: {message}" if message else kind
+    reason = Raised(call, kind, message, source, error.get("cell", ""), error.get("line", ""))
     # A function that was called with symbols was not given the numbers of the case.
     shows_case = not exercise.through
-    return "error", f"{where} raises {exception}", mistake, shows_case
-
-
-def _line_that_raised(error):
-    """Return the student's line that raised an error, and whose cell holds it."""
-    cell = f"the cell of {error['cell']}" if error.get("cell") else "its cell"
-    return f"Line {error['line']} of {cell}, `{error['source']}`,"
+    return "error", reason, mistake, shows_case
 
 
 def _what_to_write_first(name, message):
-    """Return what to write first if the function calls another exercise that is not written yet;
+    """Return the reason WaitsFor if the function calls another exercise that is not written yet;
     else ""."""
     unwritten = re.fullmatch(UNWRITTEN.format(r"(\w+)"), message)
     if unwritten is None or unwritten[1] == name:
         return ""
-    return (
-        f"it calls {unwritten[1]}, which is not written yet. Write {unwritten[1]} first, then run "
-        "this check again."
-    )
+    return WaitsFor(unwritten[1])

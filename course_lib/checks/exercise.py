@@ -14,6 +14,7 @@ from course_lib.checks.errors import explain_error
 from course_lib.checks.format_numbers import ALL_DIGITS, SHOWN_DIGITS, as_shown
 from course_lib.checks.mistake import Mistake, Mistakes
 from course_lib.checks.naming import Naming
+from course_lib.checks.reasons import CannotBeRead, Fails, Finding
 from course_lib.checks.special_cases import InPlace, Sweep, made_cases
 from course_lib.checks.wire import NotPlain, from_json, write
 
@@ -50,7 +51,7 @@ class Property:
         holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at
         all answers together and returns the position of the first wrong one, or None.
     says : callable, optional
-        says(value, *arguments): a sentence on what was found instead.
+        says(value, *arguments): a sentence, or a Finding, on what was found instead.
     where : callable, optional
         where(*arguments): whether the property applies to this case.
     across : bool
@@ -244,7 +245,7 @@ class Exercise:
                 return _changed(self, answer["changed"][0], answer.get("change", ""), case, value)
             if value is None:
                 credit = self._credit(cases, answers)
-                reason = "your function returns its result."
+                reason = Fails("your function returns its result")
                 return Verdict(self, WRONG, reason, FORGOTTEN_RETURN, case, None, credit=credit)
         for position, case in enumerate(cases):
             try:
@@ -258,7 +259,7 @@ class Exercise:
                 return self._wrong(wanted, cases, answers, values, failing)
         overwritten = [k for k, answer in enumerate(answers) if answer.get("overwritten")]
         if overwritten:
-            reason = "a result stays as it is when the function is called again."
+            reason = Fails("a result stays as it is when the function is called again")
             case, value = cases[overwritten[0]], answers[overwritten[0]]["value"]
             return Verdict(self, WRONG, reason, SHARED_RESULT, case, value)
         warning = next((answer["warning"] for answer in answers if answer["warning"]), "")
@@ -271,7 +272,7 @@ class Exercise:
         credit = 0 if error["type"] == "NotAllowed" else self._credit(cases, answers)
         if credit and verdict.state == NOT_ATTEMPTED:
             return Verdict(
-                self, WRONG, "no case is left unwritten.", case=cases[position], credit=credit
+                self, WRONG, Fails("no case is left unwritten"), case=cases[position], credit=credit
             )
         return replace(verdict, credit=credit)
 
@@ -281,7 +282,8 @@ class Exercise:
         if mistake is None:
             mistake = Naming(self, cases, []).of_other_form(position, value) or other_kind.mistake
         credit = self._credit(cases, answers)
-        return Verdict(self, WRONG, str(other_kind), mistake, cases[position], value, credit=credit)
+        reason = other_kind.reason
+        return Verdict(self, WRONG, reason, mistake, cases[position], value, credit=credit)
 
     def _mistake_of_form(self, other_kind, case):
         """Return the Mistake that an answer of another form, or with nan in it, shows; None if none
@@ -297,21 +299,20 @@ class Exercise:
 
     def _wrong(self, wanted, cases, answers, values, failing):
         case, value = cases[failing[0]], values[failing[0]]
-        remark = attempt(wanted.says, value, *case) if wanted.says else None
-        reason = f"{wanted.text}." + (f" {remark}" if remark else "")
+        found = attempt(wanted.says, value, *case) if wanted.says else None
+        found = Finding() + (found or "")
         wrong = {*failing}.union(*(other.failing(cases, values) for other in self.properties))
         naming = Naming(self, cases, values)
-        says_how_far = any(words in reason for words in (" off by ", " differs by "))
-        if naming.looks_right(failing[0]) and not says_how_far:
-            reason += f" Your answer is off by {naming.distance(failing[0]):.1e}."
+        if naming.looks_right(failing[0]) and found.off_by is None:
+            gap = naming.distance(failing[0])
+            found += Finding(f" Your answer is off by {gap:.1e}.", gap)
         mistake = naming.mistake(failing, sorted(wrong)) or wanted.mistake
         if callable(mistake):
             mistake = attempt(mistake, value, *case)
         # A pair is shown as it was returned.
         shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value
-        return Verdict(
-            self, WRONG, reason, mistake, case, shown, credit=self._credit(cases, answers)
-        )
+        credit = self._credit(cases, answers)
+        return Verdict(self, WRONG, Fails(wanted.text, found), mistake, case, shown, credit=credit)
 
     def _credit(self, cases, answers):
         """Return the partial credit: points of the properties that hold wherever they apply,
@@ -359,14 +360,21 @@ class Exercise:
 class Unreadable(ValueError):
     """The answer has the wrong kind or shape.
 
-    The error holds what was expected and what was returned, and the Mistake.
-
-    array: the answer, if it is an array of another shape. not_a_number: whether it holds nan or
-    inf. Mistakes of the exercise that know such answers take the place of this one.
+    Parameters
+    ----------
+    holds, found : str
+        What should hold of the answer, a sentence without its end, and what was returned.
+    mistake : Mistake
+    array : ndarray, optional
+        The answer, if it is an array of another shape.
+    not_a_number : bool, optional
+        Whether it holds nan or inf. Mistakes of the exercise that know such answers take the place
+        of this one.
     """
 
-    def __init__(self, reason, mistake, array=None, not_a_number=False):
-        super().__init__(reason)
+    def __init__(self, holds, found, mistake, array=None, not_a_number=False):
+        self.reason = Fails(holds, found)
+        super().__init__(str(self.reason))
         self.mistake, self.array, self.not_a_number = mistake, array, not_a_number
 
 
@@ -379,8 +387,8 @@ class Verdict:
     exercise : Exercise
     state : str
         RIGHT, WRONG, ERROR, NOT_ATTEMPTED or UNCHANGED.
-    reason : str
-        What should hold, or what happened.
+    reason : str or one of reasons.py
+        What should hold, or what happened. str(reason) is its sentence.
     mistake : Mistake, optional
     case, answer : optional
         The simplest failing case and the answer given in it.
@@ -399,7 +407,7 @@ class Verdict:
 
     exercise: Exercise
     state: str
-    reason: str = ""
+    reason: object = ""
     mistake: Mistake | None = None
     case: tuple | None = None
     answer: object = None
@@ -501,7 +509,7 @@ def questions_of(exercise, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
 def judged(exercise, student, cases, asked, reply):
     """Return the Verdict on a reply to the questions of these cases; see judge."""
     try:
-        answers = _answers(reply, len(cases), exercise.arguments)
+        answers = _answers(reply, len(cases), exercise.arguments, asked["seconds"])
         with np.errstate(all="ignore"):  # a wrong answer may hold numbers of any size
             verdict = exercise.verdict(cases, answers)
             if verdict.state != WRONG or verdict.case is None:
@@ -512,7 +520,7 @@ def judged(exercise, student, cases, asked, reply):
 
 
 def _unreadable(exercise, problem):
-    return Verdict(exercise, ERROR, f"What came back cannot be read: {str(problem)[:200]}.")
+    return Verdict(exercise, ERROR, CannotBeRead(str(problem)[:200]))
 
 
 _CANNOT_BE_READ = (
@@ -525,9 +533,11 @@ _CANNOT_BE_READ = (
 )
 
 
-def _answers(reply, number, arguments):
-    """Return the answers in a reply to so many questions; raises if it cannot be read."""
-    answers = [_checked_answer(answer, arguments) for answer in json.loads(reply)["answers"]]
+def _answers(reply, number, arguments, seconds):
+    """Return the answers in a reply to so many questions, for which there were so many seconds;
+    raises if it cannot be read."""
+    replied = json.loads(reply)["answers"]
+    answers = [_checked_answer(answer, arguments, seconds) for answer in replied]
     if len(answers) != number:
         raise NotPlain("not one answer for each case")
     return answers
@@ -545,7 +555,7 @@ def _digits_that_replay(verdict, student, asked):
         return SHOWN_DIGITS[0]
     again = asked | {"cases": [list(form) for form in forms.values()], "in_place": []}
     reply = student.reply(write(again), None)
-    answers = _answers(reply, len(forms), exercise.arguments)
+    answers = _answers(reply, len(forms), exercise.arguments, asked["seconds"])
     for (digits, form), answer in zip(forms.items(), answers, strict=True):
         # A pose with few digits is none any more, and the library then raises an error.
         if "error" in answer or attempt(_passes, exercise, form, answer) is not False:
@@ -618,12 +628,13 @@ def no_answer(exercise, case, error):
     return Verdict(exercise, states[state], reason, mistake, case if shows_case else None)
 
 
-def _checked_answer(answer, arguments):
-    """Return an answer of call_student.reply with names in place of argument positions; raises for
-    anything else."""
+def _checked_answer(answer, arguments, seconds):
+    """Return an answer of call_student.reply with names in place of argument positions, and an
+    error with the seconds that there were; raises for anything else."""
     if "error" in answer:
         parts = ("type", "message", "line", "source", "cell")
-        return {"error": {key: str(answer["error"].get(key) or "")[:300] for key in parts}}
+        error = {key: str(answer["error"].get(key) or "")[:300] for key in parts}
+        return {"error": error | {"seconds": seconds}}
     changed = [arguments[int(position)] for position in answer["changed"]]
     return {
         "value": from_json(answer["value"]),
@@ -666,7 +677,6 @@ def _changed(exercise, name, change, case, value):
         "Which line of your code writes into an array or a list that is still the caller's "
         f"{name}?",
     )
-    reason = f"your function leaves {name} as it was."
-    if change:
-        reason += f" {name}{change}."
+    found = f"{name}{change}." if change else ""
+    reason = Fails(f"your function leaves {name} as it was", found)
     return Verdict(exercise, WRONG, reason, mistake, case, value)

@@ -35,9 +35,13 @@ def describe(verdict):
     -------
     str
     """
-    return "\n".join(
-        filter(None, (_explanation(verdict), _failing_case(verdict), _offer_of_hint(verdict)))
-    )
+    parts = (_headline(verdict), describe_details(verdict), _offer_of_hint(verdict))
+    return "\n".join(filter(None, parts))
+
+
+def describe_details(verdict):
+    """Return what a message says below its first line, without the offer of a hint."""
+    return "\n".join(filter(None, (_explanation(verdict), _failing_case(verdict))))
 
 
 # A matrix that is wrapped in a narrow window cannot be read, so its lines scroll instead.
@@ -52,7 +56,8 @@ def as_html(verdict):
     case = html.escape(_failing_case(verdict))
     if not case:
         return None
-    explanation, offer = (html.escape(part(verdict)) for part in (_explanation, _offer_of_hint))
+    above = "\n".join(filter(None, (_headline(verdict), _explanation(verdict))))
+    explanation, offer = html.escape(above), html.escape(_offer_of_hint(verdict))
     lines = (textwrap.wrap(line, _WIDTH) or [""] for line in describe(verdict).splitlines())
     if sum(map(len, lines)) <= _IN_VIEW:
         end = "\n" if offer else ""
@@ -75,8 +80,8 @@ def listed(names):
 # ---- its parts ----
 
 
-def _explanation(verdict):
-    """Return what a message says, and from which line a student goes on."""
+def _headline(verdict):
+    """Return the first line of a message."""
     exercise, mark = verdict.exercise, MARKS[verdict.state][0]
     if verdict.state == RIGHT:
         note = f" ({verdict.note})" if verdict.note else ""
@@ -95,11 +100,18 @@ def _explanation(verdict):
             "example whose "
             "answer you know."
         )
+    if verdict.state == ERROR:
+        return f"{mark} {exercise.name}: {ERROR}"
     earned = f", {verdict.credit} of {exercise.points} points so far" if verdict.credit else ""
-    lines = [
-        f"{mark} {exercise.name}: "
-        + (f"not right yet{earned}" if verdict.state == WRONG else verdict.state)
-    ]
+    return f"{mark} {exercise.name}: not right yet{earned}"
+
+
+def _explanation(verdict):
+    """Return what a message says of a wrong answer, and from which line a student goes on; or
+    ""."""
+    if verdict.state not in (WRONG, ERROR):
+        return ""
+    lines = []
     if verdict.instead:
         for name in verdict.instead:
             lines.append(f"Your {name}, which it calls, is not right yet.")
@@ -110,7 +122,7 @@ def _explanation(verdict):
         lines.append(f"Correct {verdict.blames} first, then run this check again.")
         return "\n".join(lines)
     if verdict.state == ERROR:
-        lines.append(verdict.reason)
+        lines.append(str(verdict.reason))
     if verdict.mistake is not None:
         lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
     if verdict.state == WRONG:
@@ -122,17 +134,16 @@ def _failing_case(verdict):
     """Return the arguments and the answer of the case that fails, or ""."""
     if verdict.case is None or verdict.blames:
         return ""
-    named = zip(verdict.exercise.arguments, verdict.case, strict=True)
-    blocks = [
-        _labelled("and " if i else "For ", f"{name} = ", value, digits=verdict.digits)
-        for i, (name, value) in enumerate(named)
-    ]
+    blocks = []  # (text, whether another may stand beside it)
+    for name, value in zip(verdict.exercise.arguments, verdict.case, strict=True):
+        before = "and " if blocks else "For "
+        text = _labelled(before, f"{name} = ", value, digits=verdict.digits)
+        blocks.append((text, not _is_long(value)))
     if verdict.state == WRONG:
         for i, part in enumerate(_wrong_parts(verdict)):
-            blocks.append(
-                _labelled("", "and " if i else "your answer is ", part, _first_wrong(verdict))
-            )
-    return "\n".join(itertools.chain(*_side_by_side(block.split("\n") for block in blocks)))
+            label = "and " if i else "your answer is "
+            blocks.append((_labelled("", label, part, _first_wrong(verdict)), not _is_long(part)))
+    return "\n".join(itertools.chain(*_side_by_side(blocks)))
 
 
 def _offer_of_hint(verdict):
@@ -176,12 +187,17 @@ def _first_wrong(verdict):
     return next((k for k, item in enumerate(right) if not same(answer[k], item)), 0)
 
 
+def _is_long(value):
+    """Return whether one item of a value is shown only, in a sentence of its own."""
+    return isinstance(value, np.ndarray) and value.size > _LONG
+
+
 def _labelled(before, label, value, item=0, digits=SHOWN_DIGITS[0]):
     """Write a value beside its label, its further lines indented below the first; of a long array
     one item."""
     if hasattr(value, "number"):
         text = f"numpy.random.default_rng({value.number})"
-    elif isinstance(value, np.ndarray) and value.size > _LONG:
+    elif _is_long(value):
         which = f"whose item [{item}] is" if item else "that begins with"
         return f"{before}{label}an array of shape {value.shape} {which}\n" + _labelled(
             "    ", "", value[item], digits=digits
@@ -208,11 +224,13 @@ def _in_columns(array, digits):
 
 
 def _side_by_side(blocks):
-    """Return rows of blocks of lines, beside each other where they fit."""
-    rows = []
-    for block in blocks:
+    """Return rows of lines of (text, whether another may stand beside it), beside each other where
+    they fit."""
+    rows, has_room = [], False
+    for text, leaves_room in blocks:
+        block = text.split("\n")
         both = [block]
-        if rows and rows[-1][0].endswith((" that begins with", "] is")):
+        if rows and not has_room:
             both = [rows[-1], block]  # or the next argument would stand within this sentence
         elif rows:
             width = 3 + max(map(len, rows[-1]))
@@ -220,5 +238,5 @@ def _side_by_side(blocks):
             both = [[f"{left:{width}}{right}".rstrip() for left, right in pairs]]
             if max(map(len, both[0])) > _WIDTH:
                 both = [rows[-1], block]
-        rows[-1:] = both
+        rows[-1:], has_room = both, leaves_room
     return rows

@@ -21,6 +21,7 @@ from course_lib.checks.exercise import (
 from course_lib.checks.follow_through import RightOnes, in_circles, is_excluded
 from course_lib.checks.messages import MARKS, as_html, describe, listed
 from course_lib.checks.own_files import own_files
+from course_lib.checks.reasons import WaitsFor
 from course_lib.checks.right_ones import namespace_of
 
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
@@ -131,7 +132,7 @@ class Check:
 
     def _judged(self, function):
         verdict = review(self.exercise, LocalFunction(function))
-        waits = verdict.state == NOT_ATTEMPTED and verdict.reason
+        waits = isinstance(verdict.reason, WaitsFor)
         if verdict.state not in (WRONG, ERROR) and not waits:
             return verdict
         if namespace_of(function):

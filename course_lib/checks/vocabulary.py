@@ -8,6 +8,7 @@ import numpy as np
 from course_lib.checks.comparisons import difference, same
 from course_lib.checks.exercise import Mistake, Property
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
+from course_lib.checks.reasons import Finding, off_by
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.wire import write
 from course_lib.rotations import exp_so3
@@ -291,9 +292,9 @@ def part_is(text, right, part, mistake=None, what="The {} column"):
     def says(answer, *case):
         expected, yours = wanted(*case), answer[part]
         if expected.size == 1:
-            return f"The right number is {compared(expected, yours)}."
+            return "The right number is " + compared(expected, yours) + "."
         if expected.ndim < 2:
-            return f"The right numbers are {compared(expected, yours, verb='are')}."
+            return "The right numbers are " + compared(expected, yours, verb="are") + "."
         return first_off(yours, expected, what)
 
     return Property(
@@ -302,7 +303,7 @@ def part_is(text, right, part, mistake=None, what="The {} column"):
 
 
 def first_off(answer, expected, what="The {} column"):
-    """Return in words which column is the first that is off; for rows, give both transposed.
+    """Return the Finding which column is the first that is off; for rows, give both transposed.
 
     what: the column, with {} for "first" and {number} for 1.
     """
@@ -312,25 +313,25 @@ def first_off(answer, expected, what="The {} column"):
         )
     )
     column = what.format(ORDINALS[i], number=i + 1)
-    return f"{column} should be {compared(expected[:, i], answer[:, i])}."
+    return f"{column} should be " + compared(expected[:, i], answer[:, i]) + "."
 
 
 def compared(expected, answer, verb="is"):
-    """Return in words what is wanted and what was found, with the digits in which they differ, and
-    by how much it is off if four digits do not show that.
+    """Return the Finding what is wanted and what came, with the digits in which they differ, and by
+    how much it is off if four digits do not show that.
 
     verb: "are" where the numbers are spoken of, and not a column or a point.
     """
     right, yours = format_tuple(expected), format_tuple(answer)
     if right != yours:
-        return f"{right}; yours {verb} {yours}"
+        return Finding(f"{right}; yours {verb} {yours}")
     gap = np.abs(answer - expected).max()
     rounding = min(_ROUNDING, gap / 100)  # so that the entry that is off is not shown as 0
     for digits in _DIGITS:
         right, yours = (format_tuple(numbers, rounding, digits) for numbers in (expected, answer))
         if right != yours:
             break
-    return f"{right}; yours {verb} {yours}, off by {gap:.2g}"
+    return f"{right}; yours {verb} {yours}, " + off_by(gap)
 
 
 def _first_otherwise(values, cases):

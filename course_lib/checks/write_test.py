@@ -29,9 +29,9 @@ from course_lib.checks.exercise import (
     Verdict,
     no_answer,
 )
+from course_lib.checks.reasons import Fails, Misjudges, RaisedForRightVersion
 from course_lib.checks.wire import Candidate, from_json, to_json
 
-_MAX_KINDS = 4  # of versions, which a message lists all
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
 # Of answers that are kept, of at most so many characters. About twenty versions are called up to
 # 5,000 times each. Together they take about 50 MB.
@@ -123,17 +123,15 @@ class WriteTest(Exercise):
                 return replace(no_answer(self, None, error), case=None)
             if error and case.version.right:
                 verdict = no_answer(self, None, error)
-                reason = (
-                    f"{verdict.reason}\nYour test raised this for a right version: one "
-                    f"{case.version.kind}."
-                )
+                reason = RaisedForRightVersion(verdict.reason, case.version.kind)
                 return replace(verdict, state=ERROR, reason=reason, case=None)
             if not error and answer["value"] is None:
-                return Verdict(self, WRONG, "your test returns True or False.", FORGOTTEN_RETURN)
+                reason = Fails("your test returns True or False")
+                return Verdict(self, WRONG, reason, FORGOTTEN_RETURN)
             try:
                 judged.append((case.version, False if error else boolean(answer["value"])))
             except Unreadable as wrong_kind:
-                return Verdict(self, WRONG, str(wrong_kind), wrong_kind.mistake)
+                return Verdict(self, WRONG, wrong_kind.reason, wrong_kind.mistake)
         scored = self._scored(judged)
         as_given = [
             accepted == bool(attempt(self.given, version.function)) for version, accepted in judged
@@ -158,9 +156,8 @@ class WriteTest(Exercise):
         # Points begin at 70 % of the wrong versions: a test that looks at one property, or at one
         # input, refuses hardly more. One that always returns the same, or guesses, earns nothing.
         share = max(1 - len(missed) / n_wrong / 0.3, 0)
-        reason = "your test accepts every right version and rejects every wrong one."
-        reason += f" Yours rejects {len(refused)} of {n_right} right ones{_kinds(refused)}"
-        reason += f" and accepts {len(missed)} of {n_wrong} wrong ones{_kinds(missed)}."
+        rejected, let_pass = ([version.kind for version in some] for some in (refused, missed))
+        reason = Misjudges(rejected, let_pass, n_right, n_wrong)
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         if refused and not missed:
             always = self._too_strict(len(refused) == n_right)
@@ -258,20 +255,3 @@ class _Case(Candidate):
     """A candidate: the student's process gets its number, but not its version."""
 
     version: Version
-
-
-def _kinds(versions):
-    """Return the kinds of the versions, in brackets, of more than four only three; without their
-    names.
-
-    Several versions may be of one kind. Each that is not named is one of the others, so that the
-    numbers in a message add up.
-    """
-    kinds = list(dict.fromkeys(version.kind for version in versions))
-    if not kinds:
-        return ""
-    shown = kinds if len(kinds) <= _MAX_KINDS else kinds[:3]
-    n_others = len(versions) - len(shown)
-    noun = "other" if n_others == 1 else "others"
-    others = f"; and {n_others} {noun}" if n_others else ""
-    return f" (one {'; one '.join(shown)}{others})"

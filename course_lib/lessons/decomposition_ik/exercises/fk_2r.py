@@ -71,7 +71,9 @@ def _found(found, q):
     pairs, tips, right = (np.reshape(each, (-1, 2)) for each in (q, found, two_link_tip(q)))
     if not _is_off_the_elbow(found, q):
         k = int(np.argmax(np.linalg.norm(tips - right, axis=-1)))
-        return f"For q = {format_tuple(pairs[k])} the tip is at {compared(right[k], tips[k])}."
+        return (
+            f"For q = {format_tuple(pairs[k])} the tip is at " + compared(right[k], tips[k]) + "."
+        )
     gaps = _gaps(found, q)
     k = int(np.argmax(np.abs(gaps)))
     distance = f"is {1 + gaps[k]:.3g} m"

@@ -6,6 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, joint_angles, number, table
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_pose, away_from_zero, unit, wrapped
@@ -105,7 +106,7 @@ EXERCISE = declared(
     broken=lambda q, J, T, T_target, step: q - step * J.T @ _of_the_world(T, T_target),
     says="the answer is q + step J^T e, with the error e that belongs to the geometric Jacobian",
     found=lambda answer, *case: (
-        f"The change of q in your answer is off by {np.abs(answer - _right(*case)).max():.2g}."
+        "The change of q in your answer is " + off_by(np.abs(answer - _right(*case)).max()) + "."
     ),
     otherwise=Mistake(
         "the step is not step J^T e with the error that belongs to J",

@@ -36,8 +36,8 @@ def _found(T, q):
         i = int(np.argmax(np.abs(T[k] - right[k]).max(0)))
         wanted, yours, what = right[k, :3, i], T[k, :3, i], f"Its {'xyz'[i]} axis is"
     row = f" (modified_table[{k}])" if k < 7 else ""
-    difference = f"{what} {compared(wanted, yours)}."
-    return f"The first pose that differs is that of {_NAMES[k]}{row}. {difference}"
+    pose = f"The first pose that differs is that of {_NAMES[k]}{row}."
+    return f"{pose} {what} " + compared(wanted, yours) + "."
 
 
 def _from_the_base(q):

@@ -6,7 +6,7 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.call_student import CALLS_TOGETHER
+from course_lib.checks.call_student import TOGETHER
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
@@ -309,7 +309,7 @@ EXERCISE.mistake(
         "How many steps does a start take that converges? If it slows down near the target, what "
         "makes its steps short there?",
     ),
-    raises=("TimeUp", CALLS_TOGETHER),
+    raises=("TimeUp", TOGETHER),
 )
 EXERCISE.mistake(
     Mistake(

@@ -8,6 +8,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import POSE
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import (
     EXACT,
@@ -133,10 +134,10 @@ def _otherwise(e, *case):
 def _off(e, *case):
     wanted = pose_error(*case)
     if not near(e[:3], wanted[:3]):
-        return f"p_target - p is {compared(wanted[:3], e[:3])}."
+        return "p_target - p is " + compared(wanted[:3], e[:3]) + "."
     angle, phi = length(wanted[3:]), format_tuple(wanted[3:])
-    yours = f"{format_tuple(e[3:])}, off by {_gap(e, *case):.2g}"
-    return f"The rotation between them is {angle:.4g} rad, phi = {phi}; your phi is {yours}."
+    yours = f"{format_tuple(e[3:])}, " + off_by(_gap(e, *case))
+    return f"The rotation between them is {angle:.4g} rad, phi = {phi}; your phi is " + yours + "."
 
 
 def _alike(e, predicted, *case, up_to_two_pi=False):

@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, numbers
 from course_lib.checks.exercise import Mistake, Property, Unreadable
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered
 from course_lib.registration import register_points
@@ -167,7 +168,7 @@ def read_pose(value, *case):
         return _fitted(value, *case)
     except Unreadable as wrong:
         if wrong.mistake is OTHER_FORM and isinstance(value, list | tuple) and len(value) == 2:
-            raise Unreadable(str(wrong), _APART) from None
+            raise Unreadable(wrong.reason.holds, wrong.reason.found, _APART) from None
         raise
 
 
@@ -194,7 +195,7 @@ def difference(T, right):
     i = next((i for i in (3, 0, 1, 2) if not close(T[:3, i], right[:3, i])), 3)
     what = "The position" if i == 3 else f"The {'xyz'[i]} axis, column {i},"
     if np.abs(T - right).max() < 1e-3 * size(right):
-        return f"{what} is off by {np.abs(T[:3, i] - right[:3, i]).max():.2g}."
+        return f"{what} is " + off_by(np.abs(T[:3, i] - right[:3, i]).max()) + "."
     return f"{what} should be {format_tuple(right[:3, i])}; yours is {format_tuple(T[:3, i])}."
 
 

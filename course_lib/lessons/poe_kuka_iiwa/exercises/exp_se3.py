@@ -89,7 +89,7 @@ def _off(T, twist):
 
 def _found(T, twist):
     both = compared(exp_se3(twist)[COLUMN], T[COLUMN])
-    return f"|omega| is {_angle(twist):.4g}. p should be {both}."
+    return f"|omega| is {_angle(twist):.4g}. p should be " + both + "."
 
 
 def _otherwise(T, twist):

@@ -24,10 +24,9 @@ _SMALL_ANGLE = 0.01  # rad: the largest that somebody may take for 0
 def _found(T, *case):
     right = shared.tool_pose(*case)
     if not near(T[:3, 3], right[:3, 3]):
-        return f"The position in T should be {compared(right[:3, 3], T[:3, 3])}."
-    return (
-        "The position in your T is right, and the orientation is not. "
-        f"{first_off(T[:3, :3], right[:3, :3])}"
+        return "The position in T should be " + compared(right[:3, 3], T[:3, 3]) + "."
+    return "The position in your T is right, and the orientation is not. " + first_off(
+        T[:3, :3], right[:3, :3]
     )
 
 

@@ -26,7 +26,7 @@ def _read(value):
             "the answer is not a pair", "The last line of the cell is `return screws, M`."
         )
         raise Unreadable(
-            "the answer is a pair, screws of shape (6, 6) and M of shape (4, 4).", pair
+            "the answer is a pair, screws of shape (6, 6) and M of shape (4, 4)", "", pair
         )
     return _read_screws(value[0]), _read_pose(value[1])
 

@@ -6,6 +6,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import ANGLE, Kind, vector
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
     LAST_ROW,
@@ -56,7 +57,7 @@ def _found(T, omega, point, theta):
     moved = T[_R] @ point + T[_P]
     if not near(moved, point):
         off = np.abs(moved - point).max()
-        return f"Your first matrix takes this point to {format_tuple(moved)}, off by {off:.2g}."
+        return f"Your first matrix takes this point to {format_tuple(moved)}, " + off_by(off) + "."
     back = (T[1] @ T[0])[:3, 3]
     return (
         f"The product of your second matrix and the first takes the origin to {format_tuple(back)}."

@@ -119,7 +119,7 @@ def first_wrong_row(right_path):
         u = k / (n - 1)
         return (
             f"The row with index {k} belongs to u = {u:.4g}, and s is {cubic(u):.4g} there. It "
-            f"should be {compared(right[k], rows[k])}."
+            "should be " + compared(right[k], rows[k]) + "."
         )
 
     return found
@@ -329,7 +329,8 @@ def first_wrong_step(right_rows, angles):
         return (
             f"Step {k} is {times[k - 1]:.4g} s long, with the velocities "
             f"{format_tuple(velocities[k - 1])}: it leads from {format_tuple(right[k - 1])} to "
-            f"{compared(right[k], rows[k])}."
+            + compared(right[k], rows[k])
+            + "."
         )
 
     return found

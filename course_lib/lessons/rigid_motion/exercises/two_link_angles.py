@@ -8,6 +8,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
@@ -74,8 +75,9 @@ def _straight(tip):
 def _where_the_rows_lead(angles, tip):
     first, second = (format_tuple(reached) for reached in two_link_tip(angles))
     return (
-        f"`tip` is {format_tuple(tip)}. Your rows lead to {first} and to {second}, off by "
-        f"{_off(angles, tip).max():.2g} m."
+        f"`tip` is {format_tuple(tip)}. Your rows lead to {first} and to {second}, "
+        + off_by(_off(angles, tip).max())
+        + " m."
     )
 
 

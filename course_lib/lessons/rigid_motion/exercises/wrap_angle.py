@@ -7,6 +7,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises.shared import REVOLUTION
@@ -67,7 +68,8 @@ def _found(value, angle):
     revolutions = (values[k] - angles[k]) / REVOLUTION
     rest = (revolutions - np.round(revolutions)) * REVOLUTION
     turned = f"{np.round(revolutions):.0f} revolutions and " if np.round(revolutions) else ""
-    return f"Yours differs by {turned}{rest:.4g} rad from the angle."
+    text = f"Yours differs by {turned}{rest:.4g} rad from the angle."
+    return Finding(text, abs(values[k] - angles[k]))
 
 
 _CHANGED = Mistake(

@@ -76,7 +76,7 @@ def _with_R_bi(next_one):
 def _found(R, *case):
     right = _right(*case)
     k = int(np.argmax([not near(*pair) for pair in zip(R, right, strict=True)]))
-    return f"The orientations differ from number {k} on. {first_off(R[k], right[k])}"
+    return f"The orientations differ from number {k} on. " + first_off(R[k], right[k])
 
 
 def _otherwise(R, *case):

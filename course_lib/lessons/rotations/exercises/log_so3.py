@@ -10,6 +10,7 @@ from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import ROTATION
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import FOUR_DIGITS, SIX_DIGITS
 from course_lib.rotations import exp_so3, log_so3
 
@@ -49,14 +50,14 @@ def _found(w, R):
     angle, length = _angle(R), np.linalg.norm(w)
     if angle < _NEAR:
         off = np.linalg.norm(w - log_so3(R))
-        return f"The angle of R is {angle:.3g} rad, and your answer is off by {off:.2g}."
+        return f"The angle of R is {angle:.3g} rad, and your answer is " + off_by(off) + "."
     if angle > np.pi - _NEAR:
         short = np.pi - angle
         said = f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
-        return f"The angle of R is {said}. exp of your answer is off by {_gap(w, R):.2g}."
+        return f"The angle of R is {said}. exp of your answer is " + off_by(_gap(w, R)) + "."
     if abs(length - angle) > 1e-4:
         return f"The angle of R is {angle:.6g} rad; |w| of your answer is {length:.6g}."
-    return f"|w| is the angle of R, but exp of your answer is off by {_gap(w, R):.2g}."
+    return "|w| is the angle of R, but exp of your answer is " + off_by(_gap(w, R)) + "."
 
 
 def _otherwise(w, R):

@@ -59,7 +59,7 @@ def _found(X, T):
     if not near(X[-1], np.eye(len(T))[-1]):
         return LAST_ROW.says(X, T)
     if not near(X[:-1, -1], T[:-1, -1]):
-        return f"The translation should be {compared(T[:-1, -1], X[:-1, -1])}."
+        return "The translation should be " + compared(T[:-1, -1], X[:-1, -1]) + "."
     return shared.distances(block, T[:-1, :-1]) if is_rotation(block) else no_rotation(block)
 
 

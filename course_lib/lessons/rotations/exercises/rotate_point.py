@@ -51,7 +51,7 @@ EXERCISE = declared(
             "the distance from the origin does not change",
             lambda image, p, a: abs(np.linalg.norm(image) - np.linalg.norm(p)) < EXACT,
             says=lambda image, p, a: (
-                f"The right distance is {compared(np.linalg.norm(p), np.linalg.norm(image))}."
+                "The right distance is " + compared(np.linalg.norm(p), np.linalg.norm(image)) + "."
             ),
             mistake=Mistake(
                 "the point comes nearer to the origin, or moves away",

@@ -83,11 +83,12 @@ NOT_NEAREST = Mistake(
 
 
 def distances(R, M):
-    """Return a sentence that compares the distances of R and of the nearest rotation to M."""
+    """Return the Finding of the distances of R and of the nearest rotation to M."""
     of_yours, of_nearest = np.linalg.norm(M - R), np.linalg.norm(M - nearest_so(M))
     return (
         "The distance from M to the nearest rotation, in the Frobenius norm, is "
-        f"{compared(of_nearest, of_yours)}."
+        + compared(of_nearest, of_yours)
+        + "."
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Mistake, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import distance_of_lists, remembered, same_list
@@ -105,7 +106,8 @@ def _off(found, R):
     worst = max(found, key=lambda triple: _misses(triple, R))
     return (
         f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}, "
-        f"off by {_misses(worst, R):.2g}."
+        + off_by(_misses(worst, R))
+        + "."
     )
 
 

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, rows
 from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import inside, remembered
@@ -76,7 +77,9 @@ def single(value, expected):
     words."""
     found = rows(1, expected)(value)
     if len(found) != 1:
-        raise Unreadable(f"the answer is {expected}. Yours has {len(found)} numbers.", OTHER_FORM)
+        raise Unreadable(
+            f"the answer is {expected}", f"Yours has {len(found)} numbers.", OTHER_FORM
+        )
     return float(found[0])
 
 
@@ -143,7 +146,7 @@ def reached(theta, what, number, wanted):
     number = round(number, 9) + 0.0
     text = f"With theta = {round(theta, 9) + 0.0:.6g} the {what} is {number:.6g}; d is {wanted:.6g}"
     if f"{number:.6g}" == f"{wanted:.6g}":
-        text += f", which differs by {off:.2g}"
+        return Finding(f"{text}, which differs by {off:.2g}.", off)
     return text + "."
 
 

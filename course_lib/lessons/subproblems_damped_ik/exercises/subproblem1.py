@@ -174,7 +174,9 @@ EXERCISE = Exercise(
         Property(
             "R(k, theta) p = g",
             _right,
-            lambda theta, k, p, g: f"R(k, theta) p should be {compared(g, rotated(k, theta, p))}.",
+            lambda theta, k, p, g: (
+                "R(k, theta) p should be " + compared(g, rotated(k, theta, p)) + "."
+            ),
             where=_reached,
             mistake=Mistake(
                 "theta is not the angle about k from p to g",
@@ -196,7 +198,8 @@ EXERCISE = Exercise(
             _right,
             lambda theta, k, p, g: (
                 "The point nearest to g should be "
-                f"{compared(rotated(k, angle_about(k, p, g), p), rotated(k, theta, p))}."
+                + compared(rotated(k, angle_about(k, p, g), p), rotated(k, theta, p))
+                + "."
             ),
             where=_nearest,
         ),

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 
 from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, Verdict
+from course_lib.checks.reasons import first_error
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.jail.statements import no_python
 from course_lib.pack.grade.verdicts.progress import Outcome, Run
@@ -12,7 +13,7 @@ NOT_HANDED_IN = (
     "It imports {}, which is not installed here and was not handed in with it. What needs it was "
     "not graded: ask the student for a notebook that holds all of its own code."
 )
-MISSES_SOMETHING = re.compile(r"NameError|ImportError|ModuleNotFoundError")
+MISSES_SOMETHING = ("NameError", "ImportError", "ModuleNotFoundError")  # types of errors
 
 
 def note_missing(run: Run, name: str) -> None:
@@ -48,6 +49,12 @@ def explain_missing(run: Run, outcomes: dict[str, Outcome]) -> None:
                 )
             if why:
                 outcomes[name] = Outcome(Verdict(verdict.exercise, ERROR, why))
-        elif verdict.state == ERROR and missing and MISSES_SOMETHING.search(verdict.reason):
+        elif missing and verdict.state == ERROR and _misses_something(verdict):
             remark = f"The notebook imports {missing}, which is not handed in with it."
             outcomes[name] = replace(outcome, remark=remark)
+
+
+def _misses_something(verdict: Verdict) -> bool:
+    """Return whether the answer ended in an error that a missing name or module raises."""
+    error = first_error(verdict.reason)
+    return error is not None and error.kind in MISSES_SOMETHING

@@ -11,6 +11,7 @@ import json
 import re
 from collections.abc import Sequence
 
+from course_lib.checks.call_student import BOUNDS
 from course_lib.checks.errors import UNWRITTEN
 
 MAX_WORDS = 10  # of a message of an error or a warning
@@ -80,7 +81,7 @@ def _is_of_the_course(kind: str, message: str) -> bool:
         return re.fullmatch(UNWRITTEN.format(r"\w{1,40}"), message) is not None
     if kind == "NotAllowed":
         return re.fullmatch(r"(check\.|the library's )?[\w.]{1,80}", message) is not None
-    return kind == "TimeUp" and len(message) < MAX_LETTERS
+    return kind == "TimeUp" and message in BOUNDS
 
 
 def _is_written(name: str, sources: tuple[str, ...]) -> bool:

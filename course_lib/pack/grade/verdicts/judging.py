@@ -19,12 +19,13 @@ from course_lib.checks.exercise import (
     judged,
     questions_of,
 )
+from course_lib.checks.reasons import CannotBeRead, Fails, LeftOut, Varies
 from course_lib.checks.wire import write
 from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.verdicts.progress import Outcome, Run, Seed
 from course_lib.pack.grade.verdicts.result import message_of
-from course_lib.pack.grade.verdicts.student_process import UNREADABLE_REPLY, Student
+from course_lib.pack.grade.verdicts.student_process import Student
 
 # Of the grader's own processor time for one exercise; a right answer takes less than one.
 JUDGING_SECONDS = 60
@@ -70,7 +71,7 @@ def ask(
     for (cell, _), how in left_out.items():
         is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
         if verdict.state == ERROR or is_missing:
-            reason = f"{verdict.reason}\nA cell that it may need was left out: {how}.".strip()
+            reason = LeftOut(verdict.reason, how)
             verdict, student.hindered = replace(verdict, state=ERROR, reason=reason), True
             break
     hindered = student.hindered and verdict.state != RIGHT
@@ -104,11 +105,7 @@ def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
     """
     if message_of(verdict) == message_of(again):
         return verdict
-    texts = (wanted.text for wanted in verdict.exercise.properties)
-    broken = next((text for text in texts if verdict.reason.startswith(text)), "")
-    if not broken:
-        broken = "called a second time with the same arguments, it gives the same result"
-    reason = f"{broken}. Your answers to the same questions differ from one time to the next."
+    reason = Varies(verdict.reason.holds) if isinstance(verdict.reason, Fails) else Varies()
     credit = min(verdict.points, again.points)
     return Verdict(verdict.exercise, WRONG, reason, credit=credit)
 
@@ -160,6 +157,6 @@ def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict
     except Exception as error:
         why = f"Its answers cannot be judged: {type(error).__name__}."
         verdict = Verdict(exercise, ERROR, why)
-    if verdict.reason.startswith(UNREADABLE_REPLY):  # the rest is a text of the student's process
-        verdict = replace(verdict, reason=f"{UNREADABLE_REPLY}.")
+    if isinstance(verdict.reason, CannotBeRead):  # the problem is a text of the student's process
+        verdict = replace(verdict, reason=CannotBeRead())
     return verdict, known

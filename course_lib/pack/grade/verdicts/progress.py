@@ -1,7 +1,6 @@
 """A submission while it is graded, and the outcomes of its exercises so far."""
 
 import functools
-import re
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -27,9 +26,6 @@ Seed = int | tuple[int, int]  # of a set of cases; the second number tells sets 
 # after CPU_SECONDS, and every exercise would be lost.
 MAX_JUDGING_SECONDS = CPU_SECONDS // 2
 MAX_READING_SECONDS = 2 * READING_SECONDS  # of that time, to read what all sandboxes write
-# What differs from one set of cases to another in the reason of a verdict: numbers, and which
-# versions a list of some of them names.
-OF_A_SET = re.compile(r"[-+]?\d[\d.]*(e[-+]?\d+)?|\(one [^)]*\)")
 WORST_FIRST = (NOT_ATTEMPTED, ERROR, UNCHANGED, WRONG, RIGHT)
 
 
@@ -80,12 +76,12 @@ class Outcome:
         mine, other = self._rank(), later._rank()
         if other != mine:
             return later if other > mine else self
-        reasons = (OF_A_SET.sub("", outcome.verdict.reason) for outcome in (self, later))
-        return self if len(set(reasons)) == 1 else later
+        return self if self.verdict.reason == later.verdict.reason else later
 
     def _rank(self) -> tuple:
         verdict = self.verdict
-        return verdict.points, self.answered, WORST_FIRST.index(verdict.state), bool(verdict.reason)
+        has_reason = verdict.reason != ""
+        return verdict.points, self.answered, WORST_FIRST.index(verdict.state), has_reason
 
 
 @dataclass

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from course_lib.checks.exercise import RIGHT, Exercise, Verdict
-from course_lib.checks.messages import describe, listed
+from course_lib.checks.messages import describe_details, listed
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, Cell, Course
 from course_lib.pack.grade.verdicts.claims import first_words
@@ -99,19 +99,19 @@ def _judged_with(instead: tuple[str, ...]) -> str:
 
 
 def message_of(verdict: Verdict) -> str:
-    """Return the check's message without its first line, because the state is a column of its
-    own."""
+    """Return the check's message without its first line, because the state is a column of its own,
+    and without the offer of a hint."""
     if verdict.state == RIGHT:
         return without_controls(verdict.note)
     shown = replace(verdict, blames="", answer=_with_first_words(verdict.answer))
     try:
-        lines = describe(shown).split("\n")[1:]
+        details = describe_details(shown)
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):
-        lines = ["The answer cannot be shown."]  # it shows a claim of the student's
+        details = "The answer cannot be shown."  # it shows a claim of the student's
+    blames = ""
     if verdict.blames:
-        lines.insert(0, f"Your {verdict.blames}, which it calls, is not right.")
-    offer = f"check.{verdict.exercise.name}.hint()"
-    return without_controls("\n".join(line for line in lines if not line.startswith(offer)))
+        blames = f"Your {verdict.blames}, which it calls, is not right."
+    return without_controls("\n".join(filter(None, (blames, details))))
 
 
 def _with_first_words(answer: object, depth: int = 0) -> object:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from course_lib.checks.call_student import ENDS_ALL
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.follow_through import RightOnes, answer_call, called_name, can_answer
+from course_lib.checks.reasons import CannotBeRead
 from course_lib.checks.wire import read, write
 from course_lib.pack.grade.jail.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.jail.sandbox import Ended, Idle, Limits, Sandbox, Watch
@@ -16,7 +17,6 @@ from course_lib.pack.grade.verdicts.progress import Run
 # make 5,000, which call_student.py counts in the student's process.
 MAX_CALLS = 100_000
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
-UNREADABLE_REPLY = "What came back cannot be read"
 
 
 class Student:
@@ -173,7 +173,7 @@ def _how_it_ended(message: dict, limits: Limits) -> tuple[str, bool]:
     """
     if claimed := message.get("ended"):
         known = claimed in (TOO_LONG, TOO_OFTEN, NOT_READING)
-        return f"{UNREADABLE_REPLY}: {claimed}." if known else f"{UNREADABLE_REPLY}.", False
+        return str(CannotBeRead(claimed if known else "")), False
     status, computed = message.get("status"), message.get("computed")
     used_up = isinstance(computed, int | float) and computed >= limits.cpu_seconds
     if status == -24 or (status == -9 and used_up):

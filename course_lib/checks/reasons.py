@@ -1,0 +1,304 @@
+"""Why a verdict is what it is: the reason in fields, and the sentence that is written from them.
+
+Whatever depends on a reason asks for its type and its fields, and never for words of its sentence.
+So a word of a message can be changed, and no verdict changes with it. Two reasons are equal if they
+say the same whatever the numbers of the cases are: fields that differ with these are not compared.
+A reason on which nothing else depends may be a plain text.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from course_lib.checks import call_student
+
+MAX_KINDS = 4  # of versions, which a message lists all
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What was found in place of what should hold, in words, and by how much the answer is off.
+
+    Texts can be added at both ends, which keep the number.
+
+    Parameters
+    ----------
+    text : str
+    off_by : float, optional
+        Only if the text says it.
+
+    Examples
+    --------
+    >>> finding = "The tip is at (1, 2), " + off_by(0.5) + "."
+    >>> str(finding), finding.off_by
+    ('The tip is at (1, 2), off by 0.5.', 0.5)
+    """
+
+    text: str = ""
+    off_by: float | None = None
+
+    def __str__(self):
+        return self.text
+
+    def __add__(self, more):
+        off_by = self.off_by
+        if off_by is None:
+            off_by = getattr(more, "off_by", None)
+        return Finding(f"{self}{more}", off_by)
+
+    def __radd__(self, before):
+        return Finding(f"{before}{self}", self.off_by)
+
+
+def off_by(gap):
+    """Return the Finding that an answer is off by a gap, with two digits."""
+    return Finding(f"off by {gap:.2g}", float(gap))
+
+
+@dataclass(frozen=True)
+class Fails:
+    """Something that should hold of every answer does not.
+
+    Parameters
+    ----------
+    holds : str
+        What should hold, as a sentence without its end.
+    found : Finding or str
+        What was found instead, in whole sentences.
+    """
+
+    holds: str
+    found: Finding | str = field(compare=False, default="")
+
+    def __str__(self):
+        return f"{self.holds}. {self.found}".rstrip()
+
+
+@dataclass(frozen=True)
+class Varies:
+    """The same questions were answered otherwise when they were put again.
+
+    Parameters
+    ----------
+    holds : str
+        What does not hold of the answers.
+    """
+
+    holds: str = "called a second time with the same arguments, it gives the same result"
+
+    def __str__(self):
+        differ = "Your answers to the same questions differ from one time to the next."
+        return f"{self.holds}. {differ}"
+
+
+@dataclass(frozen=True)
+class CallsForbidden:
+    """The answer calls what its task excludes.
+
+    Parameters
+    ----------
+    name : str
+        Of the function that it calls.
+    """
+
+    name: str
+
+    def __str__(self):
+        return "compute the answer yourself."
+
+
+@dataclass(frozen=True)
+class WaitsFor:
+    """The answer calls a function that is not written yet.
+
+    Parameters
+    ----------
+    name : str
+        Of that function.
+    """
+
+    name: str
+
+    def __str__(self):
+        return (
+            f"it calls {self.name}, which is not written yet. Write {self.name} first, then run "
+            "this check again."
+        )
+
+
+@dataclass(frozen=True)
+class Raised:
+    """A call ended in an error.
+
+    Parameters
+    ----------
+    call : str
+        The call as a student writes it.
+    kind, message : str
+        The type of the error, and its text.
+    source : str
+        The student's last line that ran; "" if it is not known.
+    cell : str
+        The function in whose cell the line stands, "" if in the cell of the function itself.
+    line : str
+        The number of the line in its cell.
+    """
+
+    call: str
+    kind: str
+    message: str = field(compare=False, default="")
+    source: str = ""
+    cell: str = ""
+    line: str = ""
+
+    def __str__(self):
+        where = f"Calling {self.call}"
+        if self.source:
+            cell = f"the cell of {self.cell}" if self.cell else "its cell"
+            where = f"Line {self.line} of {cell}, `{self.source}`,"
+        return f"{where} raises {self.kind}" + (f": {self.message}" if self.message else "")
+
+
+@dataclass(frozen=True)
+class OutOfTime:
+    """Calls took more than they may.
+
+    Parameters
+    ----------
+    call : str
+        The call as a student writes it.
+    bound : str
+        What was used up: one of the bounds of call_student.
+    seconds : float
+        Of processor time, for all cases.
+    """
+
+    call: str
+    bound: str
+    seconds: float = call_student.CPU_SECONDS
+
+    def __str__(self):
+        if self.bound == call_student.TOO_MANY_CALLS:
+            most = f"{call_student.MAX_CALLS:,} calls of the function that it tests"
+        else:
+            most = f"{self.seconds} seconds of computing"
+        together = " in several calls together" if self.bound == call_student.TOGETHER else ""
+        return f"{self.call} took more than {most}{together}."
+
+
+@dataclass(frozen=True)
+class CannotBeRead:
+    """What a process sent back is not what was asked for.
+
+    Parameters
+    ----------
+    problem : str
+        "" where the text would be the student's.
+    """
+
+    problem: str = ""
+
+    def __str__(self):
+        problem = f": {self.problem}" if self.problem else ""
+        return f"What came back cannot be read{problem}."
+
+
+@dataclass(frozen=True)
+class Misjudges:
+    """A test rejects right versions, or accepts wrong ones.
+
+    Parameters
+    ----------
+    rejected, accepted : sequence of str
+        The kinds of the right versions that it rejects, and of the wrong ones that it accepts.
+    n_right, n_wrong : int
+        How many versions there are.
+    """
+
+    rejected: Sequence[str] = field(compare=False)
+    accepted: Sequence[str] = field(compare=False)
+    n_right: int = field(compare=False)
+    n_wrong: int = field(compare=False)
+
+    def __str__(self):
+        rejected = f"{len(self.rejected)} of {self.n_right} right ones{_listed(self.rejected)}"
+        accepted = f"{len(self.accepted)} of {self.n_wrong} wrong ones{_listed(self.accepted)}"
+        return (
+            "your test accepts every right version and rejects every wrong one. "
+            f"Yours rejects {rejected} and accepts {accepted}."
+        )
+
+
+def _listed(kinds):
+    """Return the kinds of versions, in brackets, of more than four only three; without their names.
+
+    Several versions may be of one kind. Each that is not named is one of the others, so that the
+    numbers in a message add up.
+    """
+    different = list(dict.fromkeys(kinds))
+    if not different:
+        return ""
+    shown = different if len(different) <= MAX_KINDS else different[:3]
+    n_others = len(kinds) - len(shown)
+    noun = "other" if n_others == 1 else "others"
+    others = f"; and {n_others} {noun}" if n_others else ""
+    return f" (one {'; one '.join(shown)}{others})"
+
+
+@dataclass(frozen=True)
+class RaisedForRightVersion:
+    """A test raised an error for a right version.
+
+    Parameters
+    ----------
+    error : Raised or Fails
+    version : str
+        The kind of the version.
+    """
+
+    error: object
+    version: str = field(compare=False)
+
+    def __str__(self):
+        return f"{self.error}\nYour test raised this for a right version: one {self.version}."
+
+
+@dataclass(frozen=True)
+class InCircle:
+    """Functions call each other in a circle, so that none of them computes anything.
+
+    Parameters
+    ----------
+    names : tuple of str
+        The function that was checked is the first.
+    """
+
+    names: tuple[str, ...]
+
+    def __str__(self):
+        return f"Your {' and '.join(self.names)} call each other in a circle."
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A cell that the answer may need was left out.
+
+    Parameters
+    ----------
+    reason : object
+        The reason of the verdict without that cell.
+    how : str
+        How the cell ended or blocked its process.
+    """
+
+    reason: object
+    how: str
+
+    def __str__(self):
+        return f"{self.reason}\nA cell that it may need was left out: {self.how}.".strip()
+
+
+def first_error(reason):
+    """Return the Raised that a reason is, or stands on; None if there is none."""
+    while reason is not None and not isinstance(reason, Raised):
+        reason = getattr(reason, "error", getattr(reason, "reason", None))
+    return reason
