@@ -12,9 +12,9 @@ import pytest
 from toy_exercises import DOUBLE, NEAREST_SO
 
 from course_lib.arms import panda
-from course_lib.checks import kernel, notebook
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG
-from course_lib.checks.follow_through import in_circles
+from course_lib.checks import follow_through, kernel
+from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
+from course_lib.checks.follow_through import followed_through, in_circles
 from course_lib.checks.notebook import Check
 from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import RIGHT_ONES, namespace_of, right_ones
@@ -91,7 +91,7 @@ def test_functions_in_a_circle_get_no_tick(shown):
 
 
 def test_a_call_that_the_task_excludes_gets_no_tick(shown, monkeypatch):
-    monkeypatch.setattr(notebook, "is_excluded", lambda exercise, other: True)
+    monkeypatch.setattr(follow_through, "is_excluded", lambda exercise, other: True)
     check, _ = checked(WRONG_DOUBLES["wrong"] + RIGHT_SO)
     assert check.verdict.state == WRONG
     assert "It looks as if double is called." in shown[-1]
@@ -108,6 +108,39 @@ def test_a_call_that_the_task_excludes_gets_no_tick(shown, monkeypatch):
 )
 def test_circles_of_calls_are_found(calls, circles):
     assert set(in_circles(calls)) == circles
+
+
+def verdict(state, credit=0):
+    return Verdict(NEAREST_SO, state, f"{state} {credit}", credit=credit)
+
+
+@pytest.mark.parametrize(
+    ("before", "again", "counts"),
+    [
+        (verdict(ERROR), verdict(RIGHT), "again"),
+        (verdict(WRONG), verdict(WRONG), "again"),
+        (verdict(ERROR), verdict(WRONG, 1), "again"),
+        (verdict(WRONG, 1), verdict(WRONG), "before"),
+        (verdict(WRONG), verdict(ERROR), "before"),
+        (verdict(NOT_ATTEMPTED), verdict(ERROR), "neither"),
+    ],
+)
+def test_what_counts_with_right_functions_in_place_of_others(before, again, counts):
+    verdict = followed_through(before, lambda: again, [DOUBLE], None)
+    assert verdict.points >= before.points
+    assert verdict.reason == {"again": again, "before": before, "neither": before}[counts].reason
+    assert verdict.instead == (("double",) if counts == "again" else ())
+    assert verdict.blames == ("double" if counts == "before" else "")
+
+
+def test_a_circle_takes_no_points_that_were_earned_without_it():
+    verdict_in_circle = followed_through(verdict(WRONG, 1), pytest.fail, [DOUBLE], ["double"])
+    assert (verdict_in_circle.state, verdict_in_circle.points) == (ERROR, 1)
+
+
+def test_an_answer_that_calls_nothing_unfinished_is_not_asked_again():
+    before = verdict(WRONG)
+    assert followed_through(before, pytest.fail, [], None) is before
 
 
 FORMS = """

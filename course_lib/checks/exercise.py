@@ -614,13 +614,6 @@ def review(exercise, student, secret_seeds=()):
     return verdict
 
 
-def with_blame(verdict, others):
-    """Return a verdict with the name of the first function that it blames; others: Verdicts on
-    those it calls."""
-    first = next((other.exercise.name for other in others if other.state != RIGHT), "")
-    return replace(verdict, blames=first)
-
-
 def no_answer(exercise, case, error):
     """Return the Verdict on a call that ended in an error, a dict as in call_student.reply."""
     state, reason, mistake, shows_case = explain_error(exercise, error)

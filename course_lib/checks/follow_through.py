@@ -4,14 +4,22 @@ An answer that is right but for a function of another exercise that it calls des
 So it is asked once more, while right functions answer in place of the others, and those that were
 called are known by having been asked. Two cases earn nothing: functions that call each other in a
 circle, because then neither of them computes anything, and a call that the task excludes.
+
+What counts then, `followed_through` says for the notebook and for grading alike. They differ in
+what they know before they ask. The notebook judges one function at a time, so it runs the function
+first to see which others it calls, and judges these. Grading has judged all of them already, and
+asks once for all calls. There a right function answers no more once the sandbox has seen the cases
+of its exercise, because what was kept of them could be put to it.
 """
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise
+from course_lib.checks.exercise import ERROR, WRONG, Exercise, Verdict, no_answer
+from course_lib.checks.reasons import InCircle
 from course_lib.checks.wire import from_json, to_json
 
 MAX_TEXT = 200  # characters of a message
@@ -80,6 +88,57 @@ class RightOnes:
             return answer_call(self.exercise, self.others[name], text)
 
         return answer
+
+
+def followed_through(
+    before: Verdict,
+    ask_again: Callable[[], Verdict],
+    called: Sequence[Exercise],
+    circle: Sequence[str] | None,
+) -> Verdict:
+    """Return the Verdict that counts of an answer that is not right by itself.
+
+    Parameters
+    ----------
+    before : Verdict
+        With the notebook's own functions.
+    ask_again : callable
+        Returns the Verdict with right functions in the place of those that are not right.
+    called : sequence of Exercise
+        Those that are not right and that the answer calls, in the order of their first calls.
+    circle : sequence of str or None
+        The others in its circle of calls, see in_circles; None if it is in none.
+
+    Returns
+    -------
+    Verdict
+        With the names of the functions that were replaced, or with that of one to blame, if the
+        answer calls any. Its points are never fewer than before, but for a call that the task
+        excludes.
+    """
+    exercise = before.exercise
+    for other in called:
+        if is_excluded(exercise, other):
+            return no_answer(exercise, None, {"type": "NotAllowed", "message": other.name})
+    if circle is not None:
+        reason = InCircle((exercise.name, *circle))
+        return Verdict(exercise, ERROR, reason, credit=before.credit)
+    if not called:
+        return before
+    again = ask_again()
+    if _says_more(again, before):
+        return replace(again, instead=tuple(other.name for other in called))
+    if before.state in (WRONG, ERROR):
+        return replace(before, blames=called[0].name)
+    return before
+
+
+def _says_more(again: Verdict, before: Verdict) -> bool:
+    """Return whether a verdict with right functions in place of others says more of the answer
+    itself."""
+    if again.points == before.points:
+        return again.state == WRONG
+    return again.points > before.points
 
 
 def can_answer(exercise: Exercise) -> bool:

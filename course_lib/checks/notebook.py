@@ -4,7 +4,6 @@ import functools
 import html
 import importlib
 import os
-from dataclasses import replace
 
 from course_lib.checks import kernel
 from course_lib.checks.exercise import (
@@ -15,10 +14,9 @@ from course_lib.checks.exercise import (
     LocalFunction,
     Verdict,
     judge,
-    no_answer,
     review,
 )
-from course_lib.checks.follow_through import RightOnes, in_circles, is_excluded
+from course_lib.checks.follow_through import RightOnes, followed_through, in_circles
 from course_lib.checks.messages import MARKS, as_html, describe, listed
 from course_lib.checks.own_files import own_files
 from course_lib.checks.reasons import WaitsFor
@@ -141,45 +139,34 @@ class Check:
 
     def _with_right_ones(self, function, verdict):
         """Return the Verdict with right functions in place of the wrong ones that the function
-        calls.
-
-        As in grading, no mark is given to functions that call each other in a circle, nor for a
-        call that the task excludes.
-        """
+        calls."""
         own = namespace_of(function)
-        called = self._called(self.exercise, function)
-        unfinished = [check.exercise for check in self.siblings if check.exercise.name in called]
-        unfinished = [other for other in unfinished if not _is_right(other, own.get(other.name))]
+        calls = {self.exercise.name: self._called(self.exercise, function)}
+        called = calls[self.exercise.name]
+        unfinished = [other for other in called if not _is_right(other, own.get(other.name))]
         if not unfinished:
             return verdict
-        for other in unfinished:
-            if is_excluded(self.exercise, other):
-                not_allowed = {"type": "NotAllowed", "message": other.name}
-                refused = no_answer(self.exercise, None, not_allowed)
-                return replace(refused, case=None)
-        calls, waiting = {self.exercise.name: called}, list(unfinished)
-        while waiting:
+        waiting = list(unfinished)
+        while waiting:  # for what these call, to find circles
             other = waiting.pop()
             if other.name not in calls and callable(own.get(other.name)):
                 calls[other.name] = self._called(other, own[other.name])
-                names = calls[other.name]
-                waiting += [s.exercise for s in self.siblings if s.exercise.name in names]
-        circle = in_circles(calls).get(self.exercise.name)
-        if circle:
-            names = " and ".join([self.exercise.name, *circle])
-            return Verdict(self.exercise, ERROR, f"Your {names} call each other in a circle.")
-        again = review(self.exercise, LocalFunction(function, RightOnes(self.exercise, unfinished)))
-        if again.state in (RIGHT, WRONG):
-            return replace(again, instead=tuple(other.name for other in unfinished))
-        return replace(verdict, blames=unfinished[0].name)
+                waiting += calls[other.name]
+        names = {name: [other.name for other in called] for name, called in calls.items()}
+        circle = in_circles(names).get(self.exercise.name)
+        by_right_ones = LocalFunction(function, RightOnes(self.exercise, unfinished))
+        return followed_through(
+            verdict, lambda: review(self.exercise, by_right_ones), unfinished, circle
+        )
 
     def _called(self, exercise, function):
-        """Return the names of the exercises of this notebook that a function calls, found by
-        running it."""
-        others = [check.exercise for check in self.siblings if check.exercise is not exercise]
-        right_ones = RightOnes(exercise, others)
+        """Return the exercises of this notebook whose functions a function calls, found by running
+        it."""
+        others = {check.exercise.name: check.exercise for check in self.siblings}
+        others.pop(exercise.name)
+        right_ones = RightOnes(exercise, others.values())
         judge(exercise, LocalFunction(function, right_ones), seconds=_CALLS_SECONDS)
-        return right_ones.called
+        return [others[name] for name in right_ones.called]
 
     def _not_in_the_notebook(self, files):
         named = " and ".join(files)

@@ -48,8 +48,6 @@ class Outcome:
         Whether the whole notebook was run.
     called : tuple of str
         The names of the functions that it called and that were replaced by right functions.
-    instead : tuple of str
-        The same, if the verdict that counts was formed so.
     remark : str
         A sentence that stands before the message.
     too_late : bool
@@ -64,7 +62,6 @@ class Outcome:
     at: int = 0
     whole: bool = False
     called: tuple[str, ...] = ()
-    instead: tuple[str, ...] = ()
     remark: str = ""
     too_late: bool = False
 

@@ -77,7 +77,7 @@ def row_of(exercise: Exercise, outcome: object) -> dict:
     if outcome is None:
         return row | {"state": UNREADABLE, "message": "The file cannot be read."}
     verdict = outcome.verdict
-    message = [_judged_with(outcome.instead), outcome.remark, message_of(verdict)]
+    message = [_judged_with(verdict.instead), outcome.remark, message_of(verdict)]
     row |= {
         "points": verdict.points,
         "state": verdict.state,
@@ -86,7 +86,7 @@ def row_of(exercise: Exercise, outcome: object) -> dict:
     if verdict.blames:
         return row | {"blames": verdict.blames}
     mistake = verdict.mistake.name if verdict.mistake else ""
-    return row | {"instead": list(outcome.instead), "mistake": mistake}
+    return row | {"instead": list(verdict.instead), "mistake": mistake}
 
 
 def _judged_with(instead: tuple[str, ...]) -> str:
@@ -103,7 +103,7 @@ def message_of(verdict: Verdict) -> str:
     and without the offer of a hint."""
     if verdict.state == RIGHT:
         return without_controls(verdict.note)
-    shown = replace(verdict, blames="", answer=_with_first_words(verdict.answer))
+    shown = replace(verdict, blames="", instead=(), answer=_with_first_words(verdict.answer))
     try:
         details = describe_details(shown)
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):

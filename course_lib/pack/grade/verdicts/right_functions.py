@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG, Exercise, Verdict, with_blame
-from course_lib.checks.follow_through import in_circles
+from course_lib.checks.exercise import RIGHT, Exercise
+from course_lib.checks.follow_through import followed_through, in_circles
 from course_lib.pack.grade.jail.statements import needed, stubs_only
 from course_lib.pack.grade.verdicts.attempt import all_forbidden, attempt
 from course_lib.pack.grade.verdicts.progress import Instead, Outcome, Run
@@ -16,10 +16,7 @@ FINDS_NAMES += ("sys", "gc", "inspect", "__dict__", "__main__", "get_ipython")
 
 def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
     """Ask once more whatever is not right, with right functions in place of all others that are
-    not.
-
-    Those that it called are known by having been asked. Functions that call each other in a circle
-    earn nothing by it, and nothing is earned by a call that the task excludes.
+    not; see course_lib/checks/follow_through.py.
     """
     wrong = [e for e in run.exercises if outcomes[e.name].verdict.state != RIGHT]
     instead = {e.name: [other for other in wrong if other is not e] for e in wrong}
@@ -34,35 +31,15 @@ def follow_through(run: Run, outcomes: dict[str, Outcome]) -> None:
         ]
         if exercises and len(wrong) > 1 and not run.over():
             judged_again |= _with_right_ones(run, exercises, whole, instead)
-    calls = {name: outcome.called for name, outcome in judged_again.items()}
-    circles = in_circles(calls)
+    circles = in_circles({name: outcome.called for name, outcome in judged_again.items()})
     for name, again in judged_again.items():
-        before = outcomes[name]
-        if name in circles:
-            others = " and ".join([name, *circles[name]])
-            outcomes[name] = replace(before, remark=f"Your {others} call each other in a circle.")
-        elif again.verdict.mistake is not None and again.verdict.mistake.name in _refusals(again):
-            outcomes[name] = again
-        elif not again.called:
-            continue
-        elif _is_no_worse(again.verdict, before.verdict):
-            outcomes[name] = replace(again, instead=again.called)
-        elif before.verdict.state in (WRONG, ERROR):
-            blamed = [outcomes[other].verdict for other in again.called]
-            outcomes[name] = replace(before, verdict=with_blame(before.verdict, blamed))
-
-
-def _is_no_worse(again: Verdict, before: Verdict) -> bool:
-    """Return whether a verdict with right functions in place of others says more of the answer
-    itself."""
-    if again.points == before.points:
-        return again.state == WRONG
-    return again.points > before.points
-
-
-def _refusals(outcome: Outcome) -> list[str]:
-    """Return the names of the mistakes of calling each function that the task excludes."""
-    return [f"{name} is called" for name in outcome.called]
+        verdict = followed_through(
+            outcomes[name].verdict,
+            lambda again=again: again.verdict,
+            [run.exercise(other) for other in again.called],
+            circles.get(name),
+        )
+        outcomes[name] = replace(outcomes[name], verdict=verdict)
 
 
 def _is_named(run: Run, exercise: Exercise) -> bool:
