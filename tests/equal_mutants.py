@@ -13,7 +13,10 @@ from functools import cached_property
 import numpy as np
 from mutants import made, mutants, spread
 
-from course_lib.checks.exercise import RIGHT, LocalFunction, Property, attempt, judge
+from course_lib.checks.comparisons import attempt
+from course_lib.checks.exercise import Property
+from course_lib.checks.judge import LocalFunction, judge
+from course_lib.checks.verdict import RIGHT
 from course_lib.checks.write_test import Version, WriteTest
 
 SEEDS = range(100, 103)

@@ -17,6 +17,8 @@ import nbformat
 import numpy as np
 import pytest
 
+from course_lib.checks.later_cells import as_read
+
 # A matrix of numpy is one of the forms, however much numpy advises against it.
 pytestmark = pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
 
@@ -103,7 +105,7 @@ def test_truth_values_stay_truth_values():
     case = next(iter(reached.EXERCISE.cases(np.random.default_rng(0))))
     answer = reached.EXERCISE.library(*case)
     column = np.reshape(answer, (-1, 1))
-    read = reached.EXERCISE.as_read(column, case)
+    read = as_read(reached.EXERCISE, column, case)
     assert read.dtype == bool
     assert read.shape == np.shape(answer)
 
@@ -111,5 +113,5 @@ def test_truth_values_stay_truth_values():
 def test_whole_numbers_stay_indices():
     split = importlib.import_module("course_lib.lessons.decomposition_ik.exercises.split_branches")
     q = np.array([[0.0, 1.0], [1.0, -1.0], [0.1, 1.1]])
-    labels = split.EXERCISE.as_read(np.array([[0], [1], [0]]), (q,))
+    labels = as_read(split.EXERCISE, np.array([[0], [1], [0]]), (q,))
     assert np.arange(2)[labels].tolist() == [0, 1, 0]

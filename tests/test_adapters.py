@@ -9,8 +9,9 @@ import sympy as sp
 
 from course_lib.checks import call_student, wire
 from course_lib.checks.adapters import NoNumber, with_symbols
-from course_lib.checks.exercise import ERROR, LocalFunction, judge
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import ERROR
 from course_lib.lessons.decomposition_ik import check
 
 DH_SYMBOLIC = check.dh_symbolic.exercise

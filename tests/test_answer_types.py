@@ -6,10 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, numbers
-from course_lib.checks.exercise import Exercise, LocalFunction, Mistake, Property, Unreadable, judge
+from course_lib.checks.answer_types import NOT_A_NUMBER, OTHER_FORM, Unreadable, numbers
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array, format_tuple
-from course_lib.checks.mistake import Mistakes
+from course_lib.checks.judge import LocalFunction, judge
+from course_lib.checks.mistake import Mistake, Mistakes
 
 SWAPPED = Mistake("rows and columns are swapped", "Transpose it.")
 

@@ -26,15 +26,9 @@ import numpy as np
 import pytest
 
 from course_lib.checks.comparisons import attempt, predict
-from course_lib.checks.exercise import (
-    ERROR,
-    RIGHT,
-    WRONG,
-    LocalFunction,
-    judge,
-    review,
-)
+from course_lib.checks.judge import LocalFunction, judge, review
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import ERROR, RIGHT, WRONG
 
 LESSONS = Path(__file__).parent / "lessons"
 FILES = sorted(

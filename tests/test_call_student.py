@@ -20,8 +20,9 @@ from course_lib import rigid, rotations
 from course_lib.checks import call_student, wire
 from course_lib.checks.call_student import TOGETHER
 from course_lib.checks.errors import explain_error
-from course_lib.checks.exercise import ERROR, RIGHT, WRONG, LocalFunction, judge
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import ERROR, RIGHT, WRONG
 from course_lib.checks.wire import Seed
 from course_lib.lessons.panda_dh_ik import check as panda_dh_ik
 from course_lib.lessons.rotations import check

@@ -7,9 +7,9 @@ import pytest
 from toy_exercises import NEAREST_SO
 
 from course_lib.checks import kernel
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT
 from course_lib.checks.notebook import Check, Predict
 from course_lib.checks.prediction import Prediction
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT
 
 ANSWER = """
 def nearest_so(M):

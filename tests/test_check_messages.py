@@ -12,19 +12,12 @@ from toy_exercises import DOUBLE, IS_SMALL, NEAREST_SO, reflections_stay, right
 from course_lib import rotations
 from course_lib.arms import panda
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import (
-    NOT_ATTEMPTED,
-    WRONG,
-    Exercise,
-    LocalFunction,
-    Property,
-    Verdict,
-    judge,
-    review,
-)
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.judge import LocalFunction, judge, review
 from course_lib.checks.messages import describe
 from course_lib.checks.notebook import _HAND_IN, Check, Predict, Progress
 from course_lib.checks.prediction import Prediction
+from course_lib.checks.verdict import NOT_ATTEMPTED, WRONG, Verdict
 from course_lib.lessons.decomposition_ik.exercises import ik_2r
 from course_lib.lessons.rigid_motion.exercises import interpolate_body_screw, two_link_angles
 from course_lib.planar import wrap_angle

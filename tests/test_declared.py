@@ -5,9 +5,10 @@ import pytest
 
 from course_lib.checks import kinds
 from course_lib.checks.declared import declared
-from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, review
+from course_lib.checks.judge import LocalFunction, review
 from course_lib.checks.kinds import Kind, cases_of, sweeps_of
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.checks.wire import write
 from course_lib.rigid import is_se
 from course_lib.rotations import is_so

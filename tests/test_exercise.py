@@ -12,24 +12,15 @@ from toy_exercises import DOUBLE, NEAREST_SO, TEST_LOG
 from course_lib import rotations
 from course_lib.checks import wire
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import (
-    ERROR,
-    FORGOTTEN_RETURN,
-    NOT_ATTEMPTED,
-    RIGHT,
-    SHARED_RESULT,
-    UNCHANGED,
-    WRONG,
-    LocalFunction,
-    Property,
-    judge,
-    review,
-)
+from course_lib.checks.examine import FORGOTTEN_RETURN, SHARED_RESULT
+from course_lib.checks.exercise import Property
+from course_lib.checks.judge import LocalFunction, judge, review
 from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.naming import KEPT_FOR_AN_ARRAY
 from course_lib.checks.reasons import Misjudges
 from course_lib.checks.special_cases import MadeCase, Sweep
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.checks.write_test import Version
 
 

@@ -13,11 +13,11 @@ from toy_exercises import DOUBLE, NEAREST_SO
 
 from course_lib.arms import panda
 from course_lib.checks import follow_through, kernel
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from course_lib.checks.follow_through import followed_through, in_circles
 from course_lib.checks.notebook import Check
 from course_lib.checks.own_files import own_files
 from course_lib.checks.right_ones import RIGHT_ONES, namespace_of, right_ones
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from course_lib.figures.toys.arms import jog
 
 RIGHT_SO = """

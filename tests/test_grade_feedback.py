@@ -14,7 +14,7 @@ from grade_stand_in import result
 from scipy.stats import pearsonr
 from site_visits import CONTRAST_ON_PAGE, Visit
 
-from course_lib.checks.exercise import NOT_ATTEMPTED
+from course_lib.checks.verdict import NOT_ATTEMPTED
 from course_lib.pack.grade.hand_ins.collect import Submission
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE
 from course_lib.pack.grade.jobs import ungraded_result

@@ -7,8 +7,9 @@ import pytest
 from hostile.build import NAME, OTHERS, SEED, book
 from toy_exercises import NEAREST_SO, right
 
-from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, review
+from course_lib.checks.judge import LocalFunction, review
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import courses
 from course_lib.pack.grade.jail.sandbox import Limits

@@ -13,8 +13,9 @@ from hostile.build import SEED, SHORT, book, left_over, processes, traces
 from toy_exercises import DOUBLE, TEST_LOG
 
 from course_lib import rotations
-from course_lib.checks.exercise import ERROR, RIGHT, LocalFunction, judge
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import ERROR, RIGHT
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import Course
 from course_lib.pack.grade.verdicts import student_process, submission

@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 import course_lib
-from course_lib.checks.exercise import WRONG, Exercise, LocalFunction, Property, Verdict, judge
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.verdict import WRONG, Verdict
 from course_lib.checks.write_test import WriteTest
 from course_lib.lessons.decomposition_ik.exercises.ik_2r import EXERCISE as IK_2R
 from course_lib.lessons.panda_dh_ik.exercises.register_points import EXERCISE as REGISTER_POINTS

@@ -13,7 +13,9 @@ from equal_mutants import Solution
 from mutants import NOTEBOOKS, made, mutants, solved, spread
 from test_bank import FILES, exercise_of, notebook_of
 
-from course_lib.checks.exercise import PUBLIC_SEED, RIGHT, LocalFunction, judge
+from course_lib.checks.exercise import PUBLIC_SEED
+from course_lib.checks.judge import LocalFunction, judge
+from course_lib.checks.verdict import RIGHT
 from course_lib.checks.write_test import WriteTest
 
 MAX_MUTANTS = 35  # of the mutants of an exercise, of which every second one is tried

@@ -8,8 +8,9 @@ import pytest
 from scipy.linalg import expm
 
 from course_lib import rigid
-from course_lib.checks.exercise import RIGHT, WRONG, LocalFunction, judge
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
+from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.lessons.poe_kuka_iiwa import check
 
 EXP = check.exp_se3.exercise

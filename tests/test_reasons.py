@@ -9,7 +9,7 @@ import pytest
 from toy_exercises import IS_SMALL, NEAREST_SO, right
 
 from course_lib.checks import reasons
-from course_lib.checks.exercise import ERROR, WRONG, LocalFunction, Verdict, judge
+from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.reasons import (
     Fails,
     Finding,
@@ -21,6 +21,7 @@ from course_lib.checks.reasons import (
     first_error,
     off_by,
 )
+from course_lib.checks.verdict import ERROR, WRONG, Verdict
 from course_lib.pack.grade.jail.missing_modules import explain_missing
 from course_lib.pack.grade.jail.sandbox import Limits
 from course_lib.pack.grade.verdicts.judging import ask

@@ -11,15 +11,9 @@ import pytest
 from toy_exercises import DOUBLE
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import (
-    PUBLIC_SEED,
-    RIGHT,
-    WRONG,
-    Exercise,
-    LocalFunction,
-    Property,
-    judge,
-)
+from course_lib.checks.exercise import PUBLIC_SEED, Exercise, Property
+from course_lib.checks.judge import LocalFunction, judge
+from course_lib.checks.later_cells import as_read
 from course_lib.checks.messages import describe
 from course_lib.checks.special_cases import (
     BESIDE,
@@ -32,6 +26,7 @@ from course_lib.checks.special_cases import (
     made_cases,
 )
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.checks.vocabulary import compared, pose, same_list
 from course_lib.rigid import is_se
 from course_lib.rotations import exp_so3, is_so
@@ -462,7 +457,7 @@ def test_an_accepted_answer_comes_to_later_cells_as_it_was_read(exercise):
         if any(hasattr(argument, "number") for argument in case):
             return  # a sampler: another answer each time
         plain = exercise.library(*case)
-        expected = exercise.as_read(plain, case)
+        expected = as_read(exercise, plain, case)
         for form, in_form in FORMS.items():
             try:
                 changed = in_form(plain)
@@ -471,7 +466,7 @@ def test_an_accepted_answer_comes_to_later_cells_as_it_was_read(exercise):
                 continue  # not accepted in this form, or not to be had in it
             if any(part.failing([case], [read]) for part in exercise.properties if not part.across):
                 continue
-            handed_on = exercise.as_read(changed, case)
+            handed_on = as_read(exercise, changed, case)
             assert type(handed_on) is type(expected), form
             assert np.shape(handed_on) == np.shape(expected) == np.shape(read), form
             if isinstance(expected, np.ndarray):

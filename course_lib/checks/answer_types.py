@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake, Unreadable
-from course_lib.checks.mistake import OTHER_FORM
+from course_lib.checks.mistake import OTHER_FORM, Mistake
+from course_lib.checks.reasons import Fails
 
 NOT_A_NUMBER = Mistake(
     "something is divided by zero, a function is asked outside its domain, or nan or inf is "
@@ -11,6 +11,27 @@ NOT_A_NUMBER = Mistake(
     "Print each intermediate value for this input: where does the first nan or inf appear? "
     "What does the task ask for in this case?",
 )
+
+
+class Unreadable(ValueError):
+    """The answer has the wrong kind or shape.
+
+    Parameters
+    ----------
+    holds, found : str
+        What should hold of the answer, a sentence without its end, and what was returned.
+    mistake : Mistake
+    array : ndarray, optional
+        The answer, if it is an array of another shape.
+    not_a_number : bool, optional
+        Whether it holds nan or inf. Mistakes of the exercise that know such answers take the place
+        of this one.
+    """
+
+    def __init__(self, holds, found, mistake, array=None, not_a_number=False):
+        self.reason = Fails(holds, found)
+        super().__init__(str(self.reason))
+        self.mistake, self.array, self.not_a_number = mistake, array, not_a_number
 
 
 def boolean(value, *case):

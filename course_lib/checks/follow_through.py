@@ -18,8 +18,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from course_lib.checks.exercise import ERROR, WRONG, Exercise, Verdict, no_answer
+from course_lib.checks.examine import no_answer
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.reasons import InCircle
+from course_lib.checks.verdict import ERROR, WRONG, Verdict
 from course_lib.checks.wire import from_json, to_json
 
 MAX_TEXT = 200  # characters of a message

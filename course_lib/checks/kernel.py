@@ -10,8 +10,8 @@ import re
 import sys
 import types
 
-from course_lib.checks.exercise import ERROR
 from course_lib.checks.messages import MARKS
+from course_lib.checks.verdict import ERROR
 
 
 def show(text, colour, kind="course-check", inside=None):

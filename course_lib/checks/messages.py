@@ -7,8 +7,8 @@ import textwrap
 import numpy as np
 
 from course_lib.checks.comparisons import attempt, predict, same
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.checks.format_numbers import SHOWN_DIGITS, digits_of
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit
 # light and dark themes.

@@ -6,21 +6,14 @@ import importlib
 import os
 
 from course_lib.checks import kernel
-from course_lib.checks.exercise import (
-    ERROR,
-    NOT_ATTEMPTED,
-    RIGHT,
-    WRONG,
-    LocalFunction,
-    Verdict,
-    judge,
-    review,
-)
 from course_lib.checks.follow_through import RightOnes, followed_through, in_circles
+from course_lib.checks.judge import LocalFunction, judge, review
+from course_lib.checks.later_cells import as_read
 from course_lib.checks.messages import MARKS, as_html, describe, listed
 from course_lib.checks.own_files import own_files
 from course_lib.checks.reasons import WaitsFor
 from course_lib.checks.right_ones import namespace_of
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
 _HAND_IN = (
@@ -253,7 +246,7 @@ def _files_not_handed_in(function):
 
 def _as_checked(function, exercise):
     """Return the function with its answers in the form in which the check reads them; see
-    Exercise.as_read."""
+    later_cells.as_read."""
 
     @functools.wraps(function)
     def answering_as_checked(*arguments, **named):
@@ -261,7 +254,7 @@ def _as_checked(function, exercise):
         if named:
             rest = exercise.arguments[len(arguments) :]
             in_order += tuple(named[name] for name in rest if name in named)
-        return exercise.as_read(function(*arguments, **named), in_order)
+        return as_read(exercise, function(*arguments, **named), in_order)
 
     return answering_as_checked
 

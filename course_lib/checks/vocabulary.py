@@ -6,8 +6,9 @@ import itertools
 import numpy as np
 
 from course_lib.checks.comparisons import difference, same
-from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import Finding, off_by
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.wire import write

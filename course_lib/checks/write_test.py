@@ -15,21 +15,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from course_lib.checks.answer_types import boolean
+from course_lib.checks.answer_types import Unreadable, boolean
 from course_lib.checks.comparisons import attempt
-from course_lib.checks.exercise import (
-    ERROR,
-    FORGOTTEN_RETURN,
-    NOT_ATTEMPTED,
-    RIGHT,
-    WRONG,
-    Exercise,
-    Mistake,
-    Unreadable,
-    Verdict,
-    no_answer,
-)
+from course_lib.checks.examine import FORGOTTEN_RETURN, no_answer
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import Fails, Misjudges, RaisedForRightVersion
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON

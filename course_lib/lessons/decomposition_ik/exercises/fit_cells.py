@@ -3,8 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one

@@ -3,8 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip

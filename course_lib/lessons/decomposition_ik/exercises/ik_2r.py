@@ -4,8 +4,9 @@ to a position."""
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
 from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip

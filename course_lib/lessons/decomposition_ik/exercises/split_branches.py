@@ -7,7 +7,8 @@ from sklearn.cluster import KMeans
 from threadpoolctl import ThreadpoolController
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import FOUR_DIGITS
 from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
 

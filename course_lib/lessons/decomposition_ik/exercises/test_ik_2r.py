@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest

@@ -6,7 +6,8 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.naming import attempt
 from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved

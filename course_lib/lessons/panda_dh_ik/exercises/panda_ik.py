@@ -7,8 +7,9 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.call_student import TOGETHER
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import SOLVERS, remembered
 from course_lib.ik import solve

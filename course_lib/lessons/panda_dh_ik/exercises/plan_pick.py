@@ -4,7 +4,8 @@ than they can give."""
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, FOUR_DIGITS, SIX_DIGITS
 from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY, T_W0

@@ -2,8 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Exercise, Mistake, Property, same
+from course_lib.checks.comparisons import same
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (

@@ -3,9 +3,10 @@ poses as answers."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, numbers
-from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.answer_types import OTHER_FORM, Unreadable, numbers
+from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
-from course_lib.checks.exercise import Property, same
+from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.vocabulary import (

@@ -8,7 +8,8 @@ import numpy as np
 
 from course_lib.arms import ur5e
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import SOLVERS, any_pose, away_from_zero, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import KUKA, KUKA_HOME, jacobian, tool_pose

@@ -3,9 +3,10 @@
 import numpy as np
 
 from course_lib.arms import ur5e
-from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import Unreadable, numbers
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import orthogonality_error, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, axes

@@ -3,7 +3,7 @@ adjoints."""
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
     X,

@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.arms import iiwa14
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 
 _ARM = iiwa14()

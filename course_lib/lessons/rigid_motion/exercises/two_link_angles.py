@@ -6,8 +6,9 @@ The two pairs may stand in either order, so its properties ask where each of the
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS

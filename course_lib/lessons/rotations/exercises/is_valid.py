@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib.checks.answer_types import boolean
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import orthogonality_error, pose, unit
 from course_lib.rotations import exp_so3, nearest_quaternion, random_rotations

@@ -3,8 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rotations.exercises import sampling
 from course_lib.rotations import quaternion_to_matrix, random_quaternions

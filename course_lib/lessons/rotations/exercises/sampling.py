@@ -3,7 +3,8 @@
 import numpy as np
 
 from course_lib.checks.comparisons import attempt
-from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.exercise import Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import no_rotation
 from course_lib.checks.wire import Seed

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.vocabulary import compared
 from course_lib.rotations import nearest_so, random_rotations
 

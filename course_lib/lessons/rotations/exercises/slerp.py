@@ -3,8 +3,9 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
-from course_lib.checks.exercise import Property, same
+from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import QUATERNION, number
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep

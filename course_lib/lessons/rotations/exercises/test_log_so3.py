@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 from course_lib.rotations import log_so3, matrix_to_quaternion
 

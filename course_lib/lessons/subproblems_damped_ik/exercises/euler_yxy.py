@@ -8,8 +8,9 @@ import itertools
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake, Property
+from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS

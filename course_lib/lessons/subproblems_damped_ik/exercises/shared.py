@@ -3,8 +3,9 @@ multiples of 2 pi."""
 
 import numpy as np
 
-from course_lib.checks.answer_types import OTHER_FORM, rows
-from course_lib.checks.exercise import Mistake, Property, Unreadable
+from course_lib.checks.answer_types import OTHER_FORM, Unreadable, rows
+from course_lib.checks.exercise import Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS

@@ -4,7 +4,8 @@ of its angles."""
 import numpy as np
 
 from course_lib.arms import SerialArm
-from course_lib.checks.exercise import Mistake, Property
+from course_lib.checks.exercise import Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import OUT_OF_REACH
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, remembered

@@ -4,7 +4,8 @@ wrist."""
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import any_rotation, distance_of_lists, same_list

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from course_lib.checks.answer_types import NOT_A_NUMBER
-from course_lib.checks.exercise import Exercise, Mistake, Property, Unreadable
+from course_lib.checks.answer_types import NOT_A_NUMBER, Unreadable
+from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, compared, distance_of_angles, unit

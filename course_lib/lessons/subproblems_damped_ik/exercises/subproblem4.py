@@ -4,7 +4,8 @@ direction."""
 import numpy as np
 
 from course_lib.checks.answer_types import rows
-from course_lib.checks.exercise import Exercise, Mistake
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.exercise import Mistake
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.vocabulary import X, Z
 from course_lib.checks.write_test import ALWAYS_FALSE, Version, WriteTest
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import rotated

@@ -3,8 +3,8 @@
 import re
 from dataclasses import replace
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, Verdict
 from course_lib.checks.reasons import first_error
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, Verdict
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.jail.statements import no_python
 from course_lib.pack.grade.verdicts.progress import Outcome, Run

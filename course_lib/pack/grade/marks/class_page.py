@@ -12,7 +12,7 @@ from urllib.parse import quote
 from markupsafe import Markup
 from scipy.stats import pearsonr
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.marks.by_hand import Entry
 from course_lib.pack.grade.marks.feedback import feedback_places, rendered

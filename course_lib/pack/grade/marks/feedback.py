@@ -12,7 +12,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup, escape
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG
 from course_lib.pack.files import write_atomically
 from course_lib.pack.grade.csv_text import clean, count_noun
 from course_lib.pack.grade.hand_ins.names import file_names

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from course_lib.checks.exercise import NOT_ATTEMPTED
+from course_lib.checks.verdict import NOT_ATTEMPTED
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.csv_text import answer_text, cell_text, read_table, table_text
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE

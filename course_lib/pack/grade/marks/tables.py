@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
-from course_lib.checks.exercise import NOT_ATTEMPTED
+from course_lib.checks.verdict import NOT_ATTEMPTED
 from course_lib.pack.grade.csv_text import count_noun, table_text
 from course_lib.pack.grade.hand_ins.collect import Submission
 from course_lib.pack.grade.hand_ins.notebook_file import courses

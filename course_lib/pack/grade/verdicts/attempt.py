@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from course_lib.checks.exercise import ERROR, RIGHT, Exercise, Verdict
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.follow_through import answer_of, called_name, can_answer
+from course_lib.checks.verdict import ERROR, RIGHT, Verdict
 from course_lib.checks.wire import Candidate
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
 from course_lib.pack.grade.hand_ins import notebook_file

@@ -9,17 +9,10 @@ import functools
 import hashlib
 from dataclasses import replace
 
-from course_lib.checks.exercise import (
-    ERROR,
-    NOT_ATTEMPTED,
-    RIGHT,
-    WRONG,
-    Exercise,
-    Verdict,
-    judged,
-    questions_of,
-)
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.judge import judged, questions_of
 from course_lib.checks.reasons import CannotBeRead, Fails, LeftOut, Varies
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from course_lib.checks.wire import write
 from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline

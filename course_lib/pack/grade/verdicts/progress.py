@@ -5,15 +5,8 @@ import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from course_lib.checks.exercise import (
-    ERROR,
-    NOT_ATTEMPTED,
-    RIGHT,
-    UNCHANGED,
-    WRONG,
-    Exercise,
-    Verdict,
-)
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Verdict
 from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.jail.sandbox import READING_SECONDS, Limits, Sandbox
 from course_lib.pack.grade.jail.statements import Statement, as_sent, needed, statements, stubs_only

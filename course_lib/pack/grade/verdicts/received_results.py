@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
 
-from course_lib.checks.exercise import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
+from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, Course, courses
 from course_lib.pack.grade.verdicts.result import without_controls
 

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from course_lib.checks.exercise import RIGHT, Exercise, Verdict
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.messages import describe_details, listed
+from course_lib.checks.verdict import RIGHT, Verdict
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, Cell, Course
 from course_lib.pack.grade.verdicts.claims import first_words

@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from course_lib.checks.exercise import RIGHT, Exercise
+from course_lib.checks.exercise import Exercise
 from course_lib.checks.follow_through import followed_through, in_circles
+from course_lib.checks.verdict import RIGHT
 from course_lib.pack.grade.jail.statements import needed, stubs_only
 from course_lib.pack.grade.verdicts.attempt import all_forbidden, attempt
 from course_lib.pack.grade.verdicts.progress import Instead, Outcome, Run

@@ -30,7 +30,8 @@ import functools
 import hashlib
 from collections.abc import Iterable
 
-from course_lib.checks.exercise import ERROR, RIGHT, UNCHANGED, WRONG, Exercise
+from course_lib.checks.exercise import Exercise
+from course_lib.checks.verdict import ERROR, RIGHT, UNCHANGED, WRONG
 from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import Unreadable, course_of
