@@ -197,6 +197,31 @@ def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
         assert earned < exercise.points or claim == "lists in lists"
 
 
+PRINTS = {
+    "in a cell": "while True:\n    print('y' * 10_000)",
+    "in what is needed": (
+        "k = 0\nwhile True:\n    k += 1\n    print('y' * 10_000)\ndef nearest_so(M): k; return M"
+    ),
+    "to stderr": "import sys\nwhile True:\n    print('y' * 10_000, file=sys.stderr)",
+}
+
+
+@pytest.mark.parametrize("place", PRINTS)
+def test_a_cell_that_prints_without_end_is_ended(place, few):
+    first, right = few
+    broken = "def nearest_so(M):\n    return missing"  # so that the whole notebook runs
+    result = grade(book(first, *right, broken, PRINTS[place]), NAME, SEED)
+    assert result["problems"] == [
+        f"Code cell {len(right) + 3} was left out: it printed more than a notebook can hold."
+    ]
+    assert sorted(row["state"] == "right" for row in result["exercises"]) == [
+        False,
+        True,
+        True,
+        True,
+    ]
+
+
 def test_endless_judging_is_stopped_for_that_exercise_only(few, monkeypatch):
     judged = judging.judged
 

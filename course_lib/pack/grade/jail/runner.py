@@ -31,6 +31,7 @@ and this process (Conversation.say) sends
     ----------  --------------------------------------------------------------------------------
     running     [number of a cell, line] of what begins to run; line 0: the whole cell
     missing     the name of a module that an import did not find
+    printed     true: what runs was ended because it printed too much
     checked     the name of the exercise whose check runs now; requests follow, then {}
     library     a cell's call of a function of the checks, as JSON text; an answer follows
     ran         true: the cells have run; requests follow, until the pipe is closed
@@ -47,6 +48,7 @@ import ast
 import contextlib
 import functools
 import importlib
+import io
 import json
 import linecache
 import os
@@ -59,12 +61,15 @@ import sys
 import threading
 import time
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import IO
 
 PATIENCE = 20  # seconds in which a child reads an answer
 ROOM_PATIENCE = 5  # seconds in which killed processes end and leave room for another one
 ROOM_PAUSE = 0.01  # seconds between two attempts to make a process
+# Of what a cell prints: the bytes that this takes in the file of a notebook, of which no hand-in
+# may have more. Each piece takes about ten more than its characters there.
+MAX_PRINTED, EACH_PRINTED = 10**8, 10
 TOO_LONG = "its answer is too long"
 TOO_OFTEN = "it calls the functions that it tests too often"
 NOT_READING = "it does not read what the functions that it calls answer"
@@ -87,12 +92,13 @@ def main(course: str, requests: int, replies: int, put_aside: dict) -> None:
     conversation = Conversation(os.fdopen(requests, "rb"), replies)
     order = conversation.read()
     begin_all_random_numbers_alike()
+    sys.stdout = sys.stderr = conversation.printed
     run = needed_only
     if order["whole"]:
         run = whole
         sys.modules |= put_aside
     left_out = {tuple(place) for place in order["without"]}
-    space = run(order["cells"], order["needed"], left_out, conversation.say)
+    space = run(order["cells"], order["needed"], left_out, conversation)
     conversation.say(ran=True)
     conversation.serve(space.get)
 
@@ -102,6 +108,7 @@ class Conversation:
 
     def __init__(self, requests: IO[bytes], replies: int) -> None:
         self._requests, self._replies, self._process = requests, replies, os.getpid()
+        self.printed = Printed(sys.stdout.buffer, encoding="utf-8", errors="replace")
         self._checks = importlib.import_module("course_lib.checks")
         self._call_student = importlib.import_module("course_lib.checks.call_student")
         self._checks.checked = self.checked
@@ -110,6 +117,19 @@ class Conversation:
     def say(self, **message: object) -> None:
         """Write a line to the grader."""
         write(self._replies, json.dumps(message).encode() + b"\n")
+
+    @contextlib.contextmanager
+    def running(self, number: int, line: int = 0) -> Iterator[None]:
+        """Say what runs in the block, and at its end whether it printed too much.
+
+        number, line: of the cell, and of the statement in it; line 0 for the whole cell.
+        """
+        self.say(running=[number, line])
+        self.printed.begin()
+        yield
+        if self.printed.is_too_much():
+            self.say(printed=True)
+        self.printed.begin()
 
     def read(self) -> dict:
         """Read a line from the grader; {} if there is none."""
@@ -149,6 +169,31 @@ class Conversation:
         return os.getpid() == self._process and in_main_thread
 
 
+class Printed(io.TextIOWrapper):
+    """Where cells print to: nowhere, and not without end."""
+
+    size = 0  # of what was printed since `begin`
+
+    def begin(self) -> None:
+        """Let the next cell print as much as any other."""
+        self.size = 0
+
+    def write(self, text: str) -> int:
+        """Drop a piece; raise TooMuchPrinted from the one on that is too much."""
+        self.size += len(text) + EACH_PRINTED
+        if self.is_too_much():
+            raise TooMuchPrinted
+        return super().write(text)
+
+    def is_too_much(self) -> bool:
+        """Return whether more was printed than any notebook can hold."""
+        return self.size > MAX_PRINTED
+
+
+class TooMuchPrinted(BaseException):
+    """Ends what prints too much. Not an Exception, which `except Exception` swallows."""
+
+
 def begin_all_random_numbers_alike() -> None:
     """Let random numbers begin alike, so that the same file gets the same grade.
 
@@ -166,7 +211,9 @@ def begin_all_random_numbers_alike() -> None:
 # ---- cells ----
 
 
-def whole(sources: list[str], needed: list, without: set[tuple], say: Callable) -> dict:
+def whole(
+    sources: list[str], needed: list, without: set[tuple], conversation: Conversation
+) -> dict:
     """Run the cells as Jupyter does, but continue after errors; return their namespace."""
     from IPython.core.interactiveshell import InteractiveShell
     from IPython.utils.text import SList
@@ -181,15 +228,16 @@ def whole(sources: list[str], needed: list, without: set[tuple], say: Callable) 
     for number, source in enumerate(sources):
         if (number, 0) in without:
             continue
-        say(running=[number, 0])
-        with contextlib.suppress(BaseException):
+        with conversation.running(number), contextlib.suppress(BaseException):
             result = shell.run_cell(source, store_history=True)
-            note_missing(result.error_before_exec or result.error_in_exec, say)
+            note_missing(result.error_before_exec or result.error_in_exec, conversation.say)
         keep_the_name_of_the_checks(shell.user_ns)
     return shell.user_ns
 
 
-def needed_only(sources: list[str], needed: list, without: set[tuple], say: Callable) -> dict:
+def needed_only(
+    sources: list[str], needed: list, without: set[tuple], conversation: Conversation
+) -> dict:
     """Run only the statements that are needed, whatever fails; return their namespace.
 
     needed: [number of a cell, its text as Python, places of statements in it], see statements.py.
@@ -206,11 +254,11 @@ def needed_only(sources: list[str], needed: list, without: set[tuple], say: Call
         for tree in (body[place] for place in places):
             if (number, tree.lineno) in without:
                 continue
-            say(running=[number, tree.lineno])
-            try:
-                exec(compile(ast.Module([tree], []), f"<cell {number}>", "exec"), space)
-            except BaseException as error:  # also those that students derive from BaseException
-                note_missing(error, say)
+            with conversation.running(number, tree.lineno):
+                try:
+                    exec(compile(ast.Module([tree], []), f"<cell {number}>", "exec"), space)
+                except BaseException as error:  # also those that students derive from BaseException
+                    note_missing(error, conversation.say)
     return space
 
 

@@ -7,6 +7,7 @@ from course_lib.pack.grade.jail.sandbox import Ended, Sandbox
 from course_lib.pack.grade.verdicts.progress import Place, Run
 
 MAX_CHECKS = 5  # of one exercise, in the notebook, at which its function is asked
+PRINTED = "it printed more than a notebook can hold"
 MAX_LINE = 10**7  # the number of a line that the runner claims to run
 
 
@@ -50,6 +51,8 @@ def run_cells(
                 continue  # the same cell goes on
             elif isinstance(name := message.get("missing"), str):
                 note_missing(run, name)
+            elif message.get("printed") is True and place is not None:
+                run.left_out[place[0]] = PRINTED
             else:
                 place = _place(message.get("running"), run) or place
             watch.begin(limits.cell_cpu_seconds, limits.notebook_cpu_seconds)
