@@ -120,10 +120,39 @@ def test_a_table_that_another_function_reads_is_not_settled():
     assert not settled("f", *CHANGED, read, given={0})
 
 
-def test_no_cell_is_idle_if_a_function_changes_something():
-    change = "def change():\n    table['k'] = 2"
-    assert idle(*CHANGED, "print(1)", given={2}) == {2}
-    assert idle(*CHANGED, change, "print(1)", given={3}) == set()
+CALLS = ("change()", "again()")
+
+
+@pytest.mark.parametrize("call", CALLS)
+@pytest.mark.parametrize(
+    "change",
+    [
+        "def change():\n    table['k'] = 2",
+        "other = table\ndef change():\n    other['k'] = 2",
+        "other = [table]\ndef change():\n    other[0].update(k=2)",
+        "change = lambda: table.update(k=2)",
+        "class change:\n    def __init__(self):\n        table['k'] = 2",
+    ],
+)
+def test_a_given_cell_that_may_call_what_changes_a_table_is_not_idle(change, call):
+    cells = *CHANGED, change, "def again():\n    change()", call, "print(1)"
+    assert idle(*cells, given={4, 5}) == {5}
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "from course_lib.arms import panda\narm = panda()\ndef f(q):\n    return arm.fk(q)",
+        "def g(q):\n    return 2 * q\ndef f(q):\n    return g(q).mean()",
+    ],
+)
+def test_a_method_of_what_the_library_or_a_function_returns_changes_nothing(cell):
+    assert idle(cell, "print(f(1))", given={1}) == {1}
+
+
+def test_a_method_of_an_object_of_the_student_s_may_change_it():
+    cell = "rng = np.random.default_rng(0)\ndef f(q):\n    return q + rng.normal()"
+    assert idle(IMPORT, cell, "print(f(1))", given={2}) == set()
 
 
 def told(*sources):

@@ -98,17 +98,11 @@ def idle_cells(
         Of its cells.
     given : iterable of int
         The numbers of the cells that are as students are given them. Those with a check are not
-        idle, and none is if a function of the student's, which it may call, changes something.
+        idle.
     """
     given = set(given)
-    known, imported = _known(in_order, given), _imported(in_order)
-    functions = [
-        each for each in in_order if each.cell not in given and isinstance(each.tree, FUNCTIONS)
-    ]
-    if any(_changes(each, known) - imported for each in functions):
-        return set()
     idle = {number for number in given if not CALLED_CHECK.search(sources[number])}
-    left_by, in_cell = _places(in_order), {}
+    left_by, in_cell = _places(in_order, given), {}
     for place, statement in enumerate(in_order):
         in_cell.setdefault(statement.cell, []).append(place)
     waiting = [number for number in range(len(sources)) if number not in idle]
@@ -120,13 +114,62 @@ def idle_cells(
     return idle
 
 
-def _places(in_order: Sequence[Statement]) -> dict[str, list[int]]:
-    """Return {name: the places of the statements that bind or change it}."""
+def _places(in_order: Sequence[Statement], given: Collection[int]) -> dict[str, list[int]]:
+    """Return {name: the places of the statements that bind or change it}, in order.
+
+    A statement also changes what a function of the student's does, if it may call that function.
+    """
     places, imported = {}, _imported(in_order)
     for place, statement in enumerate(in_order):
         for name in statement.binds | (statement.changes - imported):
-            places.setdefault(name, []).append(place)
-    return places
+            places.setdefault(name, set()).add(place)
+    for name, callers in _changed_by_calls(in_order, given).items():
+        places.setdefault(name, set()).update(callers)
+    return {name: sorted(several) for name, several in places.items()}
+
+
+def _changed_by_calls(in_order: Sequence[Statement], given: Collection[int]) -> dict[str, set[int]]:
+    """Return {name: the places of the statements that may call a function of the student's which
+    changes it}.
+
+    They read the name of the function, or a name that is bound by a statement that does. What is
+    changed may go by all names that share a value with this one.
+    """
+    known, imported = _known(in_order, given), _imported(in_order)
+    functions, callers = {}, {}  # functions: {changed name: those that change it}
+    for statement in in_order:
+        if statement.cell not in given and _is_called_later(statement.tree):
+            for name in _changes(statement, known) - imported:
+                functions.setdefault(name, set()).update(statement.binds)
+    if not functions:
+        return {}
+    lasting = imported | {
+        name for each in in_order if isinstance(each.tree, FUNCTIONS) for name in each.binds
+    }
+    values = [each for each in in_order if not isinstance(each.tree, (*FUNCTIONS, *IMPORTS))]
+    links = [(each.binds | each.reads) - lasting for each in values]
+    reads_and_binds = [(each.reads, each.binds) for each in in_order]
+    for name, several in functions.items():
+        names = _reached({name}, [(link, link) for link in links])
+        called = _reached(several, reads_and_binds)
+        places = {place for place, each in enumerate(in_order) if each.reads & called}
+        for shared in names:
+            callers.setdefault(shared, set()).update(places)
+    return callers
+
+
+def _reached(names: Collection[str], steps: Sequence[tuple[set[str], set[str]]]) -> set[str]:
+    """Return these names and all that steps lead to, each from any of some names to others."""
+    by_start = {}
+    for starts, ends in steps:
+        for name in starts:
+            by_start.setdefault(name, []).append(ends)
+    reached, waiting = set(names), [*names]
+    while waiting:
+        for ends in by_start.pop(waiting.pop(), []):
+            waiting += ends - reached
+            reached |= ends
+    return reached
 
 
 def _read_from(
@@ -134,7 +177,7 @@ def _read_from(
 ) -> Iterator[int]:
     """Yield the places of the statements of which the one at this place may read something."""
     statement = in_order[place]
-    is_called_later = any(isinstance(node, DEFINITIONS) for node in ast.walk(statement.tree))
+    is_called_later = _is_called_later(statement.tree)
     for name in [*statement.reads, "*"]:
         for other in reversed(left_by.get(name, [])):
             if other > place and not is_called_later:
@@ -143,6 +186,10 @@ def _read_from(
             is_simple = isinstance(in_order[other].tree, SIMPLE) and name in in_order[other].binds
             if other <= place and is_simple:
                 break  # what was bound before that is not read
+
+
+def _is_called_later(tree: ast.stmt) -> bool:
+    return any(isinstance(node, DEFINITIONS) for node in ast.walk(tree))
 
 
 def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int]) -> bool:
@@ -243,7 +290,7 @@ def _changes(statement: Statement, known: Collection[str]) -> set[str]:
     """Return the names of the notebook that a statement, or a function in it, may change: it
     assigns to a part of them, or calls a method.
 
-    known: the names that only given cells bind, whose methods are known.
+    known: the names whose methods are known, see _known.
     """
     calls = (node for node in ast.walk(statement.tree) if isinstance(node, ast.Call))
     methods = (call.func for call in calls if isinstance(call.func, ast.Attribute))
@@ -257,9 +304,42 @@ def _changes(statement: Statement, known: Collection[str]) -> set[str]:
 
 
 def _known(in_order: Sequence[Statement], given: Collection[int]) -> set[str]:
-    """Return the names that only given cells bind, and imported ones."""
-    own = {name for each in in_order if each.cell not in given for name in each.binds}
-    return {name for each in in_order for name in each.binds} - own | _imported(in_order)
+    """Return the names of whose methods, and of whose results' methods, it is known whether they
+    change something.
+
+    These are imported names, those that only given cells bind, and those that the student's cells
+    bind only to what comes of the library, to numbers or texts that are written down, or to
+    functions, as long as these read no other names than these.
+    """
+    library, unknown, readers = _from_library(in_order), set(), {}
+    for each in in_order:
+        if each.cell in given or isinstance(each.tree, IMPORTS) or _is_constant(each.tree):
+            continue
+        if isinstance(each.tree, ast.Assign) and _comes_of(each.tree.value, library):
+            library |= each.binds
+        elif not isinstance(each.tree, ast.FunctionDef):
+            unknown |= each.binds
+        for name in each.reads:
+            readers.setdefault(name, []).append(each)
+    waiting = [*unknown]
+    while waiting:
+        for reader in readers.get(waiting.pop(), []):
+            waiting += reader.binds - unknown
+            unknown |= reader.binds
+    return {name for each in in_order for name in each.binds} - unknown | _imported(in_order)
+
+
+def _from_library(in_order: Sequence[Statement]) -> set[str]:
+    """Return the names that are imported from the course's library."""
+    imports = (each for each in in_order if isinstance(each.tree, ast.ImportFrom))
+    of_library = (each for each in imports if f"{each.tree.module}.".startswith("course_lib."))
+    return {name for each in of_library for name in each.binds}
+
+
+def _comes_of(value: ast.expr, names: Collection[str]) -> bool:
+    """Return whether a value is a part of what one of these names stands for, or a result of it."""
+    base = base_of(value)
+    return bool(base) and base <= names
 
 
 def _settings(tree: ast.stmt) -> set[str]:
