@@ -6,6 +6,7 @@ The exports are built by the rules of the code that writes them.
 
 import contextlib
 import csv
+import io
 import os
 import re
 import shutil
@@ -472,6 +473,44 @@ def test_backslashes_in_a_zip_are_read_as_folders(tmp_path):
     }
 
 
+def zip_bytes(files):
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as inner:
+        for name, content in files.items():
+            inner.writestr(name, content)
+    return archive.getvalue()
+
+
+def test_a_zip_in_a_zip_is_read_as_a_folder(tmp_path):
+    inner = zip_bytes({"01_rotations.ipynb": "one", "__MACOSX/._01_rotations.ipynb": "x"})
+    zipped(tmp_path / "anna.zip", {"hw/to hand in.zip": zip_bytes({"inner.zip": inner})})
+    zipped(tmp_path / "bo/all.zip", {"hw\\in.zip": inner, "02_rigid_motion.ipynb": "two"})
+    each = {(s.student, s.notebook, s.place): read(s) for s in find(tmp_path, NOTEBOOKS)}
+    assert each == {
+        ("anna", "01_rotations", "anna.zip/hw/to hand in.zip/inner.zip/01_rotations.ipynb"): b"one",
+        ("bo", "01_rotations", "bo/all.zip/hw/in.zip/01_rotations.ipynb"): b"one",
+        ("bo", "02_rigid_motion", "bo/all.zip/02_rigid_motion.ipynb"): b"two",
+    }
+
+
+def test_a_zip_in_a_zip_that_cannot_be_read_leaves_the_rest(tmp_path):
+    files = {
+        "01_rotations.ipynb": "one",
+        "broken.zip": b"PK\x03\x04",
+        "bomb.zip": bytes(30_000_000),
+    }
+    zipped(tmp_path / "anna.zip", files)
+    assert [read(s) for s in find(tmp_path, NOTEBOOKS)] == [b"one"]
+
+
+def test_zips_are_read_to_a_bounded_depth(tmp_path):
+    archive = zip_bytes({"01_rotations.ipynb": "one"})
+    for _ in range(zips.MAX_DEPTH):
+        archive = zip_bytes({"inner.zip": archive})
+    (tmp_path / "anna.zip").write_bytes(archive)
+    assert [s.refused for s in find(tmp_path, NOTEBOOKS)] == ["There is no notebook in the zip."]
+
+
 def test_an_unusable_zip_costs_only_its_student(tmp_path, monkeypatch):
     monkeypatch.setattr(zips, "MAX_ENTRIES", 100)
     zipped(tmp_path / "many.zip", {f"{k}.txt": "" for k in range(200)})
@@ -504,7 +543,7 @@ def test_an_unusable_zip_costs_only_its_student(tmp_path, monkeypatch):
     words |= dict.fromkeys(
         ("class", "moodle", "gradescope"), "export of a class: unpack it into the folder"
     )
-    words["none"] = "not a notebook in the zip"
+    words["none"] = "no notebook in the zip"
     assert said.keys() == words.keys()
     for student, expected in words.items():
         assert expected in said[student]

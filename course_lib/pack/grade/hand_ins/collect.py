@@ -382,7 +382,7 @@ def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[
         if question := _question(whole, [Path(name) for name in names], notebooks, known):
             return [whole.asked(f"{question} A class must be unpacked first.")]
     if not names:
-        return [replace(whole, refused="There is not a notebook in the zip.")]
+        return [replace(whole, refused="There is no notebook in the zip.")]
     submissions = []
     for member, name in itertools.islice(zip(members, names, strict=True), MAX_LISTED):
         stem = printable(stem_of(name))
