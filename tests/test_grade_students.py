@@ -138,6 +138,21 @@ def test_the_answer_in_the_roster_reaches_the_gradebook(tmp_path):
     assert line == ",2,d@x,Jane,Doe,2,4"
 
 
+def test_the_numbers_in_moodles_worksheet_tell_students_of_one_name_apart(tmp_path):
+    """Columns by moodle/moodle, mod/assign/gradingtable.php; the name in one piece."""
+    hand_in_all(
+        tmp_path / "in", *[place.replace("02_rigid_motion", "01_rotations") for place in ONE_NAME]
+    )
+    (tmp_path / "roster.csv").write_text(
+        'Identifier,"Full name","Email address",Status\n'
+        '"Participant 57","Jane Doe",d@x,-\n"Participant 42","Jane Doe",j@x,-\n'
+    )
+    run(tmp_path, "--lms", "moodle", "--roster", str(tmp_path / "roster.csv"))
+    lines = (tmp_path / "out/moodle.csv").read_text("utf-8-sig").splitlines()[1:]
+    points = {line.split(",")[2]: line.split(",")[-1] for line in lines}
+    assert points == {"j@x": "2", "d@x": "4"}
+
+
 @pytest.mark.parametrize("word", ["Participant", "Teilnehmerin", "Participante", "Участник"])
 def test_each_anonymous_of_moodle_is_a_student_in_any_language(tmp_path, word):
     """Its name for all is the word `participant` of the site's language, without the slash of

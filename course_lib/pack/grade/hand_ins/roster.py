@@ -59,16 +59,23 @@ def field_of(heading: str) -> str:
     ""."""
     if heading == ALIAS:  # in this spelling: Canvas has a column Student
         return ALIAS
-    return _fields().get(heading.strip().casefold(), "")
+    fields, heading = _fields(), heading.strip()
+    return fields.get(heading) or fields.get(heading.casefold(), "")
 
 
 @functools.cache
 def _fields() -> dict[str, str]:
-    """Return {heading in small letters: field} of all platforms."""
-    fields = {heading.casefold(): field for heading, field in COMMON.items()}
+    """Return {heading: field} of all platforms, as each spells it and in small letters.
+
+    A spelling belongs to its platform before small letters do: Identifier is Moodle's, and
+    identifier is GitHub Classroom's.
+    """
+    fields = dict(COMMON)
     for platform in platforms().values():
         for heading, field in (platform.columns | platform.headings).items():
-            fields.setdefault(heading.casefold(), field)
+            fields.setdefault(heading, field)
+    for heading, field in list(fields.items()):
+        fields.setdefault(heading.casefold(), field)
     return fields
 
 
@@ -231,6 +238,9 @@ class Roster:
                 if value and field == ALIAS:
                     for name in [value, *value.split(";")]:
                         self._add(ALIAS, _key(name), row)
+                elif value and field == "participant":  # as "Participant 42" of Moodle's worksheet
+                    number = re.sub(r".*\D", "", value)
+                    self._add(ALIAS, _key(f"{full_name(row)} {number}"), row)
                 elif value and field in KEYS:
                     self._add(field, _key(value), row)
                     if not any(row is other for other in self._exact[field][_text(value)]):

@@ -14,8 +14,9 @@ from pathlib import Path, PurePath
 from course_lib.pack.grade.csv_text import printable, table_text
 from course_lib.pack.grade.hand_ins.identity import Identity
 
-# What a column of a roster or a gradebook may hold. The first four identify a student.
-FIELDS = ("id", "number", "login", "address", "full", "first", "last", "section")
+# What a column of a roster or a gradebook may hold. The first four identify a student, and a
+# participant is a number within one assignment.
+FIELDS = ("id", "number", "login", "address", "participant", "full", "first", "last", "section")
 READ = (".ipynb", ".zip")  # the files that can hold a notebook
 # What is added to the name of a notebook that is downloaded: .json by Safari, .txt by Windows, and
 # .ipynb by a person to whom the ending is not shown; and (1) before it by a second download.

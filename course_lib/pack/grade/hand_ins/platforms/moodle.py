@@ -35,7 +35,7 @@ class Moodle(Platform):
         "First name": "first",
         "Last name": "last",
     }
-    headings = {"Surname": "last"}
+    headings = {"Surname": "last", "Identifier": "participant"}
     imports = "In Moodle, choose Grades, Import, CSV file, and map each notebook to its grade item."
     time_columns = ("Identifier", "Last modified (submission)")
 
