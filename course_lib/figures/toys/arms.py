@@ -67,8 +67,8 @@ def jog(arm, fk=None, *, q, base=None, names=None, caption=None):
     model["parts"] = ["axes"]
     if caption is None:
         caption = (
-            "A joint moves the dashed axes of all joints after it, and leaves the others where "
-            "they are."
+            "A joint carries along the dashed axes of all joints after it, and leaves the others "
+            "where they are."
         )
     if names is not None:
         model["frameNames"] = list(names)
