@@ -418,13 +418,13 @@ def joint_motion(motions):
         f"The joint motion over the bend of the last joint, both logarithmic: {'; '.join(ranges)}."
     )
     caption = (
-        "If the bend is halved, the motion doubles, because the undamped step grows as one "
-        "over the bend."
+        "As long as the bend is small, half the bend doubles the motion, because the undamped "
+        "step grows as one over the bend."
     )
     if len(by_label) > 1:
         caption = (
-            "The undamped step grows as one over the bend; the damped step stays small at every "
-            "bend."
+            "For small bends the undamped step grows as one over the bend, whereas the damped "
+            "step stays small at every bend."
         )
     return Picture(fig, alt, caption)
 
