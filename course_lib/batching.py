@@ -30,7 +30,7 @@ def by_entries(formula, shape, *arrays, batch, most=ITEMS):
     """
     if batch == ():
         with np.errstate(all="ignore"):  # the caller refuses results that are inf or NaN
-            return np.reshape(formula(*arrays), shape)
+            return np.asarray(formula(*arrays)).reshape(shape)
 
     def fill(*entries_and_result):
         *entries, result = entries_and_result

@@ -12,7 +12,16 @@ import numpy as np
 
 from course_lib.arguments import broadcast, real_array, refuse_first, tolerance
 from course_lib.batching import by_entries
-from course_lib.rotations import TOLERANCE, exp_so3, hat, is_so, length, log_so3, nearest_so, vee
+from course_lib.rotations import (
+    TOLERANCE,
+    exp_so3,
+    hat,
+    length,
+    log_so3,
+    nearest_so,
+    rotation_error,
+    vee,
+)
 
 
 def transform(R, p):
@@ -37,10 +46,11 @@ def transform(R, p):
      [ 0.  0.  1.]]
     """
     R = real_array(R, "R", (2, 2), (3, 3), copy=False)
-    refuse_first(~is_so(R), "R", "is not a rotation (nearest_so gives the nearest rotation)")
+    is_rotation = rotation_error(R) <= TOLERANCE
+    refuse_first(~is_rotation, "R", "is not a rotation (nearest_so gives the nearest rotation)")
     p = real_array(p, "p", R.shape[-1:], copy=False)
     batch = broadcast(R=R.shape[:-2], p=p.shape[:-1])
-    return _assemble(R, np.broadcast_to(p, batch + p.shape[-1:]))
+    return _assemble(R, p, batch)
 
 
 def is_se(T, tol=TOLERANCE):
@@ -62,10 +72,13 @@ def is_se(T, tol=TOLERANCE):
     >>> print(is_se([np.eye(4), np.diag([1, 1, 1, 2])]))
     [ True False]
     """
-    T = real_array(T, "T", (3, 3), (4, 4), copy=False)
-    tol = tolerance(tol)
-    last = T[..., -1, :] - np.eye(T.shape[-1])[-1]
-    return is_so(T[..., :-1, :-1], tol) & (np.abs(last).max(-1) <= tol)
+    return _is_pose(real_array(T, "T", (3, 3), (4, 4), copy=False), tolerance(tol))
+
+
+def _is_pose(T, tol):
+    last = T[..., -1, :].copy()
+    last[..., -1] -= 1
+    return (rotation_error(T[..., :-1, :-1]) <= tol) & (np.abs(last).max(-1) <= tol)
 
 
 def checked_pose(value, name, *shapes, batched=True):
@@ -74,7 +87,8 @@ def checked_pose(value, name, *shapes, batched=True):
     It is (..., 3, 3) or (..., 4, 4), as the shapes allow.
     """
     T = real_array(value, name, *shapes, batched=batched, copy=False)
-    refuse_first(~is_se(T), name, "is not a pose (rigid.nearest_se gives the nearest)")
+    is_pose = _is_pose(T, TOLERANCE)
+    refuse_first(~is_pose, name, "is not a pose (rigid.nearest_se gives the nearest)")
     return T
 
 
@@ -100,7 +114,7 @@ def nearest_se(T):
      [ 0.  0.  1.]]
     """
     T = real_array(T, "T", (3, 3), (4, 4), copy=False)
-    return _assemble(nearest_so(T[..., :-1, :-1]), T[..., :-1, -1])
+    return _assemble(nearest_so(T[..., :-1, :-1]), T[..., :-1, -1], T.shape[:-2])
 
 
 def inverse(T):
@@ -250,7 +264,7 @@ def exp_se3(twist):
     twist = real_array(twist, "twist", (6,), copy=False)
     omega = twist[..., :3]
     p = by_entries(_translation, (3,), twist, length(omega), batch=omega.shape[:-1])
-    return _assemble(exp_so3(omega), p)
+    return _assemble(exp_so3(omega), p, p.shape[:-1])
 
 
 def log_se3(T):
@@ -304,7 +318,8 @@ def exp_se2(twist):
     across = (omega * _one_minus_cos(omega))[..., None]
     p = along * v + across * _perpendicular(v)
     c, s = np.cos(omega), np.sin(omega)
-    return _assemble(np.stack([c, -s, s, c], -1).reshape(*omega.shape, 2, 2), p)
+    R = np.stack([c, -s, s, c], -1).reshape(*omega.shape, 2, 2)
+    return _assemble(R, p, p.shape[:-1])
 
 
 def log_se2(T):
@@ -334,9 +349,9 @@ def log_se2(T):
     return np.concatenate([omega[..., None], v], -1)
 
 
-def _assemble(R, p):
+def _assemble(R, p, batch):
     n = p.shape[-1]
-    T = np.zeros((*p.shape[:-1], n + 1, n + 1))
+    T = np.zeros((*batch, n + 1, n + 1))
     T[..., :n, :n] = R
     T[..., :n, n] = p
     T[..., n, n] = 1

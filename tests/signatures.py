@@ -229,9 +229,9 @@ ARGUMENTS = {
     "pose_error": [{"T": _pose(3), "target": _pose(3)}],
 }
 
-# solve has tests of its own; the other two serve the library, for arguments that are looked at
+# solve has tests of its own; the others serve the library, for arguments that are looked at
 # elsewhere.
-_TESTED_APART = {"solve", "length", "checked_pose"}
+_TESTED_APART = {"solve", "length", "checked_pose", "rotation_error"}
 
 FUNCTIONS = {
     name: function
