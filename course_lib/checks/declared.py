@@ -6,6 +6,8 @@ library's, within the tolerance of the task. Most exercises are of this form. On
 right answers is an `Exercise` with properties of its own.
 """
 
+import functools
+
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
@@ -15,9 +17,11 @@ from course_lib.checks.kinds import OWN_CASES, cases_of, sweeps_of
 from course_lib.checks.mistake import Mistakes
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, first_off
+from course_lib.checks.wire import write
 
 # Below this an error of a thousandth comes near the rounding of numbers near 1.
 _SMALLEST = 0.99e-12
+_MAX_REMEMBERED = 2000  # right answers of an exercise: those to a few sets of cases
 _NEARLY = 1000  # times the allowed error: an answer so near is told which error is allowed
 
 
@@ -94,8 +98,9 @@ def declared(
         own = cases(rng) if callable(cases) else list(cases)
         return own if OWN_CASES in kinds else [*own, *cases_of(kinds, rng)]
 
+    @_remembered
     def right_answer(*case):
-        return np.asarray(library(*case), float)
+        return np.array(library(*case), float)
 
     def error_of(right, *case):
         """Return the error that an answer may have."""
@@ -131,7 +136,7 @@ def declared(
         points=points,
         arguments=tuple(arguments),
         cases=all_cases,
-        returns=reads or numbers(lambda *case: np.shape(library(*case))),
+        returns=reads or numbers(lambda *case: right_answer(*case).shape),
         properties=(*properties, Property(says, is_right, remark, mistake=otherwise)),
         hints=hints,
         library=library,
@@ -143,3 +148,24 @@ def declared(
         mistakes=Mistakes(mistakes),
         **more,
     )
+
+
+def _remembered(right_answer):
+    """Return a function with a memory of its last results, arrays that nobody can change.
+
+    How an answer is read, whether it is right and which error it may have all need the right one.
+    """
+
+    @functools.wraps(right_answer)
+    def ask(*case):
+        key = write(case)
+        if key not in results:
+            right = right_answer(*case)
+            right.flags.writeable = False
+            if len(results) == _MAX_REMEMBERED:
+                del results[next(iter(results))]
+            results[key] = right
+        return results[key]
+
+    results = {}
+    return ask

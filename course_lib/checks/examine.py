@@ -99,7 +99,9 @@ def _wrong(exercise, wanted, cases, answers, values, failing):
     case, value = cases[failing[0]], values[failing[0]]
     found = attempt(wanted.says, value, *case) if wanted.says else None
     found = Finding() + (found or "")
-    wrong = {*failing}.union(*(other.failing(cases, values) for other in exercise.properties))
+    # Those before it hold of all answers.
+    after = exercise.properties[exercise.properties.index(wanted) + 1 :]
+    wrong = {*failing}.union(*(other.failing(cases, values) for other in after))
     naming = Naming(exercise, cases, values)
     if naming.looks_right(failing[0]) and found.off_by is None:
         gap = naming.distance(failing[0])

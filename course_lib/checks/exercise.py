@@ -1,10 +1,12 @@
 """What an exercise is: arguments and cases, what must hold of every answer, and known mistakes."""
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from course_lib.arguments import read_only
 from course_lib.checks.comparisons import attempt, difference, same
 from course_lib.checks.examine import examine
 from course_lib.checks.mistake import Mistake, Mistakes
@@ -175,13 +177,24 @@ class Exercise:
         see special_cases.py. A secret seed decides numbers and never difficulty: whether an answer
         passes just beside a special value must not depend on it.
         """
-        rng = np.random.default_rng(seed)
-        cases = list(self.cases(rng))
-        if seed not in self.public_seeds:
-            return cases, None
-        made = made_cases(cases, self.arguments, self.sweeps, self.angles, rng, self.small)
-        return cases + made, None
+        return list(_drawn_cases(self, seed)), None
 
     def verdict(self, cases, answers):
         """Return the Verdict on the answers, given as call_student.reply describes them."""
         return examine(self, cases, answers)
+
+
+@functools.lru_cache(maxsize=100)
+def _drawn_cases(exercise, seed):
+    """Return the cases of a seed, which are drawn once for all answers; see Exercise.questions."""
+    rng = np.random.default_rng(seed)
+    cases = list(exercise.cases(rng))
+    if seed in exercise.public_seeds:
+        sweeps, angles, small = exercise.sweeps, exercise.angles, exercise.small
+        cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small)
+    return tuple(map(_unchangeable, cases))
+
+
+def _unchangeable(case):
+    """Return a case of the same type with copies of its arrays that nobody can change."""
+    return type(case)(read_only(part) if isinstance(part, np.ndarray) else part for part in case)
