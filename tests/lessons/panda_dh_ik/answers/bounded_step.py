@@ -13,7 +13,9 @@ def right_by_projected_gradients(J, v, bound, eps):
     H = J.T @ J + eps * np.eye(J.shape[1])
     x, rate = np.zeros(J.shape[1]), 1 / np.linalg.norm(H, 2)
     for _ in range(4000):
-        x = np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
+        before, x = x, np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
+        if np.array_equal(x, before):
+            break
     return x[:, None]
 
 
@@ -21,8 +23,11 @@ def right_by_coordinates(J, v, bound, eps):
     H, g = J.T @ J + eps * np.eye(J.shape[1]), J.T @ v
     x = [0.0] * len(g)
     for _ in range(2000):
+        before = list(x)
         for i in range(len(g)):
-            x[i] = np.clip((g[i] - H[i] @ x + H[i, i] * x[i]) / H[i, i], -bound, bound)
+            x[i] = min(max((g[i] - H[i] @ x + H[i, i] * x[i]) / H[i, i], -bound), bound)
+        if x == before:
+            break
     return x
 
 
