@@ -16,7 +16,7 @@ from course_lib.checks import follow_through, kernel
 from course_lib.checks.follow_through import followed_through, in_circles
 from course_lib.checks.notebook import Check
 from course_lib.checks.own_files import own_files
-from course_lib.checks.right_ones import RIGHT_ONES, namespace_of, right_ones
+from course_lib.checks.replace_functions import RIGHT_ONES, functions_replaced, namespace_of
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from course_lib.figures.toys.arms import jog
 
@@ -181,7 +181,7 @@ def test_a_right_one_answers_whatever_a_function_is_called_by():
     exec(FORMS, space)
     before = dict(space)
     called = (*NAMES, "alias", "thing_alias", "method_alias", "part_alias", "closure_alias")
-    with right_ones(space, dict.fromkeys(NAMES, lambda x: "right")):
+    with functions_replaced(space, dict.fromkeys(NAMES, lambda x: "right")):
         assert {name: space[name](1) for name in called} == dict.fromkeys(called, "right")
         assert space["other"](1) == space["other_method"](1) == "wrong", "only this object"
     assert space == before

@@ -16,10 +16,10 @@ from course_lib.pack.grade.bounded import OutOfBounds, call_bounded
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, code, defines, read
 from course_lib.pack.grade.jail import runner, sandbox
-from course_lib.pack.grade.verdicts import judging, progress
-from course_lib.pack.grade.verdicts.progress import Run
+from course_lib.pack.grade.verdicts import grading, judging
+from course_lib.pack.grade.verdicts.grading import Grading
 from course_lib.pack.grade.verdicts.result import row_of
-from course_lib.pack.grade.verdicts.student_process import Student
+from course_lib.pack.grade.verdicts.sandboxed_function import SandboxedFunction
 from course_lib.pack.grade.verdicts.submission import grade
 
 # ---- a process of its own ----
@@ -182,11 +182,11 @@ CLAIMS = {
 
 @pytest.mark.parametrize("claim", CLAIMS)
 def test_any_claim_of_a_hijacked_process_becomes_a_verdict(claim, few):
-    one = Run([], SHORT, SEED, (), None)
+    one = Grading([], SHORT, SEED, (), None)
 
     def row(exercise):
-        student = Student(Claims(CLAIMS[claim]), one, exercise)
-        return row_of(exercise, judging.ask(one, student, {}))
+        function = SandboxedFunction(Claims(CLAIMS[claim]), one, exercise)
+        return row_of(exercise, judging.ask_and_judge(one, function, {}))
 
     for exercise in (
         each
@@ -270,7 +270,7 @@ def nearest_so(M, given=flood()):
 
 def test_a_flood_of_the_pipe_costs_the_grader_a_bounded_time(few, monkeypatch):
     monkeypatch.setattr(sandbox, "READING_SECONDS", 0.5)
-    monkeypatch.setattr(progress, "MAX_READING_SECONDS", 1)
+    monkeypatch.setattr(grading, "MAX_READING_SECONDS", 1)
     result = call_bounded(grade, book(few[0], FLOOD), NAME, SEED, SHORT, cpu_seconds=60)
     assert points(result) == 0
     assert "it wrote too much" in " ".join(result["problems"])

@@ -13,16 +13,16 @@ from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import courses
 from course_lib.pack.grade.jail.sandbox import Limits
-from course_lib.pack.grade.verdicts import judging, right_functions, submission
-from course_lib.pack.grade.verdicts.judging import ask
-from course_lib.pack.grade.verdicts.progress import Run
+from course_lib.pack.grade.verdicts import follow_through, judging, submission
+from course_lib.pack.grade.verdicts.grading import Grading
+from course_lib.pack.grade.verdicts.judging import ask_and_judge
 from course_lib.pack.grade.verdicts.submission import grade
 
 # ---- several sets of cases ----
 
 
 class InThisProcess(SimpleNamespace):
-    """A student's function in this process, with what judging.ask wants to know of it."""
+    """A student's function in this process, with what judging.ask_and_judge wants to know of it."""
 
     def __init__(self, function, **about):
         usual = {"ended": "", "too_slow": False, "hindered": False, "too_late": False}
@@ -44,27 +44,27 @@ def wrong_for_one_set_in(number):
     return answer
 
 
-def outcome(student, seed):
-    return ask(Run([], Limits(), seed, (NEAREST_SO,), None), student, {})
+def outcome(function, seed):
+    return ask_and_judge(Grading([], Limits(), seed, (NEAREST_SO,), None), function, {})
 
 
 def test_a_right_answer_is_asked_for_several_sets_of_cases():
-    student = InThisProcess(right)
-    assert outcome(student, SEED).verdict.state == RIGHT
-    assert student.asked == 1 + NEAREST_SO.sets >= 3
+    function = InThisProcess(right)
+    assert outcome(function, SEED).verdict.state == RIGHT
+    assert function.asked == 1 + NEAREST_SO.sets >= 3
 
 
 def test_a_wrong_answer_is_asked_once_more_with_the_same_cases():
-    student = InThisProcess(lambda M: M)
-    assert outcome(student, SEED).verdict.state == WRONG
-    assert student.asked == 2, "again, in case it is random, and for no other set"
+    function = InThisProcess(lambda M: M)
+    assert outcome(function, SEED).verdict.state == WRONG
+    assert function.asked == 2, "again, in case it is random, and for no other set"
 
 
 def test_a_student_s_test_is_asked_for_one_set_of_cases():
     """Each of its candidates has a sandbox of its own, which takes a second."""
-    student = InThisProcess(right, candidates=True)
-    outcome(student, SEED)
-    assert student.asked == 1
+    function = InThisProcess(right, candidates=True)
+    outcome(function, SEED)
+    assert function.asked == 1
 
 
 def test_an_answer_that_is_wrong_for_some_numbers_is_refused():
@@ -74,7 +74,7 @@ def test_an_answer_that_is_wrong_for_some_numbers_is_refused():
 
 
 def test_grading_asks_the_notebook_s_sets_and_a_secret_one():
-    seeds = judging._seeds(Run([], Limits(), SEED, (NEAREST_SO,), None), NEAREST_SO)
+    seeds = judging._seeds(Grading([], Limits(), SEED, (NEAREST_SO,), None), NEAREST_SO)
     assert seeds == [*NEAREST_SO.public_seeds, SEED]
     texts = {repr(NEAREST_SO.questions(seed)[0]) for seed in seeds}
     assert len(texts) == len(seeds)
@@ -96,13 +96,13 @@ def attempts(monkeypatch):
     """The names of the exercises of each run of a notebook."""
     runs = []
 
-    def attempt(run, exercises, *rest, **named):
+    def run_and_ask(grading, exercises, *rest, **named):
         runs.append(sorted(exercise.name for exercise in exercises))
-        return one_run(run, exercises, *rest, **named)
+        return one_run(grading, exercises, *rest, **named)
 
-    one_run = submission.attempt
-    for module in (submission, right_functions):
-        monkeypatch.setattr(module, "attempt", attempt)
+    one_run = submission.run_and_ask
+    for module in (submission, follow_through):
+        monkeypatch.setattr(module, "run_and_ask", run_and_ask)
     return runs
 
 

@@ -13,8 +13,8 @@ from hostile.build import FULL, NAME, SEED, SHORT, book, cell, points
 
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import NOTEBOOKS, UNREADABLE, courses
-from course_lib.pack.grade.verdicts import attempt, submission
-from course_lib.pack.grade.verdicts.attempt import sandbox_files
+from course_lib.pack.grade.verdicts import notebook_run, submission
+from course_lib.pack.grade.verdicts.notebook_run import sandbox_files
 from course_lib.pack.grade.verdicts.submission import grade
 from course_lib.pack.release.stubs import students_copy
 
@@ -35,7 +35,7 @@ def messages(result):
 @pytest.mark.parametrize("name", courses())
 def test_all_solutions_of_a_notebook_earn_all_points(name, monkeypatch):
     if name != NAME:  # a sandbox for each candidate of a test takes time: one notebook has them
-        monkeypatch.setattr(attempt, "ask_separately", lambda run, outcome, *rest: outcome)
+        monkeypatch.setattr(notebook_run, "ask_separately", lambda run, outcome, *rest: outcome)
     result = grade((NOTEBOOKS / f"{name}.ipynb").read_bytes(), name, SEED)
     assert set(states(result).values()) == {"right"}, result
     assert points(result) == sum(exercise.points for exercise in courses()[name].exercises)

@@ -18,7 +18,7 @@ from course_lib.checks.messages import describe
 from course_lib.checks.verdict import ERROR, RIGHT
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import Course
-from course_lib.pack.grade.verdicts import student_process, submission
+from course_lib.pack.grade.verdicts import sandboxed_function, submission
 
 pytestmark = pytest.mark.usefixtures("isolated")
 BEGIN = (
@@ -102,7 +102,7 @@ def test_notebook_and_grading_count_calls_alike(graded):
 
 
 def test_the_calls_of_all_versions_together_are_not_bounded(graded, monkeypatch):
-    monkeypatch.setattr(student_process, "MAX_CALLS", 8)
+    monkeypatch.setattr(sandboxed_function, "MAX_CALLS", 8)
     rows = graded({"three calls of each": THOROUGH}, TEST_LOG.versions[:4])
     assert rows["three calls of each"]["state"] == RIGHT, rows
 
@@ -124,13 +124,13 @@ def test_a_test_has_the_time_of_an_exercise_for_each_version(graded):
 
 
 def test_an_endless_test_ends_after_its_first_version(graded, monkeypatch):
-    asked, about_one = [], student_process.Student.about_one
+    asked, about_one = [], sandboxed_function.SandboxedFunction.about_one
 
     def counted(self, questions, number, *more):
         asked.append(number)
         return about_one(self, questions, number, *more)
 
-    monkeypatch.setattr(student_process.Student, "about_one", counted)
+    monkeypatch.setattr(sandboxed_function.SandboxedFunction, "about_one", counted)
     endless = "def test_log(log):\n    while True:\n        pass"
     rows = graded({"endless": endless}, cpu_seconds=1)
     assert rows["endless"]["state"] == ERROR
@@ -341,7 +341,7 @@ def test_log(log):
 def test_an_attack_on_the_versions_earns_next_to_nothing(graded, monkeypatch):
     """An attack distinguishes versions by anything but their answers."""
     monkeypatch.setattr(
-        student_process, "MAX_CALLS", 1000
+        sandboxed_function, "MAX_CALLS", 1000
     )  # so that calls without an end do not take long
     rows = graded(ATTACKS)
     assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}

@@ -199,13 +199,13 @@ def whole_runs(monkeypatch):
     """The names of the exercises of each run of the whole notebook."""
     runs = []
 
-    def attempt(run, exercises, *rest, whole=False):
+    def run_and_ask(run, exercises, *rest, whole=False):
         if whole:
             runs.append([exercise.name for exercise in exercises])
         return one_run(run, exercises, *rest, whole=whole)
 
-    one_run = submission.attempt
-    monkeypatch.setattr(submission, "attempt", attempt)
+    one_run = submission.run_and_ask
+    monkeypatch.setattr(submission, "run_and_ask", run_and_ask)
     return runs
 
 

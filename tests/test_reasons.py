@@ -24,8 +24,8 @@ from course_lib.checks.reasons import (
 from course_lib.checks.verdict import ERROR, WRONG, Verdict
 from course_lib.pack.grade.jail.missing_modules import explain_missing
 from course_lib.pack.grade.jail.sandbox import Limits
-from course_lib.pack.grade.verdicts.judging import ask
-from course_lib.pack.grade.verdicts.progress import Outcome, Run
+from course_lib.pack.grade.verdicts.grading import Grading, Outcome
+from course_lib.pack.grade.verdicts.judging import ask_and_judge
 
 REASONS = [
     kind
@@ -54,17 +54,19 @@ def without_words(verdict):
 def judged(left_out=None):
     """Return what grading makes of each answer, without the words."""
     outcomes = {}
-    for name, function in ANSWERS.items():
-        student = SimpleNamespace(
+    for name, answer in ANSWERS.items():
+        function = SimpleNamespace(
             exercise=NEAREST_SO,
-            reply=LocalFunction(function).reply,
+            reply=LocalFunction(answer).reply,
             **{"ended": "", "too_slow": False, "hindered": False, "too_late": False},
             **{"candidates": False, "called": ()},
         )
-        run = Run(["nearest_so"], Limits(), 1, (NEAREST_SO,), None, missing={"my_tools"})
-        outcomes[name] = ask(run, student, left_out or {})
+        grading = Grading(
+            ["nearest_so"], Limits(), 1, (NEAREST_SO,), None, missing_modules={"my_tools"}
+        )
+        outcomes[name] = ask_and_judge(grading, function, left_out or {})
         explained = {name: outcomes[name]}
-        explain_missing(run, explained)
+        explain_missing(grading, explained)
         outcomes[name] = explained[name]
     verdicts = {name: without_words(outcome.verdict) for name, outcome in outcomes.items()}
     remarks = {name: bool(outcome.remark) for name, outcome in outcomes.items()}
@@ -85,13 +87,13 @@ def test_a_random_answer_is_told_what_it_fails_without_its_numbers():
     rng = np.random.default_rng(0)
     verdict = judge(IS_SMALL, LocalFunction(lambda x, tol: 2.0))
     assert isinstance(verdict.reason, Fails)
-    student = SimpleNamespace(
+    function = SimpleNamespace(
         exercise=NEAREST_SO,
         reply=LocalFunction(lambda M: M * rng.uniform(2, 3)).reply,
         **{"ended": "", "too_slow": False, "hindered": False, "too_late": False},
         **{"candidates": False, "called": ()},
     )
-    outcome = ask(Run([], Limits(), 1, (NEAREST_SO,), None), student, {})
+    outcome = ask_and_judge(Grading([], Limits(), 1, (NEAREST_SO,), None), function, {})
     assert outcome.verdict.reason == Varies(NEAREST_SO.properties[0].text)
 
 

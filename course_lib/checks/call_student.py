@@ -21,7 +21,7 @@ import numpy as np
 
 from course_lib.checks.adapters import ADAPTERS
 from course_lib.checks.clock import cpu_clock
-from course_lib.checks.right_ones import namespace_of, right_ones, written_function
+from course_lib.checks.replace_functions import functions_replaced, namespace_of, written_function
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
 
 CPU_SECONDS = 20
@@ -92,7 +92,7 @@ def reply(
         stack.enter_context(contextlib.suppress(TimeUp))
         stack.enter_context(_output_discarded())
         stack.enter_context(_numpy_settings_restored())
-        stack.enter_context(right_ones(namespace_of(function), stand_ins))
+        stack.enter_context(functions_replaced(namespace_of(function), stand_ins))
         refused = stack.enter_context(
             _forbidden_replaced(asked["forbidden"], function, asked["exercise"])
         )

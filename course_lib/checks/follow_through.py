@@ -49,7 +49,7 @@ def is_excluded(exercise: Exercise, other: Exercise) -> bool:
     return other.name in last_names or library_name(other.library) in exercise.forbidden
 
 
-class RightOnes:
+class RightFunctions:
     """Answers calls of other exercises' functions, and remembers which were called.
 
     Parameters

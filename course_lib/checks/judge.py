@@ -23,28 +23,28 @@ class LocalFunction:
     Parameters
     ----------
     function : callable
-    right_ones : RightOnes, optional
+    right_functions : RightFunctions, optional
         Answers in place of other functions of the notebook.
     """
 
-    def __init__(self, function, right_ones=None):
-        self.function, self.right_ones = function, right_ones
+    def __init__(self, function, right_functions=None):
+        self.function, self.right_functions = function, right_functions
 
     def reply(self, questions, consult=None):
         """Return the answers to some questions; see call_student.reply."""
-        if self.right_ones is None:
+        if self.right_functions is None:
             return call_student.reply(self.function, questions, consult)
-        answer = self.right_ones.answering(consult)
-        return call_student.reply(self.function, questions, answer, self.right_ones.arguments)
+        answer = self.right_functions.answering(consult)
+        return call_student.reply(self.function, questions, answer, self.right_functions.arguments)
 
 
-def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
+def judge(exercise, function, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     """Return the Verdict on a student's function.
 
     Parameters
     ----------
     exercise : Exercise
-    student : object
+    function : object
         Its reply(questions, consult) passes JSON text to call_student.reply in the function's
         process: LocalFunction, or a stand-in for another process. The reply is read as plain data
         and not trusted otherwise.
@@ -59,13 +59,13 @@ def judge(exercise, student, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     """
     cases, asked, consult = questions_of(exercise, seed, seconds)
     try:
-        reply = student.reply(write(asked), consult)
+        reply = function.reply(write(asked), consult)
     except _CANNOT_BE_READ as problem:
         return _unreadable(exercise, problem)
-    return judged(exercise, student, cases, asked, reply)
+    return judged(exercise, function, cases, asked, reply)
 
 
-def review(exercise, student, secret_seeds=()):
+def review(exercise, function, secret_seeds=()):
     """Return the Verdict on the notebook's sets of cases, and then on those of secret seeds.
 
     The first set that is not answered rightly decides. So an answer that the notebook refuses gets
@@ -74,7 +74,7 @@ def review(exercise, student, secret_seeds=()):
     Parameters
     ----------
     exercise : Exercise
-    student : object
+    function : object
         As of `judge`.
     secret_seeds : iterable of int, optional
         None in the notebook.
@@ -84,11 +84,11 @@ def review(exercise, student, secret_seeds=()):
     Verdict
     """
     first, *others = *exercise.public_seeds, *secret_seeds
-    verdict = judge(exercise, student, first)
+    verdict = judge(exercise, function, first)
     for seed in others:
         if verdict.state != RIGHT:
             break
-        verdict = replace(judge(exercise, student, seed), note=verdict.note)
+        verdict = replace(judge(exercise, function, seed), note=verdict.note)
     return verdict
 
 
@@ -110,7 +110,7 @@ def questions_of(exercise, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     return cases, asked, consult
 
 
-def judged(exercise, student, cases, asked, reply):
+def judged(exercise, function, cases, asked, reply):
     """Return the Verdict on a reply to the questions of these cases; see judge."""
     try:
         answers = _answers(reply, len(cases), exercise.arguments, asked["seconds"])
@@ -118,7 +118,7 @@ def judged(exercise, student, cases, asked, reply):
             verdict = exercise.verdict(cases, answers)
             if verdict.state != WRONG or verdict.case is None:
                 return verdict
-            return replace(verdict, digits=_digits_that_replay(verdict, student, asked))
+            return replace(verdict, digits=_digits_that_replay(verdict, function, asked))
     except _CANNOT_BE_READ as problem:
         return _unreadable(exercise, problem)
 
@@ -164,7 +164,7 @@ def _checked_answer(answer, arguments, seconds):
     }
 
 
-def _digits_that_replay(verdict, student, asked):
+def _digits_that_replay(verdict, function, asked):
     """Return with how many digits the numbers of the failing case must be shown for it to fail.
 
     A number just above 2 looks like 2 in six digits, and the answer for 2 may be right. So the
@@ -175,7 +175,7 @@ def _digits_that_replay(verdict, student, asked):
     if write(list(forms[SHOWN_DIGITS[0]])) == write(list(case)):
         return SHOWN_DIGITS[0]
     again = asked | {"cases": [list(form) for form in forms.values()], "in_place": []}
-    reply = student.reply(write(again), None)
+    reply = function.reply(write(again), None)
     answers = _answers(reply, len(forms), exercise.arguments, asked["seconds"])
     for (digits, form), answer in zip(forms.items(), answers, strict=True):
         # A pose with few digits is none any more, and the library then raises an error.

@@ -6,13 +6,13 @@ import importlib
 import os
 
 from course_lib.checks import kernel
-from course_lib.checks.follow_through import RightOnes, followed_through, in_circles
+from course_lib.checks.follow_through import RightFunctions, followed_through, in_circles
 from course_lib.checks.judge import LocalFunction, judge, review
 from course_lib.checks.later_cells import as_read
 from course_lib.checks.messages import MARKS, as_html, describe, listed
 from course_lib.checks.own_files import own_files
 from course_lib.checks.reasons import WaitsFor
-from course_lib.checks.right_ones import namespace_of
+from course_lib.checks.replace_functions import namespace_of
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
 _NO_CHOICE = "○ No choice yet. Later cells run without it, but choose before you read on:"
@@ -127,10 +127,10 @@ class Check:
         if verdict.state not in (WRONG, ERROR) and not waits:
             return verdict
         if namespace_of(function):
-            return self._with_right_ones(function, verdict)
+            return self._with_right_functions(function, verdict)
         return verdict
 
-    def _with_right_ones(self, function, verdict):
+    def _with_right_functions(self, function, verdict):
         """Return the Verdict with right functions in place of the wrong ones that the function
         calls."""
         own = namespace_of(function)
@@ -147,9 +147,9 @@ class Check:
                 waiting += calls[other.name]
         names = {name: [other.name for other in called] for name, called in calls.items()}
         circle = in_circles(names).get(self.exercise.name)
-        by_right_ones = LocalFunction(function, RightOnes(self.exercise, unfinished))
+        by_right_functions = LocalFunction(function, RightFunctions(self.exercise, unfinished))
         return followed_through(
-            verdict, lambda: review(self.exercise, by_right_ones), unfinished, circle
+            verdict, lambda: review(self.exercise, by_right_functions), unfinished, circle
         )
 
     def _called(self, exercise, function):
@@ -157,9 +157,9 @@ class Check:
         it."""
         others = {check.exercise.name: check.exercise for check in self.siblings}
         others.pop(exercise.name)
-        right_ones = RightOnes(exercise, others.values())
-        judge(exercise, LocalFunction(function, right_ones), seconds=_CALLS_SECONDS)
-        return [others[name] for name in right_ones.called]
+        right_functions = RightFunctions(exercise, others.values())
+        judge(exercise, LocalFunction(function, right_functions), seconds=_CALLS_SECONDS)
+        return [others[name] for name in right_functions.called]
 
     def _not_in_the_notebook(self, files):
         named = " and ".join(files)

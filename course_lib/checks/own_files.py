@@ -7,7 +7,7 @@ import types
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from course_lib.checks.right_ones import written_function
+from course_lib.checks.replace_functions import written_function
 
 PACKAGE = Path(__file__).parents[1]
 MAX_FUNCTIONS = 300  # that are looked at

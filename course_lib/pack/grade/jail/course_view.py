@@ -19,7 +19,7 @@ from course_lib.checks.follow_through import library_name
 
 PACKAGE = Path(str(importlib.resources.files("course_lib")))
 DATA = PACKAGE.parent / "notebooks" / "data"
-ASKING = ("call_student.py", "right_ones.py", "clock.py", "wire.py", "adapters.py")
+ASKING = ("call_student.py", "replace_functions.py", "clock.py", "wire.py", "adapters.py")
 SCRIPTS = ("prepared.py", "runner.py", "confine.py")
 DRAWING = (
     "figures",

@@ -7,7 +7,7 @@ from course_lib.checks.reasons import first_error
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, Verdict
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.jail.statements import no_python
-from course_lib.pack.grade.verdicts.progress import Outcome, Run
+from course_lib.pack.grade.verdicts.grading import Grading, Outcome
 
 NOT_HANDED_IN = (
     "It imports {}, which is not installed here and was not handed in with it. What needs it was "
@@ -16,33 +16,33 @@ NOT_HANDED_IN = (
 MISSES_SOMETHING = ("NameError", "ImportError", "ModuleNotFoundError")  # types of errors
 
 
-def note_missing(run: Run, name: str) -> None:
+def note_missing(grading: Grading, name: str) -> None:
     """Note the name of a module that an import did not find, if the notebook imports it."""
     if re.fullmatch(r"[A-Za-z_]\w{0,60}", name) is None:
         return
     imported = re.compile(rf"\b(import|from)\s+[\w., ]*\b{name}\b")
-    if any(map(imported.search, run.sources)):
-        run.missing.add(name)
+    if any(map(imported.search, grading.sources)):
+        grading.missing_modules.add(name)
 
 
-def modules_missing(run: Run) -> list[str]:
+def modules_missing(grading: Grading) -> list[str]:
     """Return the modules that the notebook needs and that are not there, without those of installed
     names."""
     written = re.compile(r"^\s*%run\s+(?:-\S+\s+)*['\"]?([\w./-]+)", re.MULTILINE)
-    files = {name for source in run.sources for name in written.findall(source)}
+    files = {name for source in grading.sources for name in written.findall(source)}
     made = re.compile(r"^\s*%%(?:writefile|file)\s+(?:-a\s+)?(\S+)", re.MULTILINE)
-    files -= {name for source in run.sources for name in made.findall(source)}
-    return sorted({*run.missing, *files})
+    files -= {name for source in grading.sources for name in made.findall(source)}
+    return sorted({*grading.missing_modules, *files})
 
 
-def explain_missing(run: Run, outcomes: dict[str, Outcome]) -> None:
+def explain_missing(grading: Grading, outcomes: dict[str, Outcome]) -> None:
     """Say of each function that is not there, or misses something, why that is so."""
-    missing = ", ".join(modules_missing(run))
+    missing = ", ".join(modules_missing(grading))
     for name, outcome in outcomes.items():
         verdict = outcome.verdict
         if verdict.state == NOT_ATTEMPTED:
-            why = no_python(run.sources, name)
-            if not why and missing and not notebook_file.defines(run.sources, name):
+            why = no_python(grading.sources, name)
+            if not why and missing and not notebook_file.defines(grading.sources, name):
                 why = (
                     f"{name} is not in the notebook, which imports {missing}. That is not handed "
                     f"in with it: only what stands in the notebook is graded."

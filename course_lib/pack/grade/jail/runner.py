@@ -8,7 +8,8 @@ checked, until one asks nothing.
 
 What a cell, or an answer, asks of a function that only the checks have is passed on to the grader.
 
-Each message is a JSON object on one line. The grader (verdicts/cells.py, student_process.py) sends
+Each message is a JSON object on one line. The grader (verdicts/cells.py, sandboxed_function.py)
+sends
 
     message     key         what it holds
     ----------  ----------  --------------------------------------------------------------------

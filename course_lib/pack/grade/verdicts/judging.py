@@ -16,9 +16,9 @@ from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdic
 from course_lib.checks.wire import write
 from course_lib.checks.write_test import WriteTest
 from course_lib.pack.grade.bounded import CpuDeadline, cpu_deadline
-from course_lib.pack.grade.verdicts.progress import Outcome, Run, Seed
+from course_lib.pack.grade.verdicts.grading import Grading, Outcome, Seed
 from course_lib.pack.grade.verdicts.result import message_of
-from course_lib.pack.grade.verdicts.student_process import Student
+from course_lib.pack.grade.verdicts.sandboxed_function import SandboxedFunction
 
 # Of the grader's own processor time for one exercise; a right answer takes less than one.
 JUDGING_SECONDS = 60
@@ -27,9 +27,9 @@ JUDGING_SECONDS = 60
 JUDGING_SECONDS_OF_TEST = 120
 
 
-def ask(
-    run: Run,
-    student: Student,
+def ask_and_judge(
+    grading: Grading,
+    function: SandboxedFunction,
     left_out: dict,
     at: int = 0,
     seed: Seed | None = None,
@@ -42,50 +42,56 @@ def ask(
     often the sandbox was asked for this exercise before; each time it is asked other cases, because
     it may have kept those that it knows.
     """
-    exercise = student.exercise
-    if run.over():
-        return run.not_graded(exercise)
-    first, *others = [seed] if seed is not None else _seeds(run, exercise, times)
-    if exercise.name in run.unwritten:
+    exercise = function.exercise
+    if grading.is_out_of_time():
+        return grading.not_graded(exercise)
+    first, *others = [seed] if seed is not None else _seeds(grading, exercise, times)
+    if exercise.name in grading.unwritten:
         asked, verdict, known = first, Verdict(exercise, NOT_ATTEMPTED), True
     else:
-        asked, (verdict, known) = first, judge_within_bounds(run, student, first)
+        asked, (verdict, known) = first, judge_within_bounds(grading, function, first)
     for other in others:
-        if verdict.state != RIGHT or student.ended or student.candidates or run.over():
+        if (
+            verdict.state != RIGHT
+            or function.ended
+            or function.candidates
+            or grading.is_out_of_time()
+        ):
             break
         note = verdict.note
-        asked, (verdict, known) = other, judge_within_bounds(run, student, other)
+        asked, (verdict, known) = other, judge_within_bounds(grading, function, other)
         verdict = replace(verdict, note=note)
-    if student.ended:
-        verdict = Verdict(exercise, ERROR, student.ended)
-        return Outcome(verdict, not student.too_slow, answered=False, called=student.called)
+    if function.ended:
+        verdict = Verdict(exercise, ERROR, function.ended)
+        return Outcome(verdict, not function.too_slow, answered=False, called=function.called)
     if verdict.case is not None and verdict.state in (WRONG, ERROR) and not known:
-        verdict = _without_what_varies(verdict, judge_within_bounds(run, student, asked)[0])
+        verdict = _without_what_varies(verdict, judge_within_bounds(grading, function, asked)[0])
     for (cell, _), how in left_out.items():
-        is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in run.sources[cell]
+        is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in grading.sources[cell]
         if verdict.state == ERROR or is_missing:
             reason = LeftOut(verdict.reason, how)
-            verdict, student.hindered = replace(verdict, state=ERROR, reason=reason), True
+            verdict, function.hindered = replace(verdict, state=ERROR, reason=reason), True
             break
-    hindered = student.hindered and verdict.state != RIGHT
+    hindered = function.hindered and verdict.state != RIGHT
     return Outcome(
         verdict,
         hindered,
-        is_test=student.candidates,
+        is_test=function.candidates,
         at=at,
-        called=student.called,
-        too_late=student.too_late,
+        called=function.called,
+        too_late=function.too_late,
     )
 
 
-def _seeds(run: Run, exercise: Exercise, times: int = 0) -> list[Seed]:
+def _seeds(grading: Grading, exercise: Exercise, times: int = 0) -> list[Seed]:
     """Return the seeds of the sets of cases: those of the notebook, and a secret one.
 
     The numbers of the candidates of a test depend on the seed, so these are secret.
 
     times: how often the sandbox was asked before. It has not seen the secret cases that follow.
     """
-    secret = (run.seed, 1 + times) if times else run.seed  # asking candidates apart has the first
+    # Asking candidates apart has the first of the further numbers.
+    secret = (grading.seed, 1 + times) if times else grading.seed
     if isinstance(exercise, WriteTest):
         return [secret]
     return [*exercise.public_seeds, secret]
@@ -107,15 +113,15 @@ def _seconds_for(exercise: Exercise) -> float:
     return JUDGING_SECONDS_OF_TEST if isinstance(exercise, WriteTest) else JUDGING_SECONDS
 
 
-def _questions(run: Run, exercise: Exercise, seed: Seed) -> tuple:
+def _questions(grading: Grading, exercise: Exercise, seed: Seed) -> tuple:
     """Return what questions_of returns; it is computed once for all runs of a submission."""
-    seconds = run.limits.cpu_seconds
+    seconds = grading.limits.cpu_seconds
     if seed in exercise.public_seeds and not isinstance(exercise, WriteTest):
         return public_questions(exercise, seed, seconds)
     asked = exercise.name, seed
-    if asked not in run.questions:
-        run.questions[asked] = questions_of(exercise, seed, seconds)
-    return run.questions[asked]
+    if asked not in grading.questions:
+        grading.questions[asked] = questions_of(exercise, seed, seconds)
+    return grading.questions[asked]
 
 
 @functools.cache
@@ -125,26 +131,28 @@ def public_questions(exercise: Exercise, seed: int, seconds: float) -> tuple:
     return questions_of(exercise, seed, seconds)
 
 
-def judge_within_bounds(run: Run, student: Student, seed: Seed) -> tuple[Verdict, bool]:
+def judge_within_bounds(
+    grading: Grading, function: SandboxedFunction, seed: Seed
+) -> tuple[Verdict, bool]:
     """Return the Verdict on a student's answers to one set of cases, formed within bounds, and
     whether the same answers came before.
 
     What the grader computes for a set of cases, and the verdict on equal answers to it, are
     computed once for all runs of a submission.
     """
-    exercise, known = student.exercise, False
+    exercise, known = function.exercise, False
     try:
         with cpu_deadline(_seconds_for(exercise)):
             asked = exercise.name, seed
-            cases, questions, consult = _questions(run, exercise, seed)
-            reply = student.reply(write(questions), consult)
+            cases, questions, consult = _questions(grading, exercise, seed)
+            reply = function.reply(write(questions), consult)
             key = (*asked, hashlib.sha256(reply.encode()).digest())
-            known = key in run.verdicts
+            known = key in grading.verdicts
             if not known:
-                verdict = judged(exercise, student, cases, questions, reply)
+                verdict = judged(exercise, function, cases, questions, reply)
                 message_of(verdict)  # showing an answer of any size may take long too, or fail
-                run.verdicts[key] = verdict
-            verdict = run.verdicts[key]
+                grading.verdicts[key] = verdict
+            verdict = grading.verdicts[key]
     except CpuDeadline as deadline:
         verdict = Verdict(exercise, ERROR, f"Its answers cannot be judged: that takes {deadline}.")
     except Exception as error:

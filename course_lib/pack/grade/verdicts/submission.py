@@ -42,11 +42,11 @@ from course_lib.pack.grade.jail.missing_modules import (
     modules_missing,
 )
 from course_lib.pack.grade.jail.sandbox import Limits, Sandbox
-from course_lib.pack.grade.verdicts.attempt import all_forbidden, attempt, sandbox_files
+from course_lib.pack.grade.verdicts.follow_through import ask_with_right_functions
+from course_lib.pack.grade.verdicts.grading import Grading, Outcome
 from course_lib.pack.grade.verdicts.judging import public_questions
-from course_lib.pack.grade.verdicts.progress import Outcome, Run
+from course_lib.pack.grade.verdicts.notebook_run import all_forbidden, run_and_ask, sandbox_files
 from course_lib.pack.grade.verdicts.result import result_of
-from course_lib.pack.grade.verdicts.right_functions import follow_through
 
 SHARED: dict[tuple, Jail] = {}  # {(hidden, wanted): what a Grader has started in this process}
 
@@ -108,16 +108,16 @@ def _graded(text, notebook, release, course, cells, seed, limits, jail) -> dict:
     sources, cases_seed = notebook_file.code(cells), seed_of(text, seed)
     untouched = notebook_file.untouched(course, sources)
     given = notebook_file.as_given(course, sources)
-    run = Run(sources, limits, cases_seed, course.exercises, start, untouched, given)
-    outcomes = ask_all(run)
-    follow_through(run, outcomes)
-    explain_missing(run, outcomes)
+    grading = Grading(sources, limits, cases_seed, course.exercises, start, untouched, given)
+    outcomes = ask_all(grading)
+    ask_with_right_functions(grading, outcomes)
+    explain_missing(grading, outcomes)
     problems = [
         f"Code cell {number + 1} was left out: {how}."
-        for number, how in sorted(run.left_out.items())
+        for number, how in sorted(grading.left_out.items())
     ]
     if ERROR in (outcome.verdict.state for outcome in outcomes.values()):
-        problems += [NOT_HANDED_IN.format(name) for name in modules_missing(run)]
+        problems += [NOT_HANDED_IN.format(name) for name in modules_missing(grading)]
     problems += notebook_file.not_code(course, cells)
     return result_of(notebook, release, course, problems, outcomes, cells)
 
@@ -183,20 +183,20 @@ def modules_excluded() -> list[str]:
     return sorted(module for module in modules if not module.startswith("course_lib."))
 
 
-def ask_all(run: Run) -> dict[str, Outcome]:
+def ask_all(grading: Grading) -> dict[str, Outcome]:
     """Return {exercise's name: Outcome}; the cheapest runs come first."""
-    outcomes = attempt(run, run.exercises, all_forbidden(run.exercises))
-    written = [exercise for exercise in run.exercises if exercise.name not in run.untouched]
+    outcomes = run_and_ask(grading, grading.exercises, all_forbidden(grading.exercises))
+    written = [exercise for exercise in grading.exercises if exercise.name not in grading.untouched]
     for exercise in written:
-        if outcomes[exercise.name].hindered and not run.over():
-            outcomes |= attempt(run, [exercise], frozenset(exercise.forbidden))
+        if outcomes[exercise.name].hindered and not grading.is_out_of_time():
+            outcomes |= run_and_ask(grading, [exercise], frozenset(exercise.forbidden))
     unfinished = [
         exercise for exercise in written if outcomes[exercise.name].verdict.state != RIGHT
     ]
-    unfinished = [e for e in unfinished if not _is_final(run, outcomes[e.name])]
-    if not unfinished or run.over():
+    unfinished = [e for e in unfinished if not _is_final(grading, outcomes[e.name])]
+    if not unfinished or grading.is_out_of_time():
         return outcomes
-    by_whole = attempt(run, unfinished, frozenset(), whole=True)
+    by_whole = run_and_ask(grading, unfinished, frozenset(), whole=True)
     again = [
         exercise
         for exercise in unfinished
@@ -207,23 +207,23 @@ def ask_all(run: Run) -> dict[str, Outcome]:
         )
     ]
     if len(again) > 1:  # together, and alone only what that hinders
-        together = attempt(run, again, all_forbidden(again), whole=True)
+        together = run_and_ask(grading, again, all_forbidden(again), whole=True)
         by_whole |= together
         again = [e for e in again if together[e.name].hindered or together[e.name].too_late]
     for exercise in again:
-        by_whole |= attempt(run, [exercise], frozenset(exercise.forbidden), whole=True)
+        by_whole |= run_and_ask(grading, [exercise], frozenset(exercise.forbidden), whole=True)
     for name, outcome in by_whole.items():
         outcomes[name] = outcomes[name].better(outcome)
     return outcomes
 
 
-def _is_final(run: Run, outcome: Outcome) -> bool:
+def _is_final(grading: Grading, outcome: Outcome) -> bool:
     """Return whether a run of the whole notebook can give no other outcome.
 
     An error may come of something that only such a run has.
     """
     is_wrong = outcome.verdict.state in (WRONG, UNCHANGED) and not outcome.hindered
-    return is_wrong and run.is_settled(outcome.verdict.exercise.name)
+    return is_wrong and grading.is_settled(outcome.verdict.exercise.name)
 
 
 def _is_taken_away(exercise: Exercise) -> bool:

@@ -15,20 +15,24 @@ from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.jail.course_view import contents
 from course_lib.pack.grade.jail.sandbox import Ended, TooSlow
 from course_lib.pack.grade.verdicts.cells import run_cells
-from course_lib.pack.grade.verdicts.judging import ask
-from course_lib.pack.grade.verdicts.progress import Instead, Outcome, Place, Run, time_is_up
-from course_lib.pack.grade.verdicts.student_process import CHECK_PREFIX, MAX_CALLS, Student
+from course_lib.pack.grade.verdicts.grading import Grading, Instead, Outcome, Place, time_is_up
+from course_lib.pack.grade.verdicts.judging import ask_and_judge
+from course_lib.pack.grade.verdicts.sandboxed_function import (
+    CHECK_PREFIX,
+    MAX_CALLS,
+    SandboxedFunction,
+)
 
 CELL_CALL_SECONDS = 10  # of the grader's own processor time for one call of check.NAME.library
 MAX_RESTARTS = 4  # of a notebook whose cells end or stop its process
 
 
-class Attempt:
+class NotebookRun:
     """One run of a submission in a sandbox, in which some exercises are asked.
 
     Parameters
     ----------
-    run : Run
+    grading : Grading
     exercises : iterable of Exercise
     forbidden : frozenset of str
         Functions of the library that are not there.
@@ -48,17 +52,17 @@ class Attempt:
 
     def __init__(
         self,
-        run: Run,
+        grading: Grading,
         exercises: Iterable[Exercise],
         forbidden: frozenset[str],
         whole: bool = False,
         instead: Instead | None = None,
     ) -> None:
-        self.run, self.whole = run, whole
+        self.grading, self.whole = grading, whole
         self.exercises = {exercise.name: exercise for exercise in exercises}
         self.instead = instead or {}
         self.files = sandbox_files(forbidden)
-        self.left_out = dict.fromkeys(run.too_slow, "it took too long")
+        self.left_out = dict.fromkeys(grading.too_slow, "it took too long")
         self.outcomes: dict[str, Outcome] = {}
         self.asked = Counter()
         self.sandbox = None
@@ -68,12 +72,12 @@ class Attempt:
         """Run the cells, again without a cell that ends the process; return {name: Outcome}."""
         reason = ""
         for _ in range(MAX_RESTARTS):
-            if self.run.over():
-                return {name: self.run.not_graded(e) for name, e in self.exercises.items()}
+            if self.grading.is_out_of_time():
+                return {name: self.grading.not_graded(e) for name, e in self.exercises.items()}
             place, end = self._once()
             if end is None:
                 return {
-                    name: ask_separately(self.run, outcome, self)
+                    name: ask_separately(self.grading, outcome, self)
                     for name, outcome in self.outcomes.items()
                 }
             reason = str(end)
@@ -84,10 +88,10 @@ class Attempt:
 
     def order(self, names: Iterable[str]) -> dict:
         """Return what the runner is to do, see runner.py."""
-        idle = [(number, 0) for number in sorted(self.run.idle)] if self.whole else []
+        idle = [(number, 0) for number in sorted(self.grading.idle_cells)] if self.whole else []
         return {
-            "cells": self.run.sources,
-            "needed": [] if self.whole else self.run.needed(names),
+            "cells": self.grading.sources,
+            "needed": [] if self.whole else self.grading.needed_statements(names),
             "whole": self.whole,
             "without": [*self.left_out, *idle],
         }
@@ -103,12 +107,12 @@ class Attempt:
         if before and (before.verdict.state == RIGHT or not before.answered):
             return False
         asked_before = self.asked.keys() - {name}
-        student = Student(
-            self.sandbox, self.run, exercise, self.instead.get(name, ()), asked_before
+        function = SandboxedFunction(
+            self.sandbox, self.grading, exercise, self.instead.get(name, ()), asked_before
         )
         times = self.asked[name]
         self.asked[name] += 1
-        answered = ask(self.run, student, self.left_out, at, times=times)
+        answered = ask_and_judge(self.grading, function, self.left_out, at, times=times)
         outcome = replace(answered, whole=self.whole)
         self.outcomes[name] = before.better(outcome) if before else outcome
         return self.exercises.keys() == self.outcomes.keys() and all(
@@ -118,7 +122,7 @@ class Attempt:
     def answer_cell(self, text: str) -> str:
         """Return what check.NAME.library answers to a call in a cell, as JSON text."""
         name = called_name(text) or ""
-        exercise = self.run.exercise(name.removeprefix(CHECK_PREFIX))
+        exercise = self.grading.exercise_named(name.removeprefix(CHECK_PREFIX))
         self._calls_of_cells += 1
         if exercise is None or not can_answer(exercise) or self._calls_of_cells > MAX_CALLS:
             return json.dumps({"error": "there is no such function"})
@@ -133,39 +137,39 @@ class Attempt:
     def _once(self) -> tuple[Place | None, Ended | None]:
         """Run the cells once and ask; return the place that ended the sandbox, and how it ended."""
         self.outcomes, self.asked = {}, Counter()
-        written = self.exercises.keys() - self.run.unwritten
+        written = self.exercises.keys() - self.grading.unwritten
         if not written and not self.whole:
             for name in self.exercises:
                 self.ask_now(name, 0)
             return None, None
-        with self.run.sandbox(self.files) as self.sandbox:
-            place, end = run_cells(self.sandbox, self.order(written), self.run, self)
+        with self.grading.new_sandbox(self.files) as self.sandbox:
+            place, end = run_cells(self.sandbox, self.order(written), self.grading, self)
             if end is None:
                 for name in self.exercises:
                     self.ask_now(name, 0)
         return place, end
 
     def _leave_out(self, place: Place, end: Ended) -> None:
-        self.run.left_out[place[0]] = self.left_out[place] = str(end)
+        self.grading.left_out[place[0]] = self.left_out[place] = str(end)
         alone = self.whole or len(self.exercises) == 1
         if isinstance(end, TooSlow) and alone:  # else what ran beside it may have been slow
-            self.run.too_slow.append(place)
+            self.grading.too_slow.append(place)
 
     def _not_run(self, exercise: Exercise, reason: str) -> Outcome:
         verdict = Verdict(exercise, ERROR, f"The notebook could not be run: {reason}.")
         return Outcome(verdict, hindered=True, answered=False)
 
 
-def attempt(
-    run: Run,
+def run_and_ask(
+    grading: Grading,
     exercises: Iterable[Exercise],
     forbidden: frozenset[str],
     whole: bool = False,
     instead: Instead | None = None,
 ) -> dict[str, Outcome]:
     """Run the submission in a sandbox and ask for some exercises; return {name: Outcome}; see
-    Attempt."""
-    return Attempt(run, exercises, forbidden, whole, instead).complete()
+    NotebookRun."""
+    return NotebookRun(grading, exercises, forbidden, whole, instead).complete()
 
 
 def all_forbidden(exercises: Iterable[Exercise]) -> frozenset[str]:
@@ -184,17 +188,19 @@ def sandbox_files(forbidden: frozenset[str]) -> dict[str, bytes]:
 # ---- tests, which are asked about each candidate apart ----
 
 
-def ask_separately(run: Run, outcome: Outcome, attempted: Attempt) -> Outcome:
+def ask_separately(grading: Grading, outcome: Outcome, notebook_run: NotebookRun) -> Outcome:
     """Return the Outcome itself, or for a test that distinguished candidates one in which it could
     not compare them."""
     if not outcome.is_test or not outcome.verdict.points:
         return outcome
-    student = SeparateCandidates(attempted, outcome.verdict.exercise, outcome.at)
-    again = ask(run, student, attempted.left_out, outcome.at, seed=(run.seed, 1))
-    return replace(again, hindered=False, whole=attempted.whole)
+    function = SeparateCandidates(notebook_run, outcome.verdict.exercise, outcome.at)
+    again = ask_and_judge(
+        grading, function, notebook_run.left_out, outcome.at, seed=(grading.seed, 1)
+    )
+    return replace(again, hindered=False, whole=notebook_run.whole)
 
 
-class SeparateCandidates(Student):
+class SeparateCandidates(SandboxedFunction):
     """Asks a student's test about each candidate in a sandbox of its own, in which that candidate
     alone answers.
 
@@ -203,23 +209,23 @@ class SeparateCandidates(Student):
 
     Parameters
     ----------
-    attempted : Attempt
+    notebook_run : NotebookRun
         The one in which all were asked together.
     exercise : Exercise
     at : int
         The number of the check at which the test is asked, 0 after all cells.
     """
 
-    def __init__(self, attempted: Attempt, exercise: Exercise, at: int) -> None:
-        instead = attempted.instead.get(exercise.name, ())
-        super().__init__(None, attempted.run, exercise, instead)
-        self._attempt, self._at = attempted, at
+    def __init__(self, notebook_run: NotebookRun, exercise: Exercise, at: int) -> None:
+        instead = notebook_run.instead.get(exercise.name, ())
+        super().__init__(None, notebook_run.grading, exercise, instead)
+        self._notebook_run, self._at = notebook_run, at
         self._one, self._reply_to_one = None, None  # what asks about one candidate, and the reply
 
     def about_one(self, questions: dict, number: int, consult: Callable, max_reply: int) -> str:
         """Return the reply about one candidate, which knows no number but 0, or ""."""
-        if self._run.over():
-            self.ended = time_is_up(self._run.limits)
+        if self._grading.is_out_of_time():
+            self.ended = time_is_up(self._grading.limits)
             return ""
         as_the_only_one = questions | {"cases": [[Candidate(0)]]}
         only_this = functools.partial(consult, only=number)
@@ -234,15 +240,15 @@ class SeparateCandidates(Student):
 
     def answer_cell(self, text: str) -> str:
         """Return what check.NAME.library answers to a call in a cell, as JSON text."""
-        return self._attempt.answer_cell(text)
+        return self._notebook_run.answer_cell(text)
 
     def _in_a_sandbox_of_its_own(self) -> str:
         """Run the cells once more, and return the reply about one candidate."""
         self._reply_to_one = None
-        self._attempt.asked = Counter()
-        order = self._attempt.order([self.exercise.name])
-        with self._run.sandbox(self._attempt.files) as self._sandbox:
-            _, end = run_cells(self._sandbox, order, self._run, self)
+        self._notebook_run.asked = Counter()
+        order = self._notebook_run.order([self.exercise.name])
+        with self._grading.new_sandbox(self._notebook_run.files) as self._sandbox:
+            _, end = run_cells(self._sandbox, order, self._grading, self)
             if end:
                 self.ended = f"No answer came: {end}."
             elif self._reply_to_one is None:

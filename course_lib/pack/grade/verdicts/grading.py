@@ -75,7 +75,7 @@ class Outcome:
 
 
 @dataclass
-class Run:
+class Grading:
     """A submission while it is graded.
 
     Parameters
@@ -92,13 +92,13 @@ class Run:
         {number of a cell that ended or blocked the process: how it did}.
     untouched : set of str
         The names of the exercises that the student has not worked on.
-    given : frozenset of int
+    given_cells : frozenset of int
         The numbers of the cells that are as students are given them.
     too_slow : list
         Statements as (cell, line) that no later run executes again.
     sandboxes : list
         All so far.
-    missing : set of str
+    missing_modules : set of str
         Modules that the notebook imports and that are not there.
     questions : dict
         {(exercise's name, seed): what questions_of returns}.
@@ -112,16 +112,16 @@ class Run:
     exercises: tuple[Exercise, ...]
     start: Callable
     untouched: set[str] = field(default_factory=set)
-    given: frozenset[int] = frozenset()
+    given_cells: frozenset[int] = frozenset()
     left_out: dict = field(default_factory=dict)
     too_slow: list = field(default_factory=list)
     sandboxes: list = field(default_factory=list)
-    missing: set[str] = field(default_factory=set)
+    missing_modules: set[str] = field(default_factory=set)
     questions: dict = field(default_factory=dict)
     verdicts: dict = field(default_factory=dict)
     begin: float = field(default_factory=time.process_time)
 
-    def sandbox(self, files: dict[str, bytes]) -> Sandbox:
+    def new_sandbox(self, files: dict[str, bytes]) -> Sandbox:
         """Return a Sandbox that is not yet started."""
         self.sandboxes.append(self.start(files))
         return self.sandboxes[-1]
@@ -143,28 +143,28 @@ class Run:
         )
 
     @functools.cached_property
-    def idle(self) -> set[int]:
+    def idle_cells(self) -> set[int]:
         """The numbers of the given cells that a run of the whole notebook can do without."""
         if not self._can_be_told:
             return set()
-        return idle_cells(self.statements, self.sources, self.given)
+        return idle_cells(self.statements, self.sources, self.given_cells)
 
     def is_settled(self, name: str) -> bool:
         """Return whether a run of the whole notebook has the same function of this name as a run of
         the statements that it needs."""
         if self.left_out or self.too_slow or not self._can_be_told:
             return False
-        return is_settled(self.statements, name, self.given)
+        return is_settled(self.statements, name, self.given_cells)
 
     @functools.cached_property
     def _can_be_told(self) -> bool:
-        return can_be_told(self.statements, self.sources, self.given)
+        return can_be_told(self.statements, self.sources, self.given_cells)
 
-    def needed(self, names: Iterable[str]) -> list:
+    def needed_statements(self, names: Iterable[str]) -> list:
         """Return what the runner needs to know of the statements that functions need."""
         return as_sent(needed(self.statements, [*names]), self.sources)
 
-    def over(self) -> bool:
+    def is_out_of_time(self) -> bool:
         """Return whether the submission has used all its time."""
         judged = time.process_time() - self.begin
         computed = sum(sandbox.computed for sandbox in self.sandboxes) + judged
@@ -175,7 +175,7 @@ class Run:
         too_long = too_long or reading > MAX_READING_SECONDS
         return too_long or judged > MAX_JUDGING_SECONDS
 
-    def exercise(self, name: object) -> Exercise | None:
+    def exercise_named(self, name: object) -> Exercise | None:
         """Return the exercise of this name, or None."""
         return next((exercise for exercise in self.exercises if exercise.name == name), None)
 

@@ -46,7 +46,7 @@ def namespace_of(function: object) -> dict:
 
 
 @contextlib.contextmanager
-def right_ones(own: dict, stand_ins: Mapping[str, Callable]) -> Iterator[None]:
+def functions_replaced(own: dict, stand_ins: Mapping[str, Callable]) -> Iterator[None]:
     """Let these stand-ins answer in place of functions of a notebook, whoever calls them.
 
     Parameters

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable
 
 from course_lib.checks.call_student import ENDS_ALL
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.follow_through import RightOnes, answer_call, called_name, can_answer
+from course_lib.checks.follow_through import RightFunctions, answer_call, called_name, can_answer
 from course_lib.checks.reasons import CannotBeRead
 from course_lib.checks.wire import read, write
 from course_lib.pack.grade.jail.runner import NOT_READING, TOO_LONG, TOO_OFTEN
 from course_lib.pack.grade.jail.sandbox import Ended, Idle, Limits, Sandbox, Watch
 from course_lib.pack.grade.verdicts.claims import read_claims
-from course_lib.pack.grade.verdicts.progress import Run
+from course_lib.pack.grade.verdicts.grading import Grading
 
 # By one function that is asked, of right functions and of a candidate. Of a candidate a test may
 # make 5,000, which call_student.py counts in the student's process.
@@ -19,13 +19,13 @@ MAX_CALLS = 100_000
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 
 
-class Student:
-    """Passes one exercise's questions to a sandbox. See judge.
+class SandboxedFunction:
+    """A student's function in a sandbox: passes the questions of its exercise on. See judge.
 
     Parameters
     ----------
     sandbox : Sandbox
-    run : Run
+    grading : Grading
     exercise : Exercise
     instead : iterable of Exercise
         Those whose right functions take the place of the student's.
@@ -49,27 +49,27 @@ class Student:
     def __init__(
         self,
         sandbox: Sandbox | None,
-        run: Run,
+        grading: Grading,
         exercise: Exercise,
         instead: Iterable[Exercise] = (),
         asked_before: Iterable[str] = (),
     ) -> None:
-        self._sandbox, self._run, self.exercise = sandbox, run, exercise
-        self._right_ones = RightOnes(exercise, instead)
+        self._sandbox, self._grading, self.exercise = sandbox, grading, exercise
+        self._right_functions = RightFunctions(exercise, instead)
         self._asked_before, self.too_late = frozenset(asked_before), False
         self.ended, self.too_slow, self.hindered, self.candidates = "", False, True, False
 
     @property
     def called(self) -> tuple[str, ...]:
         """The names of the functions that were replaced by right functions."""
-        return tuple(self._right_ones.called)
+        return tuple(self._right_functions.called)
 
     def reply(self, questions: str, consult: Callable | None = None) -> str:
         """Return the reply of the student's process as JSON text, or "" if none came; see judge."""
         self.candidates = consult is not None
         if self.candidates:
             return self._reply_about_each(questions, consult)
-        return self._reply(questions, self._run.limits.reply)
+        return self._reply(questions, self._grading.limits.reply)
 
     def about_one(self, questions: dict, number: int, consult: Callable, max_reply: int) -> str:
         """Return the reply about one candidate as JSON text, or "".
@@ -101,16 +101,16 @@ class Student:
         return json.dumps({"answers": answers})
 
     def _max_reply(self, cases: list) -> int:
-        return self._run.limits.reply // len(cases)
+        return self._grading.limits.reply // len(cases)
 
     def _reply(self, questions: str, max_reply: int, consult: Callable | None = None) -> str:
         """Return the reply to one request, or ""."""
-        limits = self._run.limits
+        limits = self._grading.limits
         request = {
             "ask": self.exercise.name,
             "questions": questions,
             "cpu": limits.cpu_seconds + 2,
-            "instead": self._right_ones.arguments,
+            "instead": self._right_functions.arguments,
             "reply": max_reply,
         }
         watch = self._sandbox.watch(limits.answer_seconds, limits.cpu_seconds + 10)
@@ -128,8 +128,8 @@ class Student:
             return ""
         text = message.get("reply")
         if isinstance(text, str):
-            text, refused = read_claims(text, self._run.sources)
-            excluded = {*self.exercise.forbidden, *self._right_ones.others}
+            text, refused = read_claims(text, self._grading.sources)
+            excluded = {*self.exercise.forbidden, *self._right_functions.others}
             self.hindered = bool(refused - excluded) or self.too_late
             return text
         self.ended, self.too_slow = _how_it_ended(message, limits)
@@ -138,11 +138,11 @@ class Student:
     def _answer(self, text: str, consult: Callable | None) -> str:
         """Return the answer to a call of a candidate, or of a right function, as JSON text."""
         name = called_name(text) or ""
-        if name in self._asked_before and name in self._right_ones.others:
+        if name in self._asked_before and name in self._right_functions.others:
             return self._comes_too_late(name)
         if not name.startswith(CHECK_PREFIX):
-            return self._right_ones.answering(consult)(text)
-        other = self._run.exercise(name.removeprefix(CHECK_PREFIX))
+            return self._right_functions.answering(consult)(text)
+        other = self._grading.exercise_named(name.removeprefix(CHECK_PREFIX))
         if other is None or not can_answer(other):
             return json.dumps({"error": "there is no such function"})
         if other is self.exercise:
