@@ -18,6 +18,7 @@ from course_lib.checks.reasons import (
     Raised,
     RaisedForRightVersion,
     Varies,
+    WaitsFor,
     first_error,
     off_by,
 )
@@ -26,6 +27,7 @@ from course_lib.pack.grade.jail.missing_modules import explain_missing
 from course_lib.pack.grade.jail.sandbox import Limits
 from course_lib.pack.grade.verdicts.grading import Grading, Outcome
 from course_lib.pack.grade.verdicts.judging import ask_and_judge
+from course_lib.pack.grade.verdicts.result import message_of
 
 REASONS = [
     kind
@@ -142,3 +144,12 @@ def test_a_finding_keeps_by_how_much_an_answer_is_off():
     finding = "The tip is at 1, " + off_by(0.5) + "." + Finding(" It moves.")
     assert (str(finding), finding.off_by) == ("The tip is at 1, off by 0.5. It moves.", 0.5)
     assert ("Here: " + Finding("it moves.")).off_by is None
+
+
+@pytest.mark.parametrize("blames", ["", "double"])
+def test_a_message_after_the_hand_in_tells_nobody_to_run_a_check(blames):
+    reason = LeftOut(WaitsFor("double"), "it took too long")
+    message = message_of(Verdict(NEAREST_SO, ERROR, reason, blames=blames))
+    assert "double, which" in message
+    assert " yet" not in message
+    assert "run this check" not in message

@@ -7,7 +7,7 @@ A reason on which nothing else depends may be a plain text.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from course_lib.checks import call_student
 
@@ -114,11 +114,16 @@ class WaitsFor:
     ----------
     name : str
         Of that function.
+    handed_in : bool
+        Whether it can be written no more.
     """
 
     name: str
+    handed_in: bool = field(default=False, compare=False)
 
     def __str__(self):
+        if self.handed_in:
+            return f"it calls {self.name}, which is not written."
         return (
             f"it calls {self.name}, which is not written yet. Write {self.name} first, then run "
             "this check again."
@@ -295,6 +300,15 @@ class LeftOut:
 
     def __str__(self):
         return f"{self.reason}\nA cell that it may need was left out: {self.how}.".strip()
+
+
+def as_handed_in(reason):
+    """Return a reason that gives no advice for which it is too late after the hand-in."""
+    if isinstance(reason, WaitsFor):
+        return replace(reason, handed_in=True)
+    if isinstance(reason, LeftOut):
+        return replace(reason, reason=as_handed_in(reason.reason))
+    return reason
 
 
 def first_error(reason):

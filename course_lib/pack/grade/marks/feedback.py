@@ -20,7 +20,7 @@ from course_lib.pack.grade.hand_ins.notebook_file import courses
 from course_lib.pack.grade.hand_ins.platforms import Platform, platforms
 from course_lib.pack.grade.marks.graded_file import GradedFile
 from course_lib.pack.grade.marks.marks_table import MarkedAnswer
-from course_lib.pack.grade.marks.tables import final_message, final_state, lateness
+from course_lib.pack.grade.marks.tables import final_state, lateness
 
 MAX_TEXT = 100_000  # characters of one message or answer
 MARKS = {
@@ -82,7 +82,7 @@ def _exercise(exercise: dict) -> dict:
     about = {
         "name": exercise["exercise"],
         "title": exercise["exercise"],
-        "text": with_code(final_message(exercise["message"])),
+        "text": with_code(exercise["message"]),
     }
     return exercise | about | {"state": final_state(exercise["state"])}
 

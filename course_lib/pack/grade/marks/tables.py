@@ -2,7 +2,6 @@
 student."""
 
 import itertools
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
@@ -21,13 +20,6 @@ PART = {False: "core", True: "more"}
 def final_state(state: str) -> str:
     """Return the wording of a state after the hand-in, when "yet" no longer fits."""
     return "not attempted" if state == NOT_ATTEMPTED else state
-
-
-def final_message(message: str) -> str:
-    """Return a check's message as it is after the hand-in, without the advice to run the check
-    again."""
-    text = re.sub(r"\s*\b(Correct|Write) \w+ first, then run this check again\.", "", message)
-    return re.sub(r"\bis not (right|written) yet\.", r"is not \1.", text)
 
 
 def graded_files(
@@ -154,7 +146,7 @@ def _lines(file: GradedFile) -> Iterator[tuple]:
             yield "", "", 0, "", file.result["state"], f"{file.submission.place}: {problem}"
     for exercise in file.result["exercises"]:
         line = PART[exercise["more"]], *(exercise[key] for key in ("exercise", "points", "of"))
-        yield *line, final_state(exercise["state"]), final_message(exercise["message"])
+        yield *line, final_state(exercise["state"]), exercise["message"]
     for answer in file.answers:
         points = "" if answer.points is None else answer.points
         yield (

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.messages import describe_details, listed
+from course_lib.checks.reasons import as_handed_in
 from course_lib.checks.verdict import RIGHT, Verdict
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import UNREADABLE, Cell, Course
@@ -100,11 +101,12 @@ def _judged_with(instead: tuple[str, ...]) -> str:
 
 
 def message_of(verdict: Verdict) -> str:
-    """Return the check's message without its first line, because the state is a column of its own,
-    and without the offer of a hint."""
+    """Return the check's message as it is after the hand-in: without its first line, because the
+    state is a column of its own, and without the offer of a hint or other advice."""
     if verdict.state == RIGHT:
         return without_controls(verdict.note)
-    shown = replace(verdict, blames="", instead=(), answer=_with_first_words(verdict.answer))
+    reason, answer = as_handed_in(verdict.reason), _with_first_words(verdict.answer)
+    shown = replace(verdict, blames="", instead=(), reason=reason, answer=answer)
     try:
         details = describe_details(shown)
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError):
