@@ -77,7 +77,9 @@ def declared(
     otherwise : Mistake or callable, optional
         What is said of answers that no mistake explains; as `mistake` of a Property.
     found : callable, optional
-        found(value, *arguments): what was found instead, in words; usually both answers.
+        found(value, *arguments): what was found instead, in words; usually both answers. What
+        `compared` and `first_off` return is joined to texts with +, so that it keeps by how much
+        the answer is off; see Finding in reasons.py.
     properties : tuple of Property
         What is examined before; seldom needed.
     reads : callable, optional
