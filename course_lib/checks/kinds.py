@@ -141,7 +141,7 @@ def half_turn(axis):
     return 2 * np.outer(axis, axis) - np.eye(3)
 
 
-def _half_turns(rng):
+def half_turns(rng):
     """Return rotations by pi: about the axes, in the coordinate planes, about any axis; as exact as
     they can be, and as they come from a sine of pi, which is 1.2e-16."""
     slope = rng.uniform(0.5, 0.7)
@@ -185,7 +185,7 @@ def _rotations(rng):
     axis = leaning_axis(rng)  # whichever column of R + I is taken
     nearly_half = [np.pi - gap for gap in (0.14, 3.1e-4, 1e-5, 1e-9)]
     near = [exp_so3(sign * angle * axis) for angle in nearly_half for sign in (1, -1)]
-    return [*quarters, *drawn, *near, *_half_turns(rng), np.eye(3), *_rounded_rotations()]
+    return [*quarters, *drawn, *near, *half_turns(rng), np.eye(3), *_rounded_rotations()]
 
 
 def _just_below_pi(rng, gap):
@@ -313,10 +313,17 @@ def nearly_unit_omega(rng, gap):
 TWIST = vector(6, beside=(("an omega nearly of length one", nearly_unit_omega, SMALL),))
 
 
+def _nearly_quarter(rng, gap):
+    return rng.choice([-1, 1]) * (QUARTER + gap)
+
+
 ANGLE = Kind(
     drawn=lambda rng: float(np.round(rng.choice([-1, 1]) * rng.uniform(0.6, 2.5), 2)),
     named=lambda rng: [QUARTER, -QUARTER, np.pi, 0.0, 0.3, -2.7, 6.9, -12.0, 41.7, -200.0],
-    beside=(("a tiny angle", lambda rng, gap: gap, ON_BOTH_SIDES),),
+    beside=(
+        ("a tiny angle", lambda rng, gap: gap, ON_BOTH_SIDES),
+        ("nearly a quarter of a revolution", _nearly_quarter, SMALL),
+    ),
     angle=True,
     small=True,
 )

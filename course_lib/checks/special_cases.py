@@ -30,7 +30,7 @@ SMALL = tuple(size for size in BESIDE if size > EXACT)
 OUT_OF_REACH = (1e-6, 1e-3, 0.02, 0.1)  # relative to the reach: what a too generous bound lets pass
 # Relative to the reach: two solutions are apart by the root of this, at least by 1e-4 rad.
 JUST_WITHIN = tuple(gap for gap in BESIDE if gap > 5 * EXACT)
-SIZES = (1, 2, 3, 7)
+SIZES = (1, 2, 3, 7, 9)  # 9: more than an arm has joints
 REVOLUTIONS = (2, 16)  # by which angles are changed: a series of thirty terms ends between these
 # Of the numbers in arguments that may be small. The numbers are between 0.3 and 0.9 of these, so
 # that each threshold below which somebody takes a number for 0 has numbers beneath it that count.
@@ -99,13 +99,14 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
     Returns
     -------
     list of tuple
-        The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author;
-        -0.0 in place of 0.0; angles of more than one revolution; small numbers; and the same arrays
-        with other numbers in them.
+        The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author,
+        and in place of numbers that are whole there; -0.0 in place of 0.0; angles of more than one
+        revolution; small numbers; and the same arrays with other numbers in them.
     """
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])[:_MAX_WHOLE]
     whole += _with_one_whole_argument(cases)
+    whole += _different([_with_integers(case) for case in cases])[:_MAX_WHOLE]
     negative_zeros = [_with_negative_zeros(case) for case in cases]
     several = []
     if angles:
@@ -149,11 +150,22 @@ def _is_whole(argument):
     return bool(small and np.abs(argument - np.rint(argument)).max() < _ROUNDING)
 
 
+def _is_whole_number(argument):
+    return isinstance(argument, float) and _is_whole(np.array([argument]))
+
+
 def _with_whole_numbers(case):
     """Return the case with arrays of integers where it holds whole numbers; None if it does not."""
     if not any(map(_is_whole, case)):
         return None
     return tuple(np.rint(arg).astype(int) if _is_whole(arg) else arg for arg in case)
+
+
+def _with_integers(case):
+    """Return the case with an integer for each number that is whole; None if none is."""
+    if not any(map(_is_whole_number, case)):
+        return None
+    return tuple(round(arg) if _is_whole_number(arg) else arg for arg in case)
 
 
 def _with_one_whole_argument(cases):
@@ -210,11 +222,15 @@ def _with_negative_zeros(case):
 
 
 def beyond_a_revolution(case, names, angles, revolutions):
-    """Return the case with its angles changed by some revolutions, of alternating signs."""
-    changed = []
+    """Return the case with its angles changed by some revolutions, of alternating signs.
+
+    The signs in one argument are opposite to those in the next, so that differences change, too.
+    """
+    changed, first = [], 0
     for name, argument in zip(names, case, strict=True):
         if name in angles:
-            signs = np.where(np.arange(np.size(argument)) % 2, -1, 1).reshape(np.shape(argument))
+            odd = (np.arange(np.size(argument)) + first) % 2
+            signs, first = np.where(odd, -1, 1).reshape(np.shape(argument)), 1 - first
             argument = _in_the_form_of(
                 argument, np.asarray(argument) + 2 * np.pi * revolutions * signs
             )

@@ -35,6 +35,7 @@ def _named(rng):
         [along_x, transform(np.eye(3), [0, 1.0, 3])],
         [here, ahead, transform(np.eye(3), [2.0, 0, 0])],
         [here, along_y, transform(rot_x(0.5), [1.0, 0.5, 1])],
+        [here, along_x, transform(rot_x(0.5), [0, 1.0, 0])],  # joint 2 only rotates the flange
     ]
     panda = [shared.frames(q) for q in (np.zeros(7), shared.READY, *away_from_zero(rng, (2, 7)))]
     return [*map(np.array, simple), *panda]

@@ -15,6 +15,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, pan
 _ROUNDING = 1e-14  # of J J^T, relative: what it does to J^+ is divided by the square of the least s
 _SINGULAR = np.array([[1.0, 2, 0], [2, 4, 0]])
 _SINGULAR_SQUARE = np.array([[1.0, 2, 0], [2, 4, 0], [0, 1, 1]])
+_LARGEST = 3.5  # a singular value of the cases with a small one
 # With a smaller singular value, that error is as large as a direction of the null space.
 _LEAST_VALUES = tuple(size for size in BESIDE if size > 1e-6)
 
@@ -51,26 +52,29 @@ def _cases(rng):
         (stretched, panda_jacobian(stretched), middle, 0.2),
         (q, _SINGULAR, ones, 0.5),
         (q, _SINGULAR_SQUARE, away_from_zero(rng, 3), 0.5),
+        (q, 0 * _SINGULAR, away_from_zero(rng, 3), 0.5),
     ]
 
 
 def _nearly_singular(rng, size):
     """Return a case with a singular value of about this size, in directions without a meaning."""
     U, V = (np.linalg.qr(rng.normal(size=(n, n)))[0] for n in (3, 5))
-    J = U @ np.column_stack([np.diag([1.3, 0.7, size]), np.zeros((3, 2))]) @ V
+    J = U @ np.column_stack([np.diag([_LARGEST, 0.7, size]), np.zeros((3, 2))]) @ V
     return away_from_zero(rng, 5), J, away_from_zero(rng, 5), 0.5
 
 
-def _least_value(J):
-    """Return the smallest singular value that is not 0; inf if all are 0."""
+def _least_share(J):
+    """Return the smallest singular value that is not 0, as a share of the largest; 1 if all are
+    0."""
     values = np.linalg.svd(J, compute_uv=False)
-    return values[values > EXACT].min(initial=np.inf)
+    values = values[values > EXACT]
+    return values[-1] / values[0] if values.size else 1
 
 
 def _distance(answer, right, q, J, *rest):
     """Return how far an answer is from the right one, near a singularity as a share of what
     rounding does there."""
-    return difference(answer, right) / max(1, _ROUNDING / EXACT / _least_value(J) ** 2)
+    return difference(answer, right) / max(1, _ROUNDING / EXACT / _least_share(J) ** 2)
 
 
 def _found(answer, q, J, *rest):

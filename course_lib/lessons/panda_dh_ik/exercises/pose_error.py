@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import POSE
+from course_lib.checks.kinds import POSE, half_turns
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
@@ -77,7 +77,7 @@ def _cases(rng):
     # Of two opposite axes only one is right.
     nearly_half = (np.pi - 2e-4) * unit(rng)
     cases += [_rotated(there, phi) for phi in (nearly_half, -nearly_half)]
-    cases += [_rotated(at, np.pi * axis) for axis in np.eye(3)]
+    cases += [(at, transform(R, [1.0, 2, 3])) for R in half_turns(rng)]
     return [*cases, (np.eye(4), _ROUNDED_PI), (at, at @ _ROUNDED_PI)]
 
 

@@ -47,3 +47,18 @@ def wrong_entry_by_entry(a, alpha, d, theta):
     """the two poses are multiplied entry by entry"""
     along_x = rigid.transform(rot_x(alpha), [a, 0, 0])
     return along_x * rigid.transform(rot_z(theta), [0, 0, d])
+
+
+def wrong_whole_entries_for_a_whole_a(a, alpha, d, theta):
+    """digits after the point are cut off"""
+    T = np.full((4, 4), 0 * a)
+    T[:] = right_two_halves(a, alpha, d, theta)
+    return T
+
+
+def wrong_cosine_from_the_sine(a, alpha, d, theta):
+    """unnamed"""
+    s = math.sin(alpha)
+    c = math.copysign(math.sqrt(max(0, 1 - s * s)), math.cos(alpha))
+    along_x = rigid.transform(np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), [a, 0, 0])
+    return along_x @ rigid.transform(rot_z(theta), [0, 0, d])

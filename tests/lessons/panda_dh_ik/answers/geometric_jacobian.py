@@ -55,3 +55,14 @@ def wrong_columns_in_the_cross_product(frames):
         J[:3, i] = np.cross(frame[:3, 2:3], p - frame[:3, 3:])
         J[3:, i] = frame[:3, 2]
     return J
+
+
+def wrong_more_than_seven_joints_left_out(frames):
+    """the answer does not have the form asked for"""
+    return right_all_joints_at_once(frames)[:, :7]
+
+
+def wrong_no_column_for_a_joint_at_the_flange(frames):
+    """an axis is not that of its joint"""
+    at_flange = np.linalg.norm(frames[:-1, :3, 3] - frames[-1, :3, 3], axis=1) < 1e-12
+    return right_all_joints_at_once(frames) * ~at_flange

@@ -61,3 +61,22 @@ def right_by_the_pseudoinverse_of_J_J_T(q, J, q_middle, gain):
 def wrong_small_singular_values_cut_off(q, J, q_middle, gain):
     """the step still moves the end-effector"""
     return q + gain * (np.eye(len(q)) - np.linalg.pinv(J, rcond=1e-5) @ J) @ (q_middle - q)
+
+
+def wrong_difference_wrapped_beyond_two_revolutions(q, J, q_middle, gain):
+    """the step is not gain (I - J^+ J)(q_middle - q)"""
+    d = q_middle - q
+    d = np.where(np.abs(d) > 4 * np.pi, np.angle(np.exp(1j * d)), d)
+    return right_by_the_pseudoinverse(q, J, q + d, gain)
+
+
+def wrong_cut_off_relative_to_the_largest(q, J, q_middle, gain):
+    """the step still moves the end-effector"""
+    return q + gain * (np.eye(len(q)) - np.linalg.pinv(J, rcond=1e-6) @ J) @ (q_middle - q)
+
+
+def wrong_rank_of_at_least_one(q, J, q_middle, gain):
+    """J is assumed to have full rank"""
+    V = np.linalg.svd(J)[2][: max(1, np.linalg.matrix_rank(J, tol=1e-9))]
+    d = q_middle - q
+    return q + gain * (d - V.T @ (V @ d))

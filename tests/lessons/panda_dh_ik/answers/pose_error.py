@@ -63,3 +63,13 @@ def wrong_in_degrees(T, T_target):
     """phi is in degrees"""
     phi = np.rad2deg(rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T))
     return np.concatenate([T_target[:3, 3] - T[:3, 3], phi])
+
+
+def wrong_signs_of_the_axis_from_its_first_entry(T, T_target):
+    """phi does not take R to R_target"""
+    R = T_target[:3, :3] @ T[:3, :3].T
+    e = right_by_log_so3(T, T_target)
+    if np.trace(R) < -1 + 1e-12:
+        axis = np.sqrt(np.maximum(0, (np.diag(R) + 1) / 2))
+        e[3:] = np.pi * np.copysign(axis, [1, R[0, 1], R[0, 2]])
+    return e
