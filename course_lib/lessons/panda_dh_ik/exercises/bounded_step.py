@@ -78,6 +78,8 @@ def _cases(rng):
     ]
     free = [
         (_FLAT, np.array([0.3, 0.2]), 1.0, 0.1),
+        (_FLAT, np.array([0.9, 0.4]), 1.0, 4.0),
+        (_FLAT, np.array([2.0, 0]), 0.004, 0.1),
         (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02),
     ]
     drawn.append(_slow(rng))

@@ -77,6 +77,8 @@ def _cases(rng):
         (_EARLY + 0.05 * rng.uniform(-1, 1, 7), _OUT, 0.1, 8, 0.1, 0.02),
         (q[1], v[1], 0.1, 4, round(2 * s, 3), 0.03),
         *((q[1], v[0], 0.1, 2, round(2 * s, 3), most) for most in (1e-5, 1e-7)),  # which count
+        (q[1], v[0], 0.1, 2, round(2 * s, 3), 0.6),
+        (q[0], 50 * v[1], 0.002, 2, 0.0, 0.01),  # fast joints
         (q[0], v[1], 0.1, 0, 0.1, 0.01),
         _leaves_the_limits(rng, v[0]),
         (np.array([0, -1, 0, -2, 0, 2, 1]), np.array([1, 0, -1, 0, 1, 0]), 0.1, 2, 0.01, 0.05),

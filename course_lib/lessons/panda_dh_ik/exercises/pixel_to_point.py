@@ -27,7 +27,7 @@ def _cases(rng):
     few = [(three[:1], np.array([0.8])), (three, np.array([0.8, 0.8, 0.5]))]
     named = [(*points, simple, T_wc) for T_wc in (np.eye(4), hangs) for points in few]
     pixels, _, K, T_wc = _drawn(rng, 3)
-    distant = pixels, np.round(rng.uniform(20, 90, 3), 1), K, T_wc
+    distant = pixels, np.round(rng.uniform(200, 900, 3)), K, T_wc
     return [*named, _drawn(rng, 4), distant, _drawn(rng, 5)]
 
 

@@ -104,6 +104,13 @@ def _small(rng, size):
     return src, moved(T, src), np.ones(5)
 
 
+def _nearly_there(rng, size):
+    """Points that nearly stand where their partners do."""
+    src = away_from_zero(rng, (4, 3))
+    T = transform(exp_so3(size * away_from_zero(rng, 3)), size * away_from_zero(rng, 3))
+    return src, moved(T, src), np.ones(4)
+
+
 def _squares(T, src, dst, weights):
     return weights @ ((moved(T, src) - dst) ** 2).sum(-1)
 
@@ -192,6 +199,7 @@ EXERCISE = Exercise(
         Sweep("points nearly in a plane", nearly_in_a_plane),
         Sweep("a weight that is small compared with the others", _small_weight, _SMALL_WEIGHTS),
         Sweep("small coordinates, and a pose nearly the identity", _small, SMALL_NUMBERS),
+        Sweep("points nearly where their partners are", _nearly_there, SMALL_NUMBERS),
     ),
     broken=_broken,
     forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),

@@ -21,7 +21,9 @@ def _named(rng):
     two = np.array([[0, 0, 0.3], [0.5, np.pi / 2, 0.1]])
     partly_whole = np.array([[0, 0, 1], [2, 1, 3], [0.5, -0.7, 0.25]])  # its first rows are whole
     whole = np.array([[0.0, 0, 1], [2, 1, 3], [4, -1, 0]])
-    return [two, TABLE, partly_whole, whole]
+    # Parallel axes, and a row of zeros.
+    parallel = np.array([[0, 0, 0.3], [0.5, 0, 0.1], [0, 0, 0], [-0.4, 0, 0.2], [0, np.pi, 0]])
+    return [two, TABLE, partly_whole, whole, parallel]
 
 
 _MODIFIED_TABLE = Kind(

@@ -60,3 +60,13 @@ def wrong_for_one_row(J, v, bound, eps):
     if len(J) == 1:
         return np.clip(np.linalg.pinv(J) @ v, -bound, bound)
     return right_by_lsq_linear(J, v, bound, eps)
+
+
+def wrong_bound_raised(J, v, bound, eps):
+    """a joint is faster than the argument `bound`"""
+    return right_by_lsq_linear(J, v, max(bound, 0.01), eps)
+
+
+def wrong_eps_lowered(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    return right_by_lsq_linear(J, v, bound, min(eps, 1.0))

@@ -41,3 +41,10 @@ def wrong_multiplied_by_K(pixels, depths, K, T_wc):
 def wrong_far_points_brought_near(pixels, depths, K, T_wc):
     """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
     return right_by_the_inverse(pixels, np.minimum(depths, 10), K, T_wc)
+
+
+def wrong_whole_points_for_whole_depths(pixels, depths, K, T_wc):
+    """the answer is wrong for arrays of integers only"""
+    points = np.zeros((len(depths), 3), dtype=depths.dtype)
+    points[:] = depths[:, None] * (np.c_[pixels, np.ones(len(pixels))] @ np.linalg.inv(K).T)
+    return points @ T_wc[:3, :3].T + T_wc[:3, 3]

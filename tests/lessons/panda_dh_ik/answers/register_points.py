@@ -103,3 +103,10 @@ def wrong_small_weights_are_all_the_same(src, dst, weights):
 def wrong_light_points_left_out(src, dst, weights):
     """the weights do not count as in the sum that the task names"""
     return right_kabsch(src, dst, np.where(weights < 1e-4 * weights.max(), 0, weights))
+
+
+def wrong_nearly_the_same_points_have_not_moved(src, dst, weights):
+    """T is wrong even without noise"""
+    if np.allclose(src, dst):
+        return np.eye(4)
+    return registration.register_points(src, dst, weights)
