@@ -3,6 +3,7 @@ student has written nothing."""
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from hostile.build import NAME, OTHERS, SEED, book
 from toy_exercises import NEAREST_SO, right
@@ -10,6 +11,7 @@ from toy_exercises import NEAREST_SO, right
 from course_lib.checks.judge import LocalFunction, review
 from course_lib.checks.messages import describe
 from course_lib.checks.verdict import RIGHT, WRONG
+from course_lib.checks.wire import read
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import courses
 from course_lib.pack.grade.jail.sandbox import Limits
@@ -31,6 +33,7 @@ class InThisProcess(SimpleNamespace):
 
     def reply(self, questions, consult=None):
         self.asked += 1
+        self.cases = len(read(questions)["cases"])
         return LocalFunction(self.function).reply(questions, consult)
 
 
@@ -58,6 +61,14 @@ def test_a_wrong_answer_is_asked_once_more_with_the_same_cases():
     function = InThisProcess(lambda M: M)
     assert outcome(function, SEED).verdict.state == WRONG
     assert function.asked == 2, "again, in case it is random, and for no other set"
+
+
+def test_the_second_time_a_wrong_answer_is_asked_no_more_than_what_its_message_quotes():
+    student = InThisProcess(lambda M: M)
+    quoted = outcome(student, SEED).verdict.case
+    cases = NEAREST_SO.questions(NEAREST_SO.public_seeds[0])[0]
+    assert any(np.array_equal(quoted[0], case[0]) for case in cases[: student.cases])
+    assert student.cases < len(cases)
 
 
 def test_a_student_s_test_is_asked_for_one_set_of_cases():

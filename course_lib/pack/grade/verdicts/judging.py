@@ -7,7 +7,8 @@ that is looked up in a table fails.
 
 import functools
 import hashlib
-from dataclasses import replace
+import json
+from dataclasses import dataclass, replace
 
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.judge import judged, questions_of
@@ -25,6 +26,19 @@ JUDGING_SECONDS = 60
 # Of that time for a test that a student writes. The grader also computes what twenty versions
 # answer to 5,000 calls each, which takes 15 to 70 seconds for the exercises of the course.
 JUDGING_SECONDS_OF_TEST = 120
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """The Verdict on the answers to the set of cases of a seed.
+
+    reply: the answers, as they came. known: whether the same answers came before.
+    """
+
+    seed: Seed
+    verdict: Verdict
+    reply: str = ""
+    known: bool = False
 
 
 def ask_and_judge(
@@ -47,25 +61,28 @@ def ask_and_judge(
         return grading.not_graded(exercise)
     first, *others = [seed] if seed is not None else _seeds(grading, exercise, times)
     if exercise.name in grading.unwritten:
-        asked, verdict, known = first, Verdict(exercise, NOT_ATTEMPTED), True
+        judgement = Judgement(first, Verdict(exercise, NOT_ATTEMPTED), known=True)
     else:
-        asked, (verdict, known) = first, judge_within_bounds(grading, function, first)
+        judgement = judge_within_bounds(grading, function, first)
     for other in others:
         if (
-            verdict.state != RIGHT
+            judgement.verdict.state != RIGHT
             or function.ended
             or function.candidates
             or grading.is_out_of_time()
         ):
             break
-        note = verdict.note
-        asked, (verdict, known) = other, judge_within_bounds(grading, function, other)
-        verdict = replace(verdict, note=note)
+        note = judgement.verdict.note
+        judgement = judge_within_bounds(grading, function, other)
+        judgement = replace(judgement, verdict=replace(judgement.verdict, note=note))
+    verdict = judgement.verdict
     if function.ended:
         verdict = Verdict(exercise, ERROR, function.ended)
         return Outcome(verdict, not function.too_slow, answered=False, called=function.called)
-    if verdict.case is not None and verdict.state in (WRONG, ERROR) and not known:
-        verdict = _without_what_varies(verdict, judge_within_bounds(grading, function, asked)[0])
+    quotes = verdict.case is not None and verdict.state in (WRONG, ERROR)
+    if quotes and not judgement.known and not _is_answered_alike(grading, function, judgement):
+        again = judge_within_bounds(grading, function, judgement.seed).verdict
+        verdict = _without_what_varies(verdict, again)
     for (cell, _), how in left_out.items():
         is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in grading.sources[cell]
         if verdict.state == ERROR or is_missing:
@@ -95,6 +112,38 @@ def _seeds(grading: Grading, exercise: Exercise, times: int = 0) -> list[Seed]:
     if isinstance(exercise, WriteTest):
         return [secret]
     return [*exercise.public_seeds, secret]
+
+
+def _is_answered_alike(grading: Grading, function: SandboxedFunction, judgement: Judgement) -> bool:
+    """Return whether a second time the cases up to the one that a verdict quotes are answered as
+    before.
+
+    What is quoted then is the same with each run. Only partial credit depends on the other answers.
+    """
+    if judgement.verdict.points:
+        return False
+    hindered = function.hindered
+    try:
+        with cpu_deadline(_seconds_for(function.exercise)):
+            cases, questions, _ = _questions(grading, function.exercise, judgement.seed)
+            end = 1 + next(k for k, case in enumerate(cases) if case is judgement.verdict.case)
+            first_ones = {
+                "cases": questions["cases"][:end],
+                "in_place": [k for k in questions["in_place"] if k < end],
+            }
+            again = function.reply(write(questions | first_ones))
+            return _first_answers(judgement.reply, end) == _first_answers(again, end)
+    except (CpuDeadline, Exception):
+        return False
+    finally:
+        function.hindered = function.hindered or hindered
+
+
+def _first_answers(reply: str, number: int) -> str:
+    """Return so many answers in a reply as JSON text, but for what later calls have done to
+    them."""
+    answers = json.loads(reply)["answers"][:number]
+    return json.dumps([answer | {"overwritten": False} for answer in answers])
 
 
 def _without_what_varies(verdict: Verdict, again: Verdict) -> Verdict:
@@ -131,16 +180,13 @@ def public_questions(exercise: Exercise, seed: int, seconds: float) -> tuple:
     return questions_of(exercise, seed, seconds)
 
 
-def judge_within_bounds(
-    grading: Grading, function: SandboxedFunction, seed: Seed
-) -> tuple[Verdict, bool]:
-    """Return the Verdict on a student's answers to one set of cases, formed within bounds, and
-    whether the same answers came before.
+def judge_within_bounds(grading: Grading, function: SandboxedFunction, seed: Seed) -> Judgement:
+    """Return the Judgement of a student's answers to one set of cases, formed within bounds.
 
     What the grader computes for a set of cases, and the verdict on equal answers to it, are
     computed once for all runs of a submission.
     """
-    exercise, known = function.exercise, False
+    exercise, reply, known = function.exercise, "", False
     try:
         with cpu_deadline(_seconds_for(exercise)):
             asked = exercise.name, seed
@@ -160,4 +206,4 @@ def judge_within_bounds(
         verdict = Verdict(exercise, ERROR, why)
     if isinstance(verdict.reason, CannotBeRead):  # the problem is a text of the student's process
         verdict = replace(verdict, reason=CannotBeRead())
-    return verdict, known
+    return Judgement(seed, verdict, reply, known)
