@@ -4,13 +4,14 @@ import pytest
 from hostile.build import NAME, SEED, book
 
 from course_lib.pack.grade.jail.statements import statements
-from course_lib.pack.grade.verdicts import submission
+from course_lib.pack.grade.verdicts import notebook_run, submission
 from course_lib.pack.grade.verdicts.submission import grade
 from course_lib.pack.grade.verdicts.whole_run import (
     can_be_told,
     idle_cells,
     is_settled,
     only_by_names,
+    stays,
 )
 
 IMPORT = "import numpy as np"
@@ -118,6 +119,51 @@ def test_a_table_that_another_function_reads_is_not_settled():
     read = "def g(x):\n    return table.get(x)"
     assert settled("f", *CHANGED, given={0})
     assert not settled("f", *CHANGED, read, given={0})
+
+
+# ---- functions that are after all cells what they are at their check ----
+
+
+def after(name, *sources, cell=0, given=()):
+    return stays(statements(sources), name, cell, given)
+
+
+@pytest.mark.parametrize(
+    "later",
+    [
+        (),
+        ("print(double(2))",),
+        ("def other(x):\n    return double(x)",),
+        (IMPORT,),
+        (DOUBLE,),
+    ],
+)
+def test_a_function_stays_if_nothing_binds_or_changes_it_later(later):
+    assert after("four", f"{IMPORT}\n{DOUBLE}\n{FOUR}", *later)
+
+
+@pytest.mark.parametrize(
+    "later", ["def double(x):\n    return x", "double = abs", "double.k = 2", "from mine import *"]
+)
+def test_a_function_of_which_a_part_is_bound_or_changed_later_does_not_stay(later):
+    assert not after("four", f"{DOUBLE}\n{FOUR}", later)
+
+
+def test_a_function_of_which_a_part_is_bound_only_later_does_not_stay():
+    assert not after("four", FOUR, DOUBLE)
+
+
+@pytest.mark.parametrize(
+    "later", ["table['k'] = 2", "put(table)", "other = table", "def g(x):\n    return table"]
+)
+def test_a_function_whose_table_is_read_later_does_not_stay(later):
+    assert after("f", "\n".join(CHANGED), "print(f(1))")
+    assert not after("f", "\n".join(CHANGED), later)
+
+
+def test_a_function_that_changes_what_it_reads_does_not_stay():
+    count = "table = {'k': 1}\ndef f(x):\n    table['k'] += 1\n    return table['k'] * x"
+    assert not after("f", count, "print(f(1))", given={1})
 
 
 CALLS = ("change()", "again()")
@@ -228,3 +274,21 @@ def test_a_function_that_was_right_at_its_check_is_found_by_such_a_run(few, whol
     result = grade(book(first, *right, "check.nearest_so(nearest_so)", WRONG), NAME, SEED)
     assert {row["state"] for row in result["exercises"]} == {"right"}
     assert whole_runs[0] == ["nearest_so"]
+
+
+@pytest.mark.usefixtures("isolated")
+@pytest.mark.parametrize(("later", "times"), [("print(1)", [0, 1]), ("missing = 2", [0, 1, 0])])
+def test_what_stays_is_asked_at_its_check_and_not_again(later, times, few, monkeypatch):
+    first, right = few
+    asked = []
+
+    def ask(grading, function, left_out, at=0, **about):
+        if function.exercise.name == "nearest_so":
+            asked.append(at)
+        return one(grading, function, left_out, at, **about)
+
+    one = notebook_run.ask_and_judge
+    monkeypatch.setattr(notebook_run, "ask_and_judge", ask)
+    broken = "def nearest_so(M):\n    return missing"
+    grade(book(first, *right, broken, "check.nearest_so(nearest_so)", later), NAME, SEED)
+    assert asked == times

@@ -10,7 +10,7 @@ from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WR
 from course_lib.pack.grade.bounded import CPU_SECONDS
 from course_lib.pack.grade.jail.sandbox import READING_SECONDS, Limits, Sandbox
 from course_lib.pack.grade.jail.statements import Statement, as_sent, needed, statements, stubs_only
-from course_lib.pack.grade.verdicts.whole_run import can_be_told, idle_cells, is_settled
+from course_lib.pack.grade.verdicts.whole_run import can_be_told, idle_cells, is_settled, stays
 
 Place = tuple[int, int]  # (cell, line) of a statement
 Instead = dict[str, list[Exercise]]  # {exercise's name: those whose right functions answer}
@@ -155,6 +155,14 @@ class Grading:
         if self.left_out or self.too_slow or not self._can_be_told:
             return False
         return is_settled(self.statements, name, self.given_cells)
+
+    def stays(self, name: str) -> bool:
+        """Return whether after all cells a function of this name is the same as at its check, of
+        which the notebook has one, as students are given it."""
+        checks = [n for n, source in enumerate(self.sources) if f"check.{name}(" in source]
+        if len(checks) != 1 or checks[0] not in self.given_cells or not self._can_be_told:
+            return False
+        return stays(self.statements, name, checks[0], self.given_cells)
 
     @functools.cached_property
     def _can_be_told(self) -> bool:

@@ -97,7 +97,8 @@ class NotebookRun:
         }
 
     def ask_now(self, name: str, at: int) -> bool:
-        """Ask for an exercise if it was not right, or did not take too long, at an earlier check.
+        """Ask for an exercise if it was not right, or did not take too long, at an earlier check,
+        unless it surely is what it was there.
 
         Return whether all are right, so that no more cells need to run.
         """
@@ -105,6 +106,8 @@ class NotebookRun:
         if exercise is None:
             return False
         if before and (before.verdict.state == RIGHT or not before.answered):
+            return False
+        if before and at == 0 and self.grading.stays(name):
             return False
         asked_before = self.asked.keys() - {name}
         function = SandboxedFunction(

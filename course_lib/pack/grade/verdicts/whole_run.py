@@ -226,6 +226,37 @@ def is_settled(in_order: Sequence[Statement], name: str, given: Collection[int])
     )
 
 
+def stays(in_order: Sequence[Statement], name: str, cell: int, given: Collection[int]) -> bool:
+    """Return whether a function of this name is the same after all cells as at the end of a cell.
+
+    No later statement binds another thing to a name that it reads, or that what it reads does, and
+    none changes what stands behind such a name. No function changes that either, because it may be
+    called later. What can be changed has no later reader among the student's statements.
+    """
+    bound_by, changed_by = _by_name(in_order, given)
+    if "*" in bound_by:
+        return False
+    reached, bindings, waiting = set(), [], [name]
+    while waiting:
+        read = waiting.pop()
+        if read in reached:
+            continue
+        reached.add(read)
+        of_name = bound_by.get(read, [])
+        before = {_what_it_binds(each, read) for each in of_name if each.cell <= cell}
+        later = {_what_it_binds(each, read) for each in of_name if each.cell > cell}
+        if later and (later != before or len(before) > 1):
+            return False
+        bindings += of_name
+        waiting += (other for each in of_name for other in each.reads)
+    changing = (each for read in reached for each in changed_by.get(read, []))
+    if any(each.cell > cell or _is_called_later(each.tree) for each in changing):
+        return False
+    own_later = [each for each in in_order if each.cell > cell and each.cell not in given]
+    changeable = reached & _changeable(bindings)
+    return not any(changeable & each.reads for each in own_later)
+
+
 def _changeable(bindings: Iterable[Statement]) -> set[str]:
     """Return the names that are bound to what can be changed: to all but functions, modules and
     numbers or texts that are written down."""
@@ -251,7 +282,7 @@ def _what_it_binds(statement: Statement, name: str) -> str:
         module = getattr(statement.tree, "module", "")
         as_named = (alias for alias in statement.tree.names if name in (alias.asname, alias.name))
         return f"{module} {[ast.dump(alias) for alias in as_named]}"
-    if isinstance(statement.tree, FUNCTIONS):
+    if isinstance(statement.tree, FUNCTIONS) or _is_constant(statement.tree):
         return ast.dump(statement.tree)
     return f"{statement.cell} {statement.place}"
 
