@@ -12,6 +12,11 @@ import course_lib
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
+from course_lib.checks.naming import (
+    KEPT_FOR_THE_NEXT_CALL,
+    WRONG_BEYOND_A_REVOLUTION,
+    WRONG_FOR_SMALL_NUMBERS,
+)
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.verdict import WRONG, Verdict
 from course_lib.checks.write_test import WriteTest
@@ -25,8 +30,14 @@ from course_lib.lessons.poe_kuka_iiwa.exercises.rotation_about import EXERCISE a
 from course_lib.lessons.rigid_motion.exercises.cubic_time_scaling import (
     EXERCISE as CUBIC_TIME_SCALING,
 )
+from course_lib.lessons.rigid_motion.exercises.interpolate_body import (
+    EXERCISE as INTERPOLATE_BODY,
+)
+from course_lib.lessons.rigid_motion.exercises.log_se2 import EXERCISE as LOG_SE2
 from course_lib.lessons.rigid_motion.exercises.propagate_body import EXERCISE as PROPAGATE_BODY
 from course_lib.lessons.rigid_motion.exercises.two_link_angles import EXERCISE as TWO_LINK_ANGLES
+from course_lib.lessons.rigid_motion.exercises.wrap_angle import EXERCISE as WRAP_ANGLE
+from course_lib.lessons.rotations.exercises.compose import EXERCISE as COMPOSE
 from course_lib.lessons.rotations.exercises.is_valid import EXERCISE as IS_VALID
 from course_lib.lessons.rotations.exercises.log_so3 import EXERCISE as LOG_SO3
 from course_lib.lessons.rotations.exercises.matrix_to_quaternion import (
@@ -36,6 +47,7 @@ from course_lib.lessons.rotations.exercises.random_quaternions import (
     EXERCISE as RANDOM_QUATERNIONS,
 )
 from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
+from course_lib.lessons.rotations.exercises.rotate_point import EXERCISE as ROTATE_POINT
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import reached
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import (
     EXERCISE as SUBPROBLEM1,
@@ -130,6 +142,54 @@ def test_wrong_for_integers_alone_is_not_called_cut_off():
     assert "cut off" in cut_off.mistake.name
 
 
+def test_a_single_integer_is_not_called_an_array():
+    def of_its_type(angle):
+        return np.asarray(WRAP_ANGLE.library(angle)).astype(np.asarray(angle).dtype)
+
+    name = judged(WRAP_ANGLE, LocalFunction(of_its_type)).mistake.name
+    assert name.startswith("the answer is wrong for integers only")
+
+
+# What the cases with wrong answers have in common
+
+
+def test_answers_that_lose_small_numbers_are_told_so():
+    def snapped(R, step, frame):
+        product = COMPOSE.library(R, step, frame)
+        return np.where(np.abs(product) < 1e-6, 0, product)
+
+    assert judged(COMPOSE, LocalFunction(snapped)).mistake is WRONG_FOR_SMALL_NUMBERS
+
+
+def test_answers_that_lose_revolutions_are_told_so():
+    def with_rounded_revolutions(p, a):
+        return ROTATE_POINT.library(p, np.fmod(a, 6.2832))
+
+    verdict = judged(ROTATE_POINT, LocalFunction(with_rounded_revolutions))
+    assert verdict.mistake is WRONG_BEYOND_A_REVOLUTION
+
+
+def test_answers_wrong_everywhere_are_not_told_what_some_cases_have_in_common():
+    def of_nothing(p, a):
+        return np.array([p[0] + a, p[1]])
+
+    mistake = judged(ROTATE_POINT, LocalFunction(of_nothing)).mistake
+    assert mistake not in (WRONG_FOR_SMALL_NUMBERS, WRONG_BEYOND_A_REVOLUTION)
+
+
+def test_an_array_that_each_call_changes_is_seen_in_answers_to_the_same_question():
+    kept = {}
+
+    def with_a_kept_scaling(start, goal, n):
+        scaling = kept.setdefault(n, np.ones(1))
+        poses = INTERPOLATE_BODY.library(start, goal, n) * scaling
+        scaling *= 0.5
+        return poses
+
+    verdict = judged(INTERPOLATE_BODY, LocalFunction(with_a_kept_scaling))
+    assert verdict.mistake is KEPT_FOR_THE_NEXT_CALL
+
+
 # Tests that students write
 
 WRITE_TESTS = [
@@ -199,6 +259,25 @@ def test_a_long_array_is_printed_below_its_sentence():
 
 
 # Sentences with measured numbers
+
+
+def test_what_is_off_by_too_much_is_off_by_more_than_is_allowed():
+    """The tolerance grows with the largest entry, and that of omega does not."""
+
+    def omega_is_off(T):
+        return LOG_SE2.library(T) + np.array([1.3e-9, 0, 0])
+
+    text = describe(judged(LOG_SE2, LocalFunction(omega_is_off)))
+    off, allowed = (
+        float(re.search(words + r" (\S+)", text).group(1).rstrip("."))
+        for words in ("off by", "the error may be")
+    )
+    assert off > allowed
+
+
+def test_a_number_is_not_called_an_array_without_shape():
+    text = describe(judged(WRAP_ANGLE, LocalFunction(lambda angle: np.ones((2, 7)))))
+    assert "the answer is a number. Yours has shape (2, 7)." in text
 
 
 def test_random_rotations_are_told_which_angles_come_too_often():

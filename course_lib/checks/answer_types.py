@@ -86,14 +86,15 @@ def numbers(shape_of, gaps=False, exact=False):
 
     def reader(value, *case):
         shape = tuple(shape_of(*case))
-        array = _array(value, f"an array of shape {shape}")
+        expected = f"an array of shape {shape}" if shape else "a number"
+        array = _array(value, expected)
         vectors = (
             len(shape) == 1 and array.size == shape[0] and array.ndim == 2 and 1 in array.shape
         )
         number = shape == () and array.size == 1
         if array.shape != shape and (exact or not (vectors or number)):
             raise Unreadable(
-                f"the answer is an array of shape {shape}",
+                f"the answer is {expected}",
                 f"Yours has shape {array.shape}.",
                 OTHER_FORM,
                 array=array.real,

@@ -388,11 +388,7 @@ _INTEGERS = (
     "Follow the digits after the point through your function. Which operation, or which array made "
     "from integers, cuts them off?"
 )
-CUT_OFF_OF_WHOLE_NUMBERS = (
-    "the answer is wrong for arrays of integers only: digits after the point are cut off",
-    _INTEGERS,
-)
-WRONG_FOR_INTEGERS = ("the answer is wrong for arrays of integers only", _INTEGERS)
+WRONG_FOR_INTEGERS = ("the answer is wrong for {} only", _INTEGERS)
 USE_FLOAT64 = (
     "Which line makes float32 of numbers? numpy computes with 16 digits unless a line asks"
     " otherwise."
@@ -475,7 +471,8 @@ _OF_AN_ARGUMENT = (
 OTHER_FORMS = (
     (
         "an axis of length 1 is lost",
-        "One item, too, is a row of the answer. Which line drops the axis?",
+        "An axis is a dimension of the array here: if there is one item only, the answer still has "
+        "a row for it. Which line, or which branch for such an input, drops the dimension?",
         np.squeeze,
     ),
     (

@@ -4,8 +4,8 @@ import copy
 
 import numpy as np
 
-from course_lib.checks.tolerances import PREDICTED
-from course_lib.checks.wire import Seed
+from course_lib.checks.tolerances import EXACT, PREDICTED
+from course_lib.checks.wire import Seed, write
 
 
 def same(value, predicted, *arguments, tolerance=PREDICTED):
@@ -47,6 +47,19 @@ def largest_gap(value, other):
     """Return the largest difference of two answers, in which nan and inf stand at the same
     entries."""
     return np.nan_to_num(np.abs(np.asarray(value, float) - other), posinf=0).max(initial=0)
+
+
+def first_otherwise(values, cases):
+    """Return the position of the first case that was asked before and answered otherwise, or
+    None."""
+    first = {}
+    for k, case in enumerate(cases):
+        # The same to the type: an answer that is wrong for whole numbers only keeps nothing.
+        earlier = first.setdefault(write(list(case)), k)
+        before, now = values[earlier], values[k]
+        if earlier != k and difference(now, before) > EXACT * max(1, largest_gap(before, 0)):
+            return k
+    return None
 
 
 def attempt(formula, *arguments):

@@ -128,8 +128,11 @@ def declared(
         """Return what was found and, where it is nearly right, which error is allowed."""
         finding = (found or in_words)(value, *case)
         right = right_answer(*case)
-        error = error_of(right, *case)
-        if distance(value, right, *case) < _NEARLY * error:
+        error, off = error_of(right, *case), distance(value, right, *case)
+        if off < _NEARLY * error:
+            # A distance may be stricter than entry by entry, which is how a student compares.
+            gap = difference(value, right)
+            error *= gap / off if 0 < gap < off else 1
             finding += f" Here the error may be {error:.1g} at most."
         return finding
 

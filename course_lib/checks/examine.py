@@ -104,15 +104,27 @@ def _wrong(exercise, wanted, cases, answers, values, failing):
     wrong = {*failing}.union(*(other.failing(cases, values) for other in after))
     naming = Naming(exercise, cases, values)
     if naming.looks_right(failing[0]) and found.off_by is None:
-        gap = naming.distance(failing[0])
+        gap = naming.gap(failing[0])
         found += Finding(f" Your answer is off by {gap:.1e}.", gap)
-    mistake = naming.mistake(failing, sorted(wrong)) or wanted.mistake
-    if callable(mistake):
-        mistake = attempt(mistake, value, *case)
+    mistake = _mistake(wanted, naming, failing, sorted(wrong))
     # A pair is shown as it was returned.
     shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value
     credit = _credit(exercise, cases, answers)
     return Verdict(exercise, WRONG, Fails(wanted.text, found), mistake, case, shown, credit=credit)
+
+
+def _mistake(wanted, naming, failing, wrong):
+    """Return the Mistake of the answers at the positions `wrong`, or None: a known one; what the
+    property sees in the answer; what the cases have in common; what is said of every answer."""
+    mistake = naming.mistake(failing, wrong)
+    if mistake is None and callable(wanted.mistake):
+        first = failing[0]
+        mistake = attempt(wanted.mistake, naming.values[first], *naming.cases[first])
+    if mistake is None:
+        mistake = naming.in_common(wrong)
+    if mistake is None and not callable(wanted.mistake):
+        mistake = wanted.mistake
+    return mistake
 
 
 def _credit(exercise, cases, answers):

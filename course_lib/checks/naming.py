@@ -5,7 +5,6 @@ import numpy as np
 
 from course_lib.checks.common_mistakes import (
     CUT_OFF,
-    CUT_OFF_OF_WHOLE_NUMBERS,
     MIN_NUMBERS,
     OTHER_FORMS,
     USE_ALL_DIGITS,
@@ -16,9 +15,16 @@ from course_lib.checks.common_mistakes import (
     is_telling,
     is_whole,
 )
-from course_lib.checks.comparisons import attempt, difference, largest_gap, predict, same
+from course_lib.checks.comparisons import (
+    attempt,
+    difference,
+    first_otherwise,
+    largest_gap,
+    predict,
+    same,
+)
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import InPlace, MadeCase
+from course_lib.checks.special_cases import InPlace, MadeCase, SmallNumbers
 from course_lib.checks.tolerances import EXACT
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
@@ -36,6 +42,24 @@ KEPT_FOR_SIMILAR_INPUT = Mistake(
     "the answer to an earlier, similar input is returned again",
     "Called alone with the input below, does your function give this answer? What does it keep "
     "from one call to the next, and when does it take two inputs for the same?",
+)
+
+KEPT_FOR_THE_NEXT_CALL = Mistake(
+    "something is kept from one call to the next",
+    "A list or an array outside the function, or a default like products=[], is made once only, "
+    "and each call finds in it what the calls before have left there. Make it inside the function.",
+)
+
+WRONG_FOR_SMALL_NUMBERS = Mistake(
+    "the answer is wrong where some numbers are small, as below",
+    "Which line treats such numbers otherwise than larger ones, or loses their digits? Look for a "
+    "comparison with a tolerance, a rounding, a root, and a difference of nearly equal numbers.",
+)
+
+WRONG_BEYOND_A_REVOLUTION = Mistake(
+    "the answer is wrong for angles beyond one revolution",
+    "A joint, or a body, may rotate more than once. Which line changes an angle, or is right for "
+    "angles within one revolution only?",
 )
 
 
@@ -64,7 +88,7 @@ class Naming:
         Said first is what can be told from the answers themselves: a result kept for an array that
         is filled again, rounding, float32, and answers wrong for whole numbers only. Then comes a
         mistake of the exercise that predicts every answer, and then that only the first digits are
-        right: such an answer is blamed for nothing else. At last, one that explains all answers is
+        right: such an answer is blamed for nothing else. Then one that explains all answers is
         preferred to one that explains the wrong ones only; a few True or False, or signs, fit many
         mistakes by chance, so these must explain all.
         """
@@ -72,9 +96,8 @@ class Naming:
         if wrong and all(isinstance(self.cases[i], InPlace) for i in wrong):
             return KEPT_FOR_AN_ARRAY
         of_digits = self._shortened(wrong)
-        if of_digits is None and self._is_for_whole_numbers_only(wrong):
-            cut_off = all(attempt(_is_cut_off, self.values[i], self.right(i)) for i in wrong)
-            of_digits = Mistake(*(CUT_OFF_OF_WHOLE_NUMBERS if cut_off else WRONG_FOR_INTEGERS))
+        if of_digits is None and self._is_wrong_only_where(_has_integers, wrong):
+            of_digits = self._wrong_for_integers(wrong)
         if of_digits is not None:
             return of_digits
         for known in own:
@@ -91,11 +114,20 @@ class Naming:
                 return known
         if wrong and all(map(self._is_given_again, wrong)):
             return KEPT_FOR_SIMILAR_INPUT
-        if self.has_few_values():
-            return None
-        for known in own:
+        if attempt(first_otherwise, self.values, self.cases) in wrong:
+            return KEPT_FOR_THE_NEXT_CALL
+        for known in () if self.has_few_values() else own:
             if self._explains(known, failing, wrong):
                 return known
+        return None
+
+    def in_common(self, wrong):
+        """Return the Mistake that says what all cases with wrong answers, and no others, have in
+        common; or None."""
+        if self._is_wrong_only_where(lambda case: isinstance(case, SmallNumbers), wrong):
+            return WRONG_FOR_SMALL_NUMBERS
+        if self._is_wrong_only_where(self._has_an_angle_beyond_a_revolution, wrong):
+            return WRONG_BEYOND_A_REVOLUTION
         return None
 
     def _is_given_again(self, position):
@@ -117,11 +149,25 @@ class Naming:
             for answer in mistake.answers
         )
 
-    def _is_for_whole_numbers_only(self, wrong):
-        """Return whether the answers are wrong in cases with whole numbers only, and right in all
-        others."""
-        of_floats = [i for i, case in enumerate(self.cases) if not _has_integers(case)]
-        return bool(of_floats) and not set(of_floats) & set(wrong)
+    def _is_wrong_only_where(self, is_special, wrong):
+        """Return whether the answers are wrong in special cases only, and right in all others, of
+        which there are some."""
+        others = [i for i, case in enumerate(self.cases) if not is_special(case)]
+        return bool(others) and not set(others) & set(wrong)
+
+    def _wrong_for_integers(self, wrong):
+        """Return the Mistake of answers that are wrong for integers only."""
+        name, hint = WRONG_FOR_INTEGERS
+        in_arrays = all(_has_integers(self.cases[i], np.ndarray) for i in wrong)
+        name = name.format("arrays of integers" if in_arrays else "integers")
+        if all(attempt(_is_cut_off, self.values[i], self.right(i)) for i in wrong):
+            name += ": digits after the point are cut off"
+        return Mistake(name, hint)
+
+    def _has_an_angle_beyond_a_revolution(self, case):
+        named = zip(self.exercise.arguments, case, strict=True)
+        angles = [np.ravel(argument) for name, argument in named if name in self.exercise.angles]
+        return any(np.abs(angle).max(initial=0) > 2 * np.pi for angle in angles)
 
     def has_few_values(self):
         """Return whether all answers are made of True, False, 0, 1 and -1, which fit many mistakes
@@ -139,6 +185,13 @@ class Naming:
         value = self.values[position]
         gap = attempt(self.exercise.distance, value, right, *self.cases[position])
         return np.inf if gap is None or np.isnan(gap) else float(gap)
+
+    def gap(self, position):
+        """Return by how much an answer is off in its entries, as messages say it; a distance that
+        is smaller, as one up to the sign, takes its place."""
+        distance = self.distance(position)
+        in_entries = attempt(difference, self.values[position], self.right(position))
+        return distance if in_entries is None else min(distance, in_entries)
 
     def looks_right(self, position):
         """Return whether an answer differs from the library's in later digits only."""
@@ -345,9 +398,10 @@ def _are_similar(case, other):
     )
 
 
-def _has_integers(case):
-    """Return whether an argument is a whole number, or an array of such, of type int."""
-    numbers = [argument for argument in case if isinstance(argument, np.ndarray | int)]
+def _has_integers(case, kind=np.ndarray | int):
+    """Return whether an argument is a whole number, or an array of such, of type int; or of these a
+    kind."""
+    numbers = [argument for argument in case if isinstance(argument, kind)]
     return any(np.asarray(number).dtype.kind == "i" for number in numbers)
 
 

@@ -74,6 +74,12 @@ class MadeCase(tuple):
     __slots__ = ()
 
 
+class SmallNumbers(MadeCase):
+    """A case in which arguments hold small numbers, or differ little from a special value."""
+
+    __slots__ = ()
+
+
 class InPlace(MadeCase):
     """A case whose numbers are put into the arrays with which the case before it was asked."""
 
@@ -114,8 +120,8 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
         several = [beyond_a_revolution(most_different, names, angles, n) for n in REVOLUTIONS]
     with_zeros = [case for case in negative_zeros if case is not None]
     made = [*swept, *whole, *with_zeros[:_MAX_ZEROS], *several]
-    made += small_numbers(cases, names, small, rng)
-    return [*map(MadeCase, made), *in_the_same_arrays(cases)]
+    of_small_numbers = map(SmallNumbers, small_numbers(cases, names, small, rng))
+    return [*map(MadeCase, made), *of_small_numbers, *in_the_same_arrays(cases)]
 
 
 def in_the_same_arrays(cases):

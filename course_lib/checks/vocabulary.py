@@ -5,13 +5,13 @@ import itertools
 
 import numpy as np
 
-from course_lib.checks.comparisons import difference, same
+from course_lib.checks.comparisons import difference, first_otherwise, same
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.reasons import Finding, off_by
 from course_lib.checks.tolerances import EXACT, PREDICTED
-from course_lib.checks.wire import write
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
@@ -335,25 +335,9 @@ def compared(expected, answer, verb="is"):
     return f"{right}; yours {verb} {yours}, " + off_by(gap)
 
 
-def _first_otherwise(values, cases):
-    """The position of the first case that was asked before and answered otherwise."""
-    first = {}
-    for k, case in enumerate(cases):
-        # The same to the type: an answer that is wrong for whole numbers only keeps nothing.
-        earlier = first.setdefault(write(list(case)), k)
-        if earlier != k and not near(values[k], values[earlier]):
-            return k
-    return None
-
-
 SAME_TWICE = Property(
     "called a second time with the same arguments, the function gives the same result",
-    _first_otherwise,
+    first_otherwise,
     across=True,
-    mistake=Mistake(
-        "something is kept from one call to the next",
-        "A list outside the function, or a default like products=[], is made once only and grows "
-        "or shrinks with "
-        "each call. Make it inside the function.",
-    ),
+    mistake=KEPT_FOR_THE_NEXT_CALL,
 )

@@ -28,8 +28,8 @@ def _otherwise(J, *case):
         return None
     return Mistake(
         "an axis is not moved by all joints between it and the end-effector, each by its own angle",
-        "Which exponentials, in which order, stand in Ad(...) before the body screw of the column "
-        "named below?",
+        "Which exponentials, in which order and by which angles, stand in Ad(...) before the body "
+        "screw of the column named below?",
     )
 
 

@@ -51,7 +51,9 @@ def _otherwise(V, twist):
         )
     if _relative_error(V, right, COLUMN) > EXACT:
         return Mistake(
-            "v does not stand in the last column", "Which three entries of the twist are v?"
+            "v does not stand in the last column",
+            "Which three entries of the twist are v? Compare the last column with them, entry by "
+            "entry, for the twist below. Which line of yours writes it for this twist?",
         )
     return Mistake(
         "the last row is not zero",

@@ -1,5 +1,7 @@
 """space_jacobian: the joints' screw axes where the arm has moved them."""
 
+import numpy as np
+
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
@@ -10,6 +12,7 @@ from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
     SMALL_ANGLES,
     STRAIGHT,
     arms,
+    before,
     columns,
     exponentials,
     jacobian,
@@ -37,12 +40,22 @@ def _otherwise(J, screws, q):
     if not near(J[:3], right[:3]):
         return Mistake(
             "an axis is not rotated by all joints before it, each by its own angle",
-            "Which exponentials, in which order, move the axis of the column named below?",
+            "Which exponentials, in which order and by which angles, move the axis of the column "
+            "named below?",
         )
     return Mistake(
-        "an axis is rotated, but not moved",
-        "Which 6 x 6 matrix of a pose transforms both halves of a screw axis?",
+        "the directions of the axes are right for the angles below, and a v is not",
+        "Take a point of this axis: where is it after the joints before it have moved it? Which "
+        "6 x 6 matrix of a pose transforms both halves of a screw axis, and is it used for these "
+        "angles?",
     )
+
+
+def _unmoved(screws, q):
+    """Return the answer whose v is rotated as omega is, as if no joint moved the axis."""
+    R = np.array(before(screws, q))[:, :3, :3]
+    halves = [np.einsum("nij,nj->in", R, half) for half in (screws[:, :3], screws[:, 3:])]
+    return np.concatenate(halves)
 
 
 def _in_reverse(own):
@@ -51,8 +64,8 @@ def _in_reverse(own):
 
     def answer(screws, q):
         each = exponentials(screws, q)
-        before = [products(each[: i + own][::-1])[-1] for i in range(len(each))]
-        return columns(adjoint(before), screws)
+        reversed_products = [products(each[: i + own][::-1])[-1] for i in range(len(each))]
+        return columns(adjoint(reversed_products), screws)
 
     return answer
 
@@ -82,6 +95,11 @@ EXERCISE = declared(
             "Joint 1 moves all the other joints. On which side of the product does its exponential "
             "stand?",
             *map(_in_reverse, (0, 1)),
+        ),
+        Mistake(
+            "an axis is rotated, but not moved",
+            "Which 6 x 6 matrix of a pose transforms both halves of a screw axis?",
+            _unmoved,
         ),
     ),
 )

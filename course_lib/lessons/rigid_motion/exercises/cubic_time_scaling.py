@@ -9,6 +9,7 @@ from course_lib.checks.kinds import Kind, number
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import compared
 from course_lib.planar import cubic_time_scaling
 
 _TIMES = Kind(drawn=lambda rng: rng.uniform(0.05, 0.95, 6).round(3))
@@ -66,12 +67,9 @@ def _is_cubic(value, t, T, *ends):
 
 
 def _found(value, t, T, *ends):
-    right, times = cubic_time_scaling(t, T, *ends), np.ravel(t)
-    k = int(np.argmax(np.abs(np.ravel(value) - np.ravel(right))))
-    return (
-        f"At t = {times[k]:.10g} that is {np.ravel(right)[k]:.6g}; yours is "
-        f"{np.ravel(value)[k]:.6g}."
-    )
+    right, yours, times = map(np.ravel, (cubic_time_scaling(t, T, *ends), value, t))
+    k = int(np.argmax(np.abs(yours - right)))
+    return f"At t = {times[k]:.10g} that is " + compared(right[k], yours[k]) + "."
 
 
 def _cubic(u, s0, s1, d0, d1):

@@ -63,7 +63,12 @@ def _found(value, angle):
     values, angles = np.ravel(value), np.ravel(angle)
     largest = np.abs(values).max()
     if largest > np.pi + EXACT * max(1, np.abs(angles).max()):
-        return f"The largest of yours, without its sign, is {largest / np.pi:.4g} pi."
+        beyond = largest - np.pi
+        relative = beyond / max(1, np.abs(angles).max())
+        return (
+            f"The largest of yours, without its sign, is beyond pi by {beyond:.4g} rad, which is "
+            f"{relative:.2g} of the angle."
+        )
     k = int(np.argmax(np.abs(wrap_angle(values - angles))))
     revolutions = (values[k] - angles[k]) / REVOLUTION
     rest = (revolutions - np.round(revolutions)) * REVOLUTION

@@ -29,6 +29,14 @@ def _undivided(w):
     return np.eye(3) + np.sin(a) * W + (1 - np.cos(a)) * W @ W
 
 
+def _divided_by_the_rest(w):
+    """Return the answer in which the whole revolutions are taken off the angle, and so off the
+    divisor of w."""
+    a = np.linalg.norm(w) % (2 * np.pi)
+    N = hat(w / a) if a else np.zeros((3, 3))
+    return np.eye(3) + np.sin(a) * N + (1 - np.cos(a)) * N @ N
+
+
 def _one_axis_after_the_other(*order):
     return lambda w: np.linalg.multi_dot([exp_so3(w[k] * np.eye(3)[k]) for k in order])
 
@@ -77,6 +85,7 @@ EXERCISE = declared(
             "w is not divided by its length before [w] is formed",
             "Rodrigues' formula contains a unit axis n.",
             _undivided,
+            _divided_by_the_rest,
         ),
         Mistake(
             "the series of the exponential is cut after some terms",

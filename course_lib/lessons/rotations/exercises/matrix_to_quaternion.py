@@ -63,6 +63,12 @@ def _divided_by_w(R):
     return np.array([w, *(_skew_part(R) / (4 * w))])
 
 
+def _has_lost_the_axis(q, R):
+    """Return whether q is nearly 0, where R - R^T is 0: x, y and z are multiplied by 0, or w, which
+    rounding makes a small number, is the divisor."""
+    return not _skew_part(R).any() and 0 < np.linalg.norm(q) < 1e-3
+
+
 def _is_divided_by_little(q, R):
     """Return whether q is not of length one, although 4 w times its vector part is that of R - R^T:
     w was the divisor. Where R - R^T is 0, q is nan, or nearly 0."""
@@ -70,9 +76,16 @@ def _is_divided_by_little(q, R):
         return True
     along, length = _skew_part(R), np.linalg.norm(q)
     if not along.any():
-        return 0 < length < 1e-3
+        return _has_lost_the_axis(q, R)
     off = np.linalg.norm(4 * q[0] * q[1:] - along)
     return abs(length - 1) > 1e-6 and off < 1e-6 * np.linalg.norm(along)
+
+
+def _by_the_sign_of_0(R):
+    """Return the axis, by its eigenvector, times the sign of its product with R - R^T."""
+    q = matrix_to_quaternion(R)
+    along = np.sign(q[1:] @ _skew_part(R))
+    return np.array([max(q[0], 1e-16), *(along * q[1:])])
 
 
 def _by_four_roots(R):
@@ -122,6 +135,13 @@ EXERCISE = declared(
             "for some rotations. For this R, which of your lines gives the first nan or inf?",
             _by_four_roots,
             seen=lambda q, R: not np.isfinite(q).all(),
+        ),
+        Mistake(
+            "x, y and z are lost where R is its own transpose",
+            "For a rotation by 180 degrees R - R^T is 0. What do your lines make of it: is "
+            "something multiplied by it or by its sign, or divided by a w that is nearly 0?",
+            _by_the_sign_of_0,
+            seen=_has_lost_the_axis,
         ),
         Mistake(
             "something that is nearly 0 serves as the divisor",

@@ -36,7 +36,11 @@ def _found(R, M):
 
 def _otherwise(R, M):
     if orthogonality_error(R) > EXACT:
-        return Mistake("the answer is not orthogonal", "Which part of M = U S V^T stretches?")
+        return Mistake(
+            "the answer is not orthogonal",
+            "Which part of M = U S V^T stretches? Does your function take that part out of every "
+            "M, and what does it do with the M below?",
+        )
     if np.linalg.det(R) < 0:
         return Mistake(
             "the answer is a reflection",

@@ -46,8 +46,9 @@ def _middle_angle_is_uniform(R):
 
 
 @EXERCISE.mistake(
-    "three angles about fixed axes are drawn uniformly",
-    "Is there as much room near the poles as at the equator?",
+    "three angles about fixed axes are drawn uniformly, or another angle from a pole is",
+    "Is there as much room near the poles as at the equator? Which of your angles is measured from "
+    "a pole, and how is it distributed?",
     seen=sampling.of_many(_middle_angle_is_uniform),
 )
 def euler_angles(n, rng):
