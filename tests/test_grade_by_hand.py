@@ -160,6 +160,17 @@ def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys
     both(said, page, "Try it in a copy of the course first.")
 
 
+def test_a_gradebook_with_names_in_place_of_logins_needs_a_roster(tmp_path, capsys):
+    hand_in(tmp_path / "in", "Ana_1_assignsubmission_file_/01_rotations.ipynb", points=[2])
+    (tmp_path / "roster.csv").write_text("Name,Email address\nAna,ana@x\n")
+    said, page = run(tmp_path, capsys, "--lms", "moodle")
+    both(said, page, "moodle.csv has the names of 1 student in place of a login or address")
+    both(said, page, "ROSTER=roster.csv")
+    roster = ("--roster", str(tmp_path / "roster.csv"))
+    said, page = run(tmp_path, capsys, "--lms", "moodle", *roster)
+    assert "in place of a login" not in said + page
+
+
 def test_a_student_who_may_have_another_name_is_listed_with_it(tmp_path, capsys):
     hand_in(tmp_path / "in", "HW_aboli_attempt_2026-11-30-18-05-00_01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text(

@@ -10,7 +10,7 @@ from pathlib import Path
 from course_lib.pack.grade.csv_text import count_noun, words
 from course_lib.pack.grade.hand_ins.notebook_file import NOT_CODE
 from course_lib.pack.grade.hand_ins.platforms import Platform, named
-from course_lib.pack.grade.hand_ins.roster import Row
+from course_lib.pack.grade.hand_ins.roster import KEYS, Row
 from course_lib.pack.grade.marks.deadline import Deadline, without_time
 from course_lib.pack.grade.marks.gradebook import absent
 from course_lib.pack.grade.marks.graded_file import GradedFile
@@ -307,6 +307,15 @@ def _gradebook(graded_class: GradedClass) -> Iterable[Entry]:
     path = graded_class.shown / f"{name}.csv"
     if graded_class.missing:
         yield Entry(*_missing(graded_class, path))
+    if unknown := _known_by_name_alone(graded_class):
+        platform = graded_class.gradebook.title
+        yield Entry(
+            f"{path} has the names of {count_noun(len(unknown), 'student')} in place of a login or "
+            f"address, because the files say nothing else of them. If {platform} knows these "
+            "students by something else, give its roster.",
+            (),
+            graded_class.command(ROSTER="roster.csv"),
+        )
     for students in graded_class.shared:
         yield Entry(
             "One student of the roster, whose better points of each notebook count: "
@@ -319,6 +328,16 @@ def _gradebook(graded_class: GradedClass) -> Iterable[Entry]:
     if (graded_class.output / "feedback" / name).is_dir():
         zips = graded_class.shown / "feedback" / name
         yield Entry(f"Upload the zips in {zips} as feedback files, one for each notebook.")
+
+
+def _known_by_name_alone(graded_class: GradedClass) -> list[str]:
+    """Return the students in the gradebook's file of whom neither a roster nor the files say what
+    the platform knows them by."""
+    if graded_class.roster or not graded_class.gradebook.takes_tables:
+        return []
+    identities = graded_class.totals.identities
+    students = graded_class.totals.students
+    return [name for name in students if not identities.get(name, {}).keys() & set(KEYS)]
 
 
 def _perhaps_known(name: str, nearest: dict[str, list[str]]) -> str:
