@@ -7,6 +7,8 @@ import json
 import os
 import resource
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
@@ -53,6 +55,15 @@ ENDS = [
 def test_the_end_of_the_process_is_reported(function, bounds, words):
     with pytest.raises((OutOfBounds, RuntimeError), match=words):
         call_bounded(function, **bounds)
+
+
+def test_a_process_that_ends_while_it_is_watched_ends_no_watch():
+    with subprocess.Popen([sys.executable, "-c", ""]) as process:
+        pass
+    assert sandbox._below(process.pid) == [process.pid]
+    assert sandbox._used(process.pid) is None
+    assert sandbox._delay(process.pid) == 0
+    assert sandbox._share_of_memory(process.pid) == 0
 
 
 # ---- files ----

@@ -9,7 +9,6 @@ import os
 import select
 import shutil
 import signal
-import sys
 import tempfile
 import threading
 import time
@@ -354,10 +353,14 @@ def _kill(numbers: list[int]) -> None:
 
 
 def _delay(number: int) -> float:
-    """Return how long the threads of a process have waited for a processor, in seconds; 0 if Linux
-    does not tell."""
+    """Return how long the threads of a process have waited for a processor, in seconds; 0 if the
+    process has ended or the system does not tell."""
+    try:
+        threads = os.listdir(f"/proc/{number}/task")
+    except OSError:
+        return 0
     total = 0
-    for thread in os.listdir(f"/proc/{number}/task") if sys.platform == "linux" else ():
+    for thread in threads:
         with (
             contextlib.suppress(OSError, IndexError),
             open(f"/proc/{number}/task/{thread}/schedstat") as file,
