@@ -160,6 +160,20 @@ def test_the_gradebook_is_imported_last_as_its_platform_does_it(tmp_path, capsys
     both(said, page, "Try it in a copy of the course first.")
 
 
+def test_a_notebook_that_was_not_assigned_is_refused_under_any_name(tmp_path, capsys):
+    hand_in(tmp_path / "in", "ana/01_rotations.ipynb", points=[2])
+    hand_in(tmp_path / "in", "bob/01_rotations.ipynb", points=[2, 2])
+
+    def of_what_is_in_it(content, notebook, seed):
+        other = {"notebook": "03_subproblems_damped_ik"} if b"[2, 2]" in content else {}
+        return grade(content, notebook, seed) | other
+
+    said, page = run(tmp_path, capsys, "--notebooks", "01", grade=of_what_is_in_it)
+    both(said, page, "It is 03_subproblems_damped_ik, which NOTEBOOKS= does not name.")
+    header = (tmp_path / "out/totals.csv").read_text("utf-8-sig").splitlines()[0]
+    assert header == "student,01_rotations,core,more,total,of,to be read"
+
+
 def test_a_gradebook_with_names_in_place_of_logins_needs_a_roster(tmp_path, capsys):
     hand_in(tmp_path / "in", "Ana_1_assignsubmission_file_/01_rotations.ipynb", points=[2])
     (tmp_path / "roster.csv").write_text("Name,Email address\nAna,ana@x\n")

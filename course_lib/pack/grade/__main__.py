@@ -8,7 +8,7 @@ import re
 import secrets
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from course_lib.pack.files import PART, write_atomically
@@ -33,6 +33,7 @@ from course_lib.pack.grade.jobs import (
     grade_all,
     number_of_notebooks,
     number_to_grade,
+    ungraded_result,
 )
 from course_lib.pack.grade.marks.alike import write_alike
 from course_lib.pack.grade.marks.by_hand import GradedClass, remaining, text
@@ -106,6 +107,7 @@ def _grade(chosen: argparse.Namespace, grade: Callable | None) -> None:
         _announce(submissions, chosen, number_to_grade(submissions, output / "results", seed))
         offered = None if grade else points_offered()  # tests grade exercises of their own
         outcomes = grade_all(submissions, output / "results", seed, pool, offered)
+        outcomes = _of_assigned(outcomes, _not_assigned(chosen.notebooks))
         _write(chosen, outcomes, deadline, roster)
         graded = [submission for submission, result in outcomes if "state" not in result]
         without_repeats = list(
@@ -164,7 +166,8 @@ def _submissions(chosen: argparse.Namespace, roster: Roster | None) -> list[Subm
     folder = _folder(chosen)
     if not chosen.students:
         _ask_for_the_platform(folder, chosen.lms)
-    names = sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
+    others = _not_assigned(chosen.notebooks)
+    names = _names_of_the_course()
     submissions = find(folder, names, chosen.lms, chosen.students, roster)
     if not submissions:
         forms = "<student>/<notebook>.ipynb or <student>_<notebook>.ipynb"
@@ -183,7 +186,13 @@ def _submissions(chosen: argparse.Namespace, roster: Roster | None) -> list[Subm
         raise GradingStopped(f"Whose work is this?\n{shown}{more}")
     if chosen.deadline and not chosen.times:
         _ask_for_times(submissions, named(chosen.lms))
-    return _assigned(submissions, names, chosen.notebooks)
+    assigned = [submission for submission in submissions if submission.notebook not in others]
+    if len(assigned) < len(submissions):
+        print(
+            f"Left out: {count_noun(len(submissions) - len(assigned), 'file')} of notebooks that "
+            "NOTEBOOKS= does not name."
+        )
+    return assigned
 
 
 def _folder(chosen: argparse.Namespace) -> Path:
@@ -244,25 +253,35 @@ def _ask_for_times(submissions: Sequence[Submission], platform: Platform) -> Non
     )
 
 
-def _assigned(
-    submissions: Sequence[Submission], names: Sequence[str], numbers: str
-) -> list[Submission]:
-    """Return the Submissions without those of notebooks that were not assigned.
+def _names_of_the_course() -> list[str]:
+    return sorted(path.stem for path in ROOT.glob("notebooks/[0-9][0-9]_*.ipynb"))
 
-    numbers: 01,02, or "" for all.
-    """
+
+def _not_assigned(numbers: str) -> set[str]:
+    """Return the names of the notebooks that were not assigned; numbers: 01,02, or "" for all."""
     if not numbers:
-        return list(submissions)
+        return set()
+    names = _names_of_the_course()
     wanted = {number.zfill(2) for number in re.findall(r"\d+", numbers)}
     if not wanted or not wanted <= {name[:2] for name in names}:
         raise GradingStopped(f"NOTEBOOKS={numbers} is not a list of numbers such as 01,02.")
-    others = {name for name in names if name[:2] not in wanted}
-    assigned = [submission for submission in submissions if submission.notebook not in others]
-    if len(assigned) < len(submissions):
-        print(
-            f"Left out: {count_noun(len(submissions) - len(assigned), 'file')} of notebooks that "
-            "NOTEBOOKS= does not name."
-        )
+    return {name for name in names if name[:2] not in wanted}
+
+
+def _of_assigned(
+    outcomes: Sequence[tuple[Submission, dict]], others: Collection[str]
+) -> list[tuple[Submission, dict]]:
+    """Return outcomes of which those of notebooks that were not assigned are refused.
+
+    Only the file says that it is such a notebook, under the name of an assigned one. others: the
+    names of the notebooks that were not assigned.
+    """
+    assigned = []
+    for submission, result in outcomes:
+        if result["notebook"] in others:
+            reason = f"It is {result['notebook']}, which NOTEBOOKS= does not name."
+            result = ungraded_result(submission, reason, "refused")
+        assigned.append((submission, result))
     return assigned
 
 
