@@ -276,6 +276,20 @@ def test_numbers_that_differ_in_zeros_are_kept_apart(tmp_path):
     assert len(eaten.find("x", {"number": "00123"})) == 1
 
 
+def test_names_in_the_column_student_that_differ_in_zeros_are_kept_apart(tmp_path):
+    hand_in_all(tmp_path / "in", "0123/01_rotations.ipynb", "123/01_rotations.ipynb")
+    (tmp_path / "roster.csv").write_text(
+        "student,First name,Last name,Email address\n123,Ann,Li,a@x\n0123,Bob,No,b@x\n"
+    )
+    roster = ("--roster", str(tmp_path / "roster.csv"), "--gradebook", "moodle")
+    assert {name: row["total"] for name, row in run(tmp_path, *roster).items()} == {
+        "0123": "2",
+        "123": "4",
+    }
+    lines = (tmp_path / "out/moodle.csv").read_text("utf-8-sig").splitlines()[1:]
+    assert sorted(lines) == [",,a@x,Ann,Li,4", ",,b@x,Bob,No,2"]
+
+
 # ---- names as programs write them ----
 
 PSYCH = r"""---

@@ -231,27 +231,26 @@ class Roster:
         self._rows: dict[str, dict[str, list[Row]]] = {
             field: defaultdict(list) for field in (ALIAS, *KEYS, "name")
         }
-        self._exact: dict[str, dict[str, list[Row]]] = {field: defaultdict(list) for field in KEYS}
+        self._exact: dict[str, dict[str, list[Row]]] = {
+            field: defaultdict(list) for field in (ALIAS, *KEYS)
+        }
         for row in rows:
             for heading, value in row.items():
                 field = field_of(heading)
                 if value and field == ALIAS:
                     for name in [value, *value.split(";")]:
-                        self._add(ALIAS, _key(name), row)
+                        self._add(ALIAS, name, row)
                 elif value and field == "participant":  # as "Participant 42" of Moodle's worksheet
                     number = re.sub(r".*\D", "", value)
-                    self._add(ALIAS, _key(f"{full_name(row)} {number}"), row)
+                    self._add(ALIAS, f"{full_name(row)} {number}", row)
                 elif value and field in KEYS:
-                    self._add(field, _key(value), row)
-                    if not any(row is other for other in self._exact[field][_text(value)]):
-                        self._exact[field][_text(value)].append(row)
-            self._add("name", words(full_name(row)), row)
+                    self._add(field, value, row)
+            _append(self._rows["name"], words(full_name(row)), row)
         self._spellings = [(id(row), _spellings(row), full_name(row)) for row in rows]
 
-    def _add(self, field: str, key: str, row: Row) -> None:
-        rows = self._rows[field][key]
-        if key and not any(row is other for other in rows):
-            rows.append(row)
+    def _add(self, field: str, text: str, row: Row) -> None:
+        _append(self._exact[field], _text(text), row)
+        _append(self._rows[field], _key(text), row)
 
     def find(self, student: str, identity: dict | None = None) -> list[Row]:
         """Return the rows that fit, of which only a single one is certain.
@@ -302,8 +301,7 @@ class Roster:
 
     def _aliases(self, student: str, identity: dict) -> list[Row]:
         """Return the rows whose column `student` has a student's label or full name."""
-        rows = self._rows[ALIAS]
-        return rows.get(_key(student), []) or rows.get(_key(identity.get("in full", "")), [])
+        return self._with(ALIAS, student) or self._with(ALIAS, identity.get("in full", ""))
 
     def _with(self, field: str, value: str) -> list[Row]:
         """Return the rows that have a text to the letter, or else as a spreadsheet may change
@@ -340,6 +338,11 @@ class Roster:
         wanted = words(re.sub(r"_?\d+$", "", student).replace("_", " "))
         close = difflib.get_close_matches(wanted, names, MAX_NEAREST, NEAR)
         return list(dict.fromkeys(names[name] for name in close))
+
+
+def _append(index: dict[str, list[Row]], key: str, row: Row) -> None:
+    if key and not any(row is other for other in index[key]):
+        index[key].append(row)
 
 
 def _spellings(row: Row) -> list[str]:
