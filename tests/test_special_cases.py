@@ -22,6 +22,7 @@ from course_lib.checks.special_cases import (
     SMALL_NUMBERS,
     InPlace,
     MadeCase,
+    OneChanged,
     Sweep,
     made_cases,
 )
@@ -50,8 +51,8 @@ ALL = list(exercises())
 each_exercise = pytest.mark.parametrize("exercise", ALL, ids=[each.name for each in ALL])
 
 
-def made(cases, names=("x",), sweeps=(), angles=(), small=()):
-    return made_cases(cases, names, sweeps, angles, np.random.default_rng(0), small)
+def made(cases, names=("x",), sweeps=(), angles=(), small=(), free=()):
+    return made_cases(cases, names, sweeps, angles, np.random.default_rng(0), small, free)
 
 
 def test_whole_numbers_are_asked_again_as_integers():
@@ -79,6 +80,18 @@ def test_the_same_arrays_are_asked_with_other_numbers():
     assert isinstance(after, InPlace)
     assert before[0].shape == after[0].shape
     assert not np.array_equal(before[0], after[0])
+
+
+def test_each_free_argument_alone_is_changed_in_the_last_case():
+    cases = [(np.array([1.5, 2.5]), 1, "a"), (np.array([3.5, 4.5]), 2, "b")]
+    *_, last, first_changed, again, second_changed = made(cases, ("x", "n", "s"), free=("x", "n"))
+    assert last == again == cases[1]
+    np.testing.assert_array_equal(first_changed[0], cases[0][0])
+    assert first_changed[1:] == (2, "b")
+    assert second_changed[0] is cases[1][0]
+    assert second_changed[1:] == (1, "b")
+    assert isinstance(first_changed, OneChanged)
+    assert isinstance(second_changed, OneChanged)
 
 
 def test_a_case_with_nan_is_not_taken_for_another_one():

@@ -94,11 +94,12 @@ def declared(
     Exercise
     """
     kinds = tuple(arguments.values())
+    makes_own_cases = any(kind.drawn is OWN_CASES.drawn for kind in kinds)
     usual = EXACT if tolerance is None else tolerance
 
     def all_cases(rng):
         own = cases(rng) if callable(cases) else list(cases)
-        return own if OWN_CASES in kinds else [*own, *cases_of(kinds, rng)]
+        return own if makes_own_cases else [*own, *cases_of(kinds, rng)]
 
     @_remembered
     def right_answer(*case):
@@ -150,6 +151,7 @@ def declared(
         sweeps=(*sweeps, *sweeps_of(kinds)),
         angles=tuple(name for name, kind in arguments.items() if kind.angle),
         small=tuple(name for name, kind in arguments.items() if kind.small),
+        free=tuple(name for name, kind in arguments.items() if kind.free),
         mistakes=Mistakes(mistakes),
         **more,
     )

@@ -116,6 +116,9 @@ class Exercise:
     small : tuple of str
         The arguments that may hold small numbers, which somebody may take for 0: the engine makes
         cases in which they do. Rotations, poses and unit vectors stay what they are.
+    free : tuple of str
+        The arguments that do not depend on the others: the engine makes cases in which one of them
+        alone is changed.
     tries_arguments : bool
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
@@ -155,6 +158,7 @@ class Exercise:
     sweeps: tuple[Sweep, ...] = ()
     angles: tuple[str, ...] = ()
     small: tuple[str, ...] = ()
+    free: tuple[str, ...] = ()
     tries_arguments: bool = True
     sets: int = PUBLIC_SETS
     mistakes: Mistakes = field(default_factory=Mistakes)
@@ -190,8 +194,9 @@ def _drawn_cases(exercise, seed):
     rng = np.random.default_rng(seed)
     cases = list(exercise.cases(rng))
     if seed in exercise.public_seeds:
-        sweeps, angles, small = exercise.sweeps, exercise.angles, exercise.small
-        cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small)
+        sweeps, angles = exercise.sweeps, exercise.angles
+        small, free = exercise.small, exercise.free
+        cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small, free)
     return tuple(map(_unchangeable, cases))
 
 

@@ -45,6 +45,8 @@ class Kind:
         Whether it may exceed one revolution.
     small : bool
         Whether it may hold small numbers, which somebody may take for 0.
+    free : bool
+        Whether it does not depend on the other arguments.
     """
 
     drawn: Callable
@@ -53,6 +55,7 @@ class Kind:
     beside_another: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
     angle: bool = False
     small: bool = False
+    free: bool = True
 
     def but(self, **changed):
         """Return the same with some attributes changed."""
@@ -388,4 +391,4 @@ GENERATOR = Kind(
 
 
 # Of an argument whose cases the exercise makes itself, because it depends on the other arguments.
-OWN_CASES = Kind(drawn=lambda rng: None)
+OWN_CASES = Kind(drawn=lambda rng: None, free=False)

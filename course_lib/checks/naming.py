@@ -24,7 +24,7 @@ from course_lib.checks.comparisons import (
     same,
 )
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import InPlace, MadeCase, SmallNumbers
+from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers
 from course_lib.checks.tolerances import EXACT
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
@@ -36,6 +36,12 @@ KEPT_FOR_AN_ARRAY = Mistake(
     "a result is kept for an array, and found again when other numbers stand in the array",
     "The same array may hold other numbers at the next call, for example in a loop that fills it. "
     "Compute the result from the numbers.",
+)
+
+KEPT_FOR_SOME_ARGUMENTS = Mistake(
+    "a result is kept for some of the arguments, and found again when another one has changed",
+    "Does your function compute anew when only one of its arguments changes? Compute the result "
+    "from all of them.",
 )
 
 KEPT_FOR_SIMILAR_INPUT = Mistake(
@@ -86,13 +92,15 @@ class Naming:
         a mistake that is recognised in the answers, and not predicted, is looked for in these.
 
         Said first is what can be told from the answers themselves: a result kept for an array that
-        is filled again, rounding, float32, and answers wrong for whole numbers only. Then comes a
-        mistake of the exercise that predicts every answer, and then that only the first digits are
-        right: such an answer is blamed for nothing else. Then one that explains all answers is
-        preferred to one that explains the wrong ones only; a few True or False, or signs, fit many
-        mistakes by chance, so these must explain all.
+        is filled again, or for some of the arguments, rounding, float32, and answers wrong for
+        whole numbers only. Then comes a mistake of the exercise that predicts every answer, and
+        then that only the first digits are right: such an answer is blamed for nothing else. Then
+        one that explains all answers is preferred to one that explains the wrong ones only; a few
+        True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
+        if wrong and all(isinstance(self.cases[i], OneChanged) for i in wrong):
+            return KEPT_FOR_SOME_ARGUMENTS
         if wrong and all(isinstance(self.cases[i], InPlace) for i in wrong):
             return KEPT_FOR_AN_ARRAY
         of_digits = self._shortened(wrong)

@@ -86,7 +86,13 @@ class InPlace(MadeCase):
     __slots__ = ()
 
 
-def made_cases(cases, names, sweeps, angles, rng, small=()):
+class OneChanged(InPlace):
+    """A case that differs in one argument from a case that was asked with the same arrays."""
+
+    __slots__ = ()
+
+
+def made_cases(cases, names, sweeps, angles, rng, small=(), free=()):
     """Return what the engine adds to the cases of an exercise.
 
     Parameters
@@ -101,13 +107,16 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
     rng : numpy.random.Generator
     small : tuple of str
         The names of the arguments that may hold small numbers.
+    free : tuple of str
+        The names of the arguments that do not depend on the others.
 
     Returns
     -------
     list of tuple
         The sweeps; whole numbers, of type int, in arrays that hold such in a case of the author,
         and in place of numbers that are whole there; -0.0 in place of 0.0; angles of more than one
-        revolution; small numbers; and the same arrays with other numbers in them.
+        revolution; small numbers; the same arrays with other numbers in them; and the same
+        arguments but for one.
     """
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])[:_MAX_WHOLE]
@@ -121,7 +130,8 @@ def made_cases(cases, names, sweeps, angles, rng, small=()):
     with_zeros = [case for case in negative_zeros if case is not None]
     made = [*swept, *whole, *with_zeros[:_MAX_ZEROS], *several]
     of_small_numbers = map(SmallNumbers, small_numbers(cases, names, small, rng))
-    return [*map(MadeCase, made), *of_small_numbers, *in_the_same_arrays(cases)]
+    in_place = [*in_the_same_arrays(cases), *with_one_changed(cases, names, free)]
+    return [*map(MadeCase, made), *of_small_numbers, *in_place]
 
 
 def in_the_same_arrays(cases):
@@ -143,6 +153,28 @@ def in_the_same_arrays(cases):
         ):
             return [MadeCase(before), InPlace(case)]
     return []
+
+
+def with_one_changed(cases, names, free):
+    """Return for each free argument the last case, and then this case with that argument changed,
+    asked with the same arrays; or none if there is no array.
+
+    A function that keeps a result for some of its arguments, and not for all, answers both alike.
+    """
+    last = cases[-1]
+    if len(last) < 2 or not any(isinstance(argument, np.ndarray) for argument in last):
+        return []
+    pairs = []
+    for k in (names.index(name) for name in free):
+        other = [case[k] for case in cases if _are_alike_but_differ(case[k], last[k])]
+        if other:
+            pairs += [MadeCase(last), OneChanged((*last[:k], other[-1], *last[k + 1 :]))]
+    return pairs
+
+
+def _are_alike_but_differ(argument, other):
+    same_form = type(argument) is type(other) and np.shape(argument) == np.shape(other)
+    return same_form and not np.array_equal(argument, other)
 
 
 def _is_floats(argument):

@@ -110,7 +110,7 @@ EXERCISE = declared(
     arguments={
         "start": OWN_CASES.but(small=True),
         "goal": OWN_CASES.but(small=True),
-        "n": OWN_CASES,
+        "n": OWN_CASES.but(free=True),
     },
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
     sweeps=SWEEPS,

@@ -126,7 +126,7 @@ EXERCISE = declared(
     arguments={
         "start": OWN_CASES.but(small=True),
         "goal": OWN_CASES.but(small=True),
-        "n": OWN_CASES,
+        "n": OWN_CASES.but(free=True),
     },
     cases=_cases,
     sweeps=SWEEPS,

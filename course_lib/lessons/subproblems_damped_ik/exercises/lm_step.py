@@ -125,10 +125,10 @@ EXERCISE = declared(
     "lm_step",
     points=2,
     arguments={
-        "q": OWN_CASES.but(angle=True),
-        "target": OWN_CASES,
-        "alpha": OWN_CASES,
-        "eps": OWN_CASES,
+        "q": OWN_CASES.but(angle=True, free=True),
+        "target": OWN_CASES.but(free=True),
+        "alpha": OWN_CASES.but(free=True),
+        "eps": OWN_CASES.but(free=True),
     },
     cases=_cases,
     sweeps=(

@@ -51,3 +51,14 @@ def wrong_pseudoinverse_with_a_cut_off(q, xy):
 def wrong_position_brought_into_reach(q, xy):
     """the step is not J^-1 (p - f(q))"""
     return right_by_solve(q, xy * min(1.0, 2.0 / np.linalg.norm(xy)))
+
+
+_steps = {}
+
+
+def wrong_kept_for_the_angles(q, xy):
+    """kept for some of the arguments"""
+    key = tuple(np.asarray(q, float))
+    if key not in _steps:
+        _steps[key] = right_by_solve(q, xy)
+    return _steps[key].copy()
