@@ -53,12 +53,12 @@ def wrong_position_brought_into_reach(q, xy):
     return right_by_solve(q, xy * min(1.0, 2.0 / np.linalg.norm(xy)))
 
 
-_steps = {}
+_last = []
 
 
 def wrong_kept_for_the_angles(q, xy):
     """kept for some of the arguments"""
-    key = tuple(np.asarray(q, float))
-    if key not in _steps:
-        _steps[key] = right_by_solve(q, xy)
-    return _steps[key].copy()
+    if _last and _last[0] is q and np.array_equal(_last[1], q):
+        return _last[2].copy()
+    _last[:] = [q, np.array(q), right_by_solve(q, xy)]
+    return _last[2].copy()
