@@ -36,7 +36,8 @@ def _cases(rng):
         (_positions(rng, 2), _off(rng, some[:2], [(1, 0)])),
         (some, two_link_angles(some)[:, ::-1]),
         (many, _off(rng, many, [(2, 0), (2, 1), (5, 0), (7, 1)])),
-        (np.array([[2.05, 0.1], [0.0, 0.0]]), rng.uniform(-4, 4, (2, 2, 2))),
+        # Out of reach, at the base, and far away.
+        (np.array([[2.05, 0.1], [0.0, 0.0], [-40.0, 30.0]]), rng.uniform(-4, 4, (3, 2, 2))),
         (np.array([[1, 1], [0, 2]]), np.array([[[0, 1], [1, -1]], [[2, 0], [1, 1]]])),
         (few, np.full((1, 2, 2), np.nan)),
     ]

@@ -50,6 +50,7 @@ def _named(rng):
         np.column_stack([np.round(rng.uniform(-0.5, 1.5, len(q)), 2), q[:, 1]])
         for q in (positive, negative, stretched, tiny, far)
     )
+    tiny[:, 0] = np.rint(tiny[:, 0])  # one column holds whole numbers, and the other does not
     samples = (both, positive, negative, stretched, drawn, lopsided)
     return [*samples, tiny, zeros, far, whole, *few]
 

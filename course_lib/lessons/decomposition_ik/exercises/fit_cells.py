@@ -61,7 +61,7 @@ def _cases(rng):
         "c1": _both(rng, b, 1, 1),
         "c2": _both(rng, c, 3, 16),
     }
-    few |= {"c3": _both(rng, d, 8, 2), "c4": _both(rng, a, 4, 5)}
+    few |= {"c3": _both(rng, d, 8, 2), "c4": _both(rng, a, 4, 5), "c5": _both(rng, b, 1, 4)}
     return [
         _mixed(rng, 1, c0=_both(rng, a, 12, 12)),
         _mixed(rng, 1, none=_both(rng, b, 12, 12)),
@@ -84,7 +84,7 @@ def _cases(rng):
             c1=_both(rng, d, 14, 6),
             none=_both(rng, (1.1, 1.15), 5, 5),
         ),
-        _mixed(rng, 5, **few),
+        _mixed(rng, 6, **few),
     ]
 
 

@@ -46,6 +46,17 @@ def _case(rng, *sizes):
     return q[order], two_link_tip(q[order]), cell[order], len(sizes)
 
 
+def _measured_again(rng, q, xy, cell, count):
+    """Return the samples, and the first of them a second time, at other positions."""
+    again = np.append(np.arange(len(q)), np.arange(len(q) // 3))
+    return q[again], xy[again] + 0.01 * rng.normal(size=(len(again), 2)), cell[again], count
+
+
+def _in_whole_numbers():
+    q = np.array([[0.0, 0], [1, 0], [0, 1], [1, 2]])
+    return q, two_link_tip(q), np.zeros(len(q), int), 1
+
+
 def _beyond_a_revolution(q, *rest):
     return q + 2 * np.pi * np.array([2, -1]), *rest
 
@@ -68,6 +79,8 @@ EXERCISE = Exercise(
     cases=lambda rng: [
         *(_case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))),
         _beyond_a_revolution(*_case(rng, 4, 5)),
+        _measured_again(rng, *_case(rng, 6)),
+        _in_whole_numbers(),
     ],
     returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
     library=fit_joint_cells,

@@ -17,6 +17,11 @@ def _gap(q, xy):
     return q[:, 0] + q[:, 1] / 2 - np.arctan2(xy[:, 1], xy[:, 0])
 
 
+def _between_directions(q, xy):
+    """Return the same up to a full revolution, if both directions come from arctan2."""
+    return _wrapped(q[:, 0] + q[:, 1] / 2) - np.arctan2(xy[:, 1], xy[:, 0])
+
+
 def _cosines(q):
     return np.column_stack([np.cos(q[:, 0]), np.cos(q[:, 0] + q[:, 1])])
 
@@ -34,11 +39,11 @@ def _fitted(gap=_gap, wrap=_wrapped, columns=_cosines):
 _right = _fitted()
 
 
-def _samples(rng, m, sag, noise, low=0.2, high=1.6):
+def _samples(rng, m, sag, noise, low=0.2, high=1.6, bend=1.5):
     """Angles sent (m, 2), and positions of an arm with these coefficients of sag; q1 from low to
-    high."""
-    q = rng.uniform([low, -1.5], [high, 1.5], (m, 2))
-    q[0] = high, 1.5  # whose tip is beyond 180 degrees if any can be
+    high, and q2 up to bend."""
+    q = rng.uniform([low, -bend], [high, bend], (m, 2))
+    q[0] = high, bend  # whose tip is beyond 180 degrees if any can be
     taken = q - np.column_stack([_cosines(q) @ sag, np.zeros(m)])
     return q, two_link_tip(taken) + noise * rng.normal(size=(m, 2))
 
@@ -52,6 +57,10 @@ def _cases(rng):
         _samples(rng, 40, drawn[1], 0.001),
         _samples(rng, 60, drawn[2], 0.01, 0, 2.9),
         _samples(rng, 40, drawn[1], 0.001, -2.9, 2.9),
+        # An arm that rises, so that the other of the two directions is the one beyond 180 degrees.
+        _samples(rng, 60, [-0.5, -0.2], 0.001, -2.9, 2.9),
+        # An arm that is nearly straight in all samples, so that its two cosines differ little.
+        _samples(rng, 6, drawn[0], 0, bend=0.04),
         # An arm so weak that delta exceeds a right angle: no sample may be left out as too far off.
         _samples(rng, 30, [1.9, 0.6], 0.005),
         _samples(rng, 30, [7e-7, -4e-7], 0),
@@ -90,6 +99,11 @@ def _with_a_constant(q, xy):
     return with_ones(q, xy)[:2]
 
 
+_ONE_SIDED = (
+    lambda gap: np.where(gap > np.pi, gap - 2 * np.pi, gap),
+    lambda gap: np.where(gap < -np.pi, gap + 2 * np.pi, gap),
+)
+
 EXERCISE = declared(
     "fit_sag",
     points=2,
@@ -122,8 +136,7 @@ EXERCISE = declared(
             "beyond 180 degrees?",
             _fitted(wrap=lambda gap: gap),
             _fitted(wrap=lambda gap: gap % (2 * np.pi)),
-            _fitted(wrap=lambda gap: np.where(gap > np.pi, gap - 2 * np.pi, gap)),
-            _fitted(wrap=lambda gap: np.where(gap < -np.pi, gap + 2 * np.pi, gap)),
+            *(_fitted(gap, wrap) for gap in (_gap, _between_directions) for wrap in _ONE_SIDED),
             _fitted(wrap=np.unwrap),
             _fitted(
                 wrap=lambda gap: np.where(np.abs(gap) > np.pi, gap - np.sign(gap) * 2 * np.pi, gap)

@@ -40,7 +40,14 @@ def _cases(rng):
         middle = rng.uniform(1.2, 1.5) * np.array([np.cos(a := rng.uniform(0.5, 2.2)), np.sin(a)])
         xy = middle + rng.uniform(-0.3, 0.3, (m, 2))
         found.append(((with_one(xy), quadratic_terms(xy))[k // 2], two_link_angles(xy)[:, k % 2]))
-    return [*found, (_WHOLE_TERMS, _WHOLE_ANGLES)]
+    return [*found, _without_a_constant(rng), (_WHOLE_TERMS, _WHOLE_ANGLES)]
+
+
+def _without_a_constant(rng):
+    """Return samples with seven terms, none of which is constant."""
+    x, y = rng.uniform(-1, 1, (2, 10))
+    terms = np.column_stack([x, y, x**2, x * y, y**2, x**3, y**3])
+    return terms, two_link_angles(np.column_stack([0.3 * x, 1.3 + 0.3 * y]))[:, 0]
 
 
 def _columns(terms, q):

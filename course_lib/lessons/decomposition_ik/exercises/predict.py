@@ -60,6 +60,8 @@ def _cases(rng):
         (several, np.array([1, 2]), np.array([[1, 1], [-1, 2]])),
         (more, many, _positions(rng, 12)),
         (more, np.array([-1, -1]), _positions(rng, 2)),
+        # A model that is constant, and one that is 0.
+        (_some_models(rng, 1) * [[[[0, 0, 1]], [[0, 0, 0]]]], np.array([0]), _positions(rng, 1)),
     ]
 
 

@@ -38,3 +38,8 @@ def wrong_places_not_lined_up(xy, angles):
     """ValueError"""
     ends = np.exp(1j * np.cumsum(angles, axis=-1)).sum(axis=-1)
     return np.linalg.norm(np.stack([ends.real, ends.imag], -1) - xy, axis=-1)
+
+
+def wrong_at_most_twice_the_reach(xy, angles):
+    """an error is not |f(q) - xy|"""
+    return np.minimum(right_components(xy, angles), 4.0)

@@ -74,3 +74,10 @@ def wrong_model_of_cluster_1_for_any_number(xy, q, cell, count):
             positions, angles = xy[own][labels == 1], q[own][labels == 1]
             models[c, 1] = (np.linalg.pinv(np.c_[positions, np.ones(n)]) @ angles).T
     return models
+
+
+def wrong_cells_of_fewer_than_six_samples_left_out(xy, q, cell, count):
+    """a cluster with enough samples has no model"""
+    models = right_linear_regression(xy, q, cell, count)
+    models[[np.sum(cell == c) < 6 for c in range(count)]] = np.nan
+    return models

@@ -34,3 +34,9 @@ def right_about_the_middle(q, xy, cell, count):
 def wrong_wrapped_angles(q, xy, cell, count):
     """a model is not that of its own samples"""
     return right_linear_regression((q + np.pi) % (2 * np.pi) - np.pi, xy, cell, count)
+
+
+def wrong_each_pair_of_angles_once(q, xy, cell, count):
+    """a model is not that of its own samples"""
+    _, first = np.unique(np.column_stack([cell, q]), axis=0, return_index=True)
+    return right_linear_regression(q[first], xy[first], cell[first], count)

@@ -54,3 +54,17 @@ def wrong_small_coefficients_taken_for_0(q, xy):
     answer = np.array(right_lstsq(q, xy))
     answer[np.abs(answer) < 1e-6] = 0
     return answer
+
+
+def wrong_wrapped_on_one_side(q, xy):
+    """a delta is off by a full revolution, or by several"""
+    A, _ = _terms_and_gaps(q, xy)
+    x, y = A.sum(axis=1), np.sin(q[:, 0]) + np.sin(q[:, 0] + q[:, 1])
+    gap = np.arctan2(y, x) - np.arctan2(xy[:, 1], xy[:, 0])
+    return np.linalg.lstsq(A, np.where(gap > np.pi, gap - 2 * np.pi, gap))[0]
+
+
+def wrong_small_singular_value_cut(q, xy):
+    """is not that of the text"""
+    A, gap = _terms_and_gaps(q, xy)
+    return np.linalg.lstsq(A, np.angle(np.exp(1j * gap)), rcond=0.05)[0]

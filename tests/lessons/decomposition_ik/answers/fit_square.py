@@ -30,3 +30,10 @@ def right_pinv(terms, q):
 def wrong_no_column(terms, q):
     """the coefficient of q2 has no column"""
     return _solve(terms, np.column_stack([q[:, 0], q[:, 1] ** 2])).T
+
+
+def wrong_constant_added_and_left_out(terms, q):
+    """unnamed"""
+    if np.any(np.ptp(terms, axis=0) == 0):
+        return right_lstsq(terms, q)
+    return np.delete(right_lstsq(np.column_stack([terms, np.ones(len(terms))]), q), -2, axis=1)

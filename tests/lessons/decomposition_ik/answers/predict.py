@@ -43,3 +43,10 @@ def wrong_all_positions(models, cell, xy):
     angles = models[cell] @ np.column_stack([xy, np.ones(len(xy))]).T
     angles[cell < 0] = np.nan
     return angles
+
+
+def wrong_constant_models_taken_for_none(models, cell, xy):
+    """a prediction is not that of its own model"""
+    angles = right_loop(models, cell, xy)
+    angles[~np.any(models[cell][..., :2], axis=(2, 3))] = np.nan
+    return angles
