@@ -128,7 +128,9 @@ def _cases(rng):
     drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", _CLOSEST[:1])]
     drawn += [_case(rng, 9, [2, 5, 8], "own")]
     few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
-    given = [*drawn, *few, _case(rng, 7, 1, "slight", [by_coordinates])]
+    scaled = [tuple(factor * part for part in drawn[1]) for factor in (0.02, 50.0)]
+    given = [*drawn, *scaled, _three_apart(rng), *few]
+    given.append(_case(rng, 7, 1, "slight", [by_coordinates]))
     # What a shortcut finds by luck in one case it misses in another, in every set.
     for shortcut in (*_CLOSEST, *_LEAST_OF_ALL):
         if all(np.array_equal(shortcut(*case), right(*case)) for case in given):
@@ -149,6 +151,16 @@ def _noisy(rng, shortcut):
             continue
         answer = shortcut(*case)
         if not any(np.array_equal(answer, other(*case)) for other in [right, *others]):
+            return case
+
+
+def _three_apart(rng):
+    """Return three matches of which the pose of all three does not bring each one close."""
+    while True:
+        src = np.round(rng.uniform(-0.06, 0.06, (3, 3)), 3)
+        dst = moved(any_pose(rng), src) + 3 * _TOL * rng.normal(size=(3, 3))
+        case = src, np.round(dst, 5), _TOL
+        if _is_clear(*case) and not right(*case).all():
             return case
 
 

@@ -94,6 +94,10 @@ def _cases(rng):
     halves[:, :3, 3] += metres[:, None] / np.sqrt([3, 3, 3])
     others = np.clip(READY + 0.4 * rng.uniform(-1, 1, 7), LOW, HIGH)
     passed, starts = PANDA.fk(np.array([_PASSED, READY])), np.array([_PASSING, others])
+    seven = np.clip(READY + 0.3 * rng.uniform(-1, 1, (7, 7)), LOW, HIGH)
+    # The first step reaches this target, beyond the limit of joint 6, unless it is clipped.
+    below = np.where(np.arange(7) == 5, HIGH - 0.004, READY)
+    beyond = np.where(np.arange(7) == 5, HIGH + 0.036, READY)
     return [
         (np.array([near[0], far]), READY, 0.01, 20),
         _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
@@ -103,6 +107,8 @@ def _cases(rng):
         (halves, READY, 1000.0, 2),
         *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
         (PANDA.fk(np.array([_WHOLE, READY])), _WHOLE, 0.01, 15),
+        (PANDA.fk(seven), seven, 0.01, 1),  # as many starts as joints
+        (PANDA.fk(beyond[None]), below, 1e-6, 1),
     ]
 
 

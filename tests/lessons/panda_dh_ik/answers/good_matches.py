@@ -58,3 +58,19 @@ def wrong_squares_compared_with_tol(src, dst, tol):
         (residuals(register_points(src[t], dst[t]), src, dst) ** 2 < tol for t in triples),
         key=np.sum,
     )
+
+
+def wrong_three_matches_are_always_good(src, dst, tol):
+    """matches count as good that are farther than tol"""
+    return np.ones(3, bool) if len(src) == 3 else right_all_triples(src, dst, tol)
+
+
+def wrong_small_triangles_left_out(src, dst, tol):
+    """the set that is returned is not the largest one"""
+    good = np.zeros(len(src), bool)
+    for triple in map(list, itertools.combinations(range(len(src)), 3)):
+        a, b, c = src[triple]
+        near = residuals(register_points(src[triple], dst[triple]), src, dst) < tol
+        large = np.linalg.norm(np.cross(b - a, c - a)) > 1e-5
+        good = near if large and near.sum() > good.sum() else good
+    return good

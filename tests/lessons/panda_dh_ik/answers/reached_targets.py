@@ -59,3 +59,22 @@ def wrong_share(targets, q0, eps, steps):
 def wrong_distances(targets, q0, eps, steps):
     """something other than True or False"""
     return np.linalg.norm(descended(targets, q0, eps, steps), axis=1)
+
+
+def wrong_last_step_not_clipped(targets, q0, eps, steps):
+    """the steps, or the test after them, differ from the task's"""
+    q = q0 + np.zeros((len(targets), 7))
+    for _ in range(steps):
+        q = np.clip(q, low, high)
+        J = panda.geometric_jacobian(q)
+        A = J @ np.swapaxes(J, -1, -2) + eps * np.eye(6)
+        x = np.linalg.solve(A, ik.pose_error(panda.fk(q), targets)[..., None])
+        q = q + (np.swapaxes(J, -1, -2) @ x)[..., 0]
+    e = ik.pose_error(panda.fk(q), targets).reshape(-1, 2, 3)
+    return (np.linalg.norm(e, axis=2) < 1e-3).all(1)
+
+
+def wrong_seven_starts_taken_for_one(targets, q0, eps, steps):
+    """the steps, or the test after them, differ from the task's"""
+    start = q0.reshape(-1, 7)[0] if len(q0) == 7 else q0
+    return right_all_at_once(targets, start, eps, steps)

@@ -109,4 +109,4 @@ def wrong_nearly_the_same_points_have_not_moved(src, dst, weights):
     """T is wrong even without noise"""
     if np.allclose(src, dst):
         return np.eye(4)
-    return registration.register_points(src, dst, weights)
+    return right_kabsch(src, dst, weights)
