@@ -112,8 +112,10 @@ def test_a_mutant_is_refused_or_equal(path, record_property):
     record_property(
         "mutants", (notebook, name, *map(str, (len(every), len(tried), len(alive), len(different))))
     )
-    assert different == AS_RIGHT.get(name, []), (
+    # Whether the inputs drawn here show that a right one answers differently is chance.
+    unexplained = [line for line in different if line not in AS_RIGHT.get(name, [])]
+    assert not unexplained, (
         f"the check of {name} accepts these mutants, which answer differently from the solution: "
-        f"{different}. Let its "
-        "cases or properties distinguish them, or, if they are right too, list them in AS_RIGHT"
+        f"{unexplained}. Let its cases or properties distinguish them, or, if they are right too, "
+        "list them in AS_RIGHT"
     )
