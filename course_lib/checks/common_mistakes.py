@@ -47,8 +47,9 @@ def common_mistakes(naming):
         )
     yield Mistake(*CUT_OFF, seen=_cut_off)
     for k, argument in enumerate(exercise.arguments):
+        first = naming.cases[0][k]
         for name, hint, change in _OF_A_CHANGE:
-            yield Mistake(name.format(argument), hint, ChangedAnswer(_from(k, change)))
+            yield Mistake(name.format(argument), hint, ChangedAnswer(_from(k, change, first)))
     if not exercise.tries_arguments:
         return
     for (i, one), (j, other) in itertools.combinations(enumerate(exercise.arguments), 2):
@@ -68,11 +69,15 @@ def common_mistakes(naming):
             _asked(exercise.library, change),
         )
     for k, argument in numbers_first:
+        first = naming.cases[0][k]
         yield Mistake(
-            f"{argument} is returned as it came", _RETURN, lambda *case, k=k: _numbers(case[k])
+            f"{argument} is returned as it came",
+            _RETURN,
+            lambda *case, k=k, first=first: _numbers(case[k], first),
         )
-        for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(naming.cases[0][k])):
-            yield Mistake(name.format(argument), hint, _asked(exercise.library, _at(k, change)))
+        for name, hint, change in (*_OF_AN_ARGUMENT, *_of_an_entry(first)):
+            changed = _asked(exercise.library, _at(k, change, first))
+            yield Mistake(name.format(argument), hint, changed)
 
 
 def _alike_in_radians(exercise):
@@ -127,13 +132,17 @@ def _cut_off(value, *case):
     )
 
 
-def _numbers(argument):
+def _numbers(argument, first=0):
     """Return a float, or an array of numbers, which may come as a list; raises for all else, as for
-    a count."""
+    a count.
+
+    first: the argument in the first case. If it is a float, a whole number is none that counts.
+    """
     array = np.asarray(argument)
-    if array.dtype.kind not in ("fi" if array.ndim else "f"):
+    is_number = array.dtype.kind == "i" and (array.ndim > 0 or isinstance(first, float))
+    if array.dtype.kind != "f" and not is_number:
         raise TypeError("not numbers to compute with")
-    return array if array.ndim else argument
+    return array if array.ndim else float(argument)
 
 
 def _unless_equal(other, exact):
@@ -216,11 +225,11 @@ def _folded(right):
         yield name, hint, folded
 
 
-def _from(k, change):
+def _from(k, change, first):
     def changed(right, *case):
         if np.shape(case[k]) != np.shape(right):
             raise ValueError("no argument that the answer changes")
-        return change(right, _numbers(case[k]))
+        return change(right, _numbers(case[k], first))
 
     return changed
 
@@ -254,11 +263,12 @@ def _swapped(i, j):
     return change
 
 
-def _at(k, change):
+def _at(k, change, first):
+    """Return the change of a case that changes its argument k; first: this argument in the first
+    case."""
+
     def changed(case):
-        return [
-            change(_numbers(argument)) if i == k else argument for i, argument in enumerate(case)
-        ]
+        return [*case[:k], change(_numbers(case[k], first)), *case[k + 1 :]]
 
     return changed
 
