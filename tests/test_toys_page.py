@@ -875,8 +875,8 @@ def test_on_a_phone_the_planar_arm_is_larger_than_its_chart(phone):
     arm, chart = (canvas.bounding_box() for canvas in box.locator("canvas").all())
     assert arm["width"] == chart["width"]
     assert arm["y"] + arm["height"] <= chart["y"]
-    assert arm["height"] > 280
     assert chart["height"] >= 130
+    assert arm["height"] > 1.5 * chart["height"]  # its goal and its words take the rest of a window
 
 
 @pytest.mark.parametrize("name", ["iiwa_toy", "panda_toy", "jog"])
