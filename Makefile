@@ -61,8 +61,8 @@ BIOME_IS_MISSING = JavaScript is not checked, because Biome is not installed. To
 # The times hold for two processors (an AMD EPYC in 2026) with three test processes.
 WHAT_TEST_DOES = $(if $(filter-out no,$(ALL)),$(WHAT_ALL_DOES),$(WHAT_THE_SHORT_RUN_DOES)) Tests \
 	whose programs are not installed are skipped. To run only a part: make test ONLY=exp_so3
-WHAT_THE_SHORT_RUN_DOES = Running the linters, all notebooks and the quick tests. This takes ten to \
-	fifteen minutes of processor time, which is six to nine on two quiet processors. To run all tests: \
+WHAT_THE_SHORT_RUN_DOES = Running the linters, all notebooks and the quick tests. This takes ten \
+	minutes of processor time, which is six on two quiet processors. To run all tests: \
 	make test ALL=yes.
 WHAT_ALL_DOES = Running the linters, all notebooks and all tests. This takes about 40 minutes on two \
 	processors, and longer on a busy machine.
