@@ -12,6 +12,7 @@ from course_lib.checks.judge import LocalFunction, review
 from course_lib.checks.messages import describe
 from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.checks.wire import read
+from course_lib.pack.grade.bounded import cpu_deadline
 from course_lib.pack.grade.hand_ins import notebook_file
 from course_lib.pack.grade.hand_ins.notebook_file import courses
 from course_lib.pack.grade.jail.sandbox import Limits
@@ -19,6 +20,9 @@ from course_lib.pack.grade.verdicts import follow_through, judging, submission
 from course_lib.pack.grade.verdicts.grading import Grading
 from course_lib.pack.grade.verdicts.judging import ask_and_judge
 from course_lib.pack.grade.verdicts.submission import grade
+
+ALL_EXERCISES = [exercise for course in courses().values() for exercise in course.exercises]
+SECRET_SEEDS = 20
 
 # ---- several sets of cases ----
 
@@ -89,6 +93,16 @@ def test_grading_asks_the_notebook_s_sets_and_a_secret_one():
     assert seeds == [*NEAREST_SO.public_seeds, SEED]
     texts = {repr(NEAREST_SO.questions(seed)[0]) for seed in seeds}
     assert len(texts) == len(seeds)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("exercise", ALL_EXERCISES, ids=lambda exercise: exercise.name)
+def test_cases_of_secret_seeds_are_drawn_within_the_grader_s_bound(exercise):
+    """Some are drawn until they are hard enough. A seed for which none is would cost the student
+    the points of a right answer."""
+    for seed in range(SECRET_SEEDS):
+        with cpu_deadline(judging.JUDGING_SECONDS):
+            exercise.questions(seed)
 
 
 def test_a_wrong_answer_gets_the_notebook_s_message():

@@ -102,7 +102,7 @@ def test_notebook_and_grading_count_calls_alike(graded):
 
 
 def test_the_calls_of_all_versions_together_are_not_bounded(graded, monkeypatch):
-    monkeypatch.setattr(sandboxed_function, "MAX_CALLS", 8)
+    monkeypatch.setattr(sandboxed_function, "MAX_CALLS_ANSWERED", 8)
     rows = graded({"three calls of each": THOROUGH}, TEST_LOG.versions[:4])
     assert rows["three calls of each"]["state"] == RIGHT, rows
 
@@ -341,7 +341,7 @@ def test_log(log):
 def test_an_attack_on_the_versions_earns_next_to_nothing(graded, monkeypatch):
     """An attack distinguishes versions by anything but their answers."""
     monkeypatch.setattr(
-        sandboxed_function, "MAX_CALLS", 1000
+        sandboxed_function, "MAX_CALLS_ANSWERED", 1000
     )  # so that calls without an end do not take long
     rows = graded(ATTACKS)
     assert {name: row for name, row in rows.items() if row["state"] == "right"} == {}

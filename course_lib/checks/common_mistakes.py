@@ -132,7 +132,7 @@ def _cut_off(value, *case):
     )
 
 
-def _numbers(argument, first=0):
+def _numbers(argument, first):
     """Return a float, or an array of numbers, which may come as a list; raises for all else, as for
     a count.
 

@@ -17,7 +17,6 @@ SHARED_RESULT = Mistake(
     "function returns, and how often?",
 )
 
-
 FORGOTTEN_RETURN = Mistake(
     "the function returns None: a return is missing, or returns nothing for this input",
     "Look at every branch of the function: does each end in `return`, with a value of the kind "

@@ -2,8 +2,8 @@
 
 An answer that is right but for a function of another exercise that it calls deserves its points.
 So it is asked once more, while right functions answer in place of the others, and those that were
-called are known by having been asked. Two cases earn nothing: functions that call each other in a
-circle, because then neither of them computes anything, and a call that the task excludes.
+called are known by having been asked. Functions that call each other in a circle gain nothing by
+it, because then none of them computes anything. A call that the task excludes earns nothing.
 
 What counts then, `followed_through` says for the notebook and for grading alike. They differ in
 what they know before they ask. The notebook judges one function at a time, so it runs the function
@@ -105,7 +105,7 @@ def followed_through(
     before : Verdict
         With the notebook's own functions.
     ask_again : callable
-        Returns the Verdict with right functions in the place of those that are not right.
+        Returns the Verdict with right functions in place of those that are not right.
     called : sequence of Exercise
         Those that are not right and that the answer calls, in the order of their first calls.
     circle : sequence of str or None

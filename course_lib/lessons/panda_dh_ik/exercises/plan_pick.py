@@ -189,7 +189,7 @@ def _too_fast(x, *case):
 EXERCISE = Exercise(
     name="plan_pick",
     points=4,
-    sets=1,
+    sets=1,  # another set has the same tasks, rotated otherwise
     arguments=("q0", "T_grasp"),
     cases=_cases,
     returns=rows(8, "a row of eight numbers for each time", _MOST_ROWS),

@@ -19,7 +19,7 @@ from course_lib.pack.grade.verdicts.grading import Grading, Instead, Outcome, Pl
 from course_lib.pack.grade.verdicts.judging import ask_and_judge
 from course_lib.pack.grade.verdicts.sandboxed_function import (
     CHECK_PREFIX,
-    MAX_CALLS,
+    MAX_CALLS_ANSWERED,
     SandboxedFunction,
 )
 
@@ -127,7 +127,11 @@ class NotebookRun:
         name = called_name(text) or ""
         exercise = self.grading.exercise_named(name.removeprefix(CHECK_PREFIX))
         self._calls_of_cells += 1
-        if exercise is None or not can_answer(exercise) or self._calls_of_cells > MAX_CALLS:
+        if (
+            exercise is None
+            or not can_answer(exercise)
+            or self._calls_of_cells > MAX_CALLS_ANSWERED
+        ):
             return json.dumps({"error": "there is no such function"})
         if exercise.name in self.asked:
             return json.dumps({"error": f"{name}.library answers no more after its check"})

@@ -15,7 +15,7 @@ from course_lib.pack.grade.verdicts.grading import Grading
 
 # By one function that is asked, of right functions and of a candidate. Of a candidate a test may
 # make 5,000, which call_student.py counts in the student's process.
-MAX_CALLS = 100_000
+MAX_CALLS_ANSWERED = 100_000
 CHECK_PREFIX = "check."  # of the name by which check.NAME.library asks
 
 
@@ -120,7 +120,9 @@ class SandboxedFunction:
             calls = 0
             while isinstance(message.get("call"), str):
                 calls += 1
-                answer = self._answer(message["call"], consult) if calls <= MAX_CALLS else None
+                answer = (
+                    self._answer(message["call"], consult) if calls <= MAX_CALLS_ANSWERED else None
+                )
                 self._sandbox.send({"answer": answer}, watch)
                 message = self._receive(watch)
         except Ended as end:
