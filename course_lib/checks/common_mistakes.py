@@ -288,7 +288,7 @@ def _kept_from(first, names):
 def _of_an_entry(argument):
     """Yield the names, hints and changes of a vector: another sign of an entry, 0 for it, another
     order."""
-    vector = attempt(_numbers, argument)
+    vector = attempt(_numbers, argument, argument)
     n = len(vector) if np.ndim(vector) == 1 else 0
     for j in range(n if 1 < n <= _MAX_LINES else 0):
         yield (
