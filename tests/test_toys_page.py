@@ -144,7 +144,12 @@ def figure_of(visit, name):
     return box
 
 
+AT_REST = 250  # milliseconds: after a movement a toy is drawn once more, and finely
+
+
 def picture(box):
+    """The picture of a toy that has come to rest, for one that moves may be drawn coarsely."""
+    box.page.evaluate(SETTLED, AT_REST)
     return box.evaluate(PICTURE)
 
 
@@ -188,7 +193,6 @@ def test_start_again_returns_to_the_first_picture(visit, name):
     if not box.locator("input, button, .handle").count():
         return  # nothing but the view changes
     again.click()
-    visit.page.evaluate(SETTLED, 0)  # a scene is drawn a frame later
     first = picture(box)
     control = box.locator("input, .handle").first
     for part in box.locator("details:not([open]) > summary").all():
@@ -299,7 +303,6 @@ def test_a_turned_picture_is_turned_back(visit, way):
     canvas = box.locator("canvas").first
     canvas.focus()
     visit.page.keyboard.press("Home")
-    visit.page.evaluate(SETTLED, 500)
     at_first = picture(box)
     for key in ("ArrowLeft", "+"):
         before = picture(box)
@@ -318,7 +321,6 @@ def test_the_wheel_zooms_only_with_ctrl_or_after_a_click(visit):
     visit.page.evaluate("document.activeElement.blur()")
     place = canvas.bounding_box()
     visit.page.mouse.move(place["x"] + 5, place["y"] + 5)
-    visit.page.evaluate(SETTLED, 500)
     before, scrolled = picture(box), visit.page.evaluate("scrollY")
     visit.page.mouse.wheel(0, 10)
     visit.page.wait_for_function("scrolled => scrollY > scrolled", arg=scrolled)
@@ -360,7 +362,6 @@ def test_the_first_picture_says_once_how_it_is_rotated(page, browser, device, wo
 def test_all_toys_share_one_context_and_survive_its_loss(visit):
     box = figure_of(visit, "panda_toy")
     assert visit.page.evaluate("window.contexts") == 1
-    visit.page.evaluate(SETTLED, 500)
     before = picture(box)
     visit.page.evaluate("window.lost = gl.getExtension('WEBGL_lose_context'), lost.loseContext()")
     visit.page.wait_for_function("gl.isContextLost()")
@@ -435,7 +436,6 @@ def test_toys_follow_a_change_of_theme(visit):
         slider.focus()
         visit.page.keyboard.press("ArrowRight")
         wait_for_another_picture(visit, box, at_first)
-        visit.page.evaluate(SETTLED, 500)  # the last picture of a movement is finer
         before[box] = slider, slider.input_value(), picture(box)
     visit.page.evaluate(NOTE)
     for theme in ("dark", "light"):
@@ -755,14 +755,11 @@ def test_dead_reckoning_follows_the_driven_robot(visit):
     expect(status).to_contain_text("0.0 cm and 0° off")
     x, y = centre(ahead)
     visit.page.mouse.move(x, y)
-    visit.page.evaluate(SETTLED, 500)  # what was begun before is drawn, and drawn finely
     before = picture(box)
     visit.page.mouse.down()
     wait_for_another_picture(visit, box, before)
     visit.page.mouse.up()
-    visit.page.evaluate(SETTLED, 500)
     before = picture(box)
-    visit.page.evaluate(SETTLED, 200)
     assert picture(box) == before, "it stops when the button is released"
     box.locator("canvas").focus()
     for key in ("ArrowUp", "ArrowRight"):
@@ -784,13 +781,11 @@ def test_arrow_keys_drive_after_a_control_was_clicked(visit, control):
         box.get_by_role(role, name=control, exact=True) for role in ("button", "checkbox")
     )
     button.or_(checkbox).click()
-    visit.page.evaluate(SETTLED, 200)
     before, scrolled = picture(box), visit.page.evaluate("scrollY")
     for key in ("ArrowUp", "ArrowDown"):
         visit.page.keyboard.down(key)
         wait_for_another_picture(visit, box, before)
         visit.page.keyboard.up(key)
-        visit.page.evaluate(SETTLED, 500)
         before = picture(box)
     assert visit.page.evaluate("scrollY") == scrolled
     if control == "Hide the robot":
@@ -1056,7 +1051,6 @@ def test_play_moves_it_and_pause_holds_it(film):
     )
     page.get_by_role("button", name="Pause").click()
     page.get_by_role("button", name="Play").wait_for()
-    page.evaluate(SETTLED, 500)  # what was begun before the click is drawn, and drawn finely
     at, held = slider.get_attribute("aria-valuetext"), picture(box)
     assert 0 <= float(at.split()[0]) <= 2  # on a busy machine it may have begun again
     page.evaluate(SETTLED, 200)
