@@ -11,9 +11,14 @@ import functools
 import itertools
 import re
 import symtable
+import types
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
+
+import numpy as np
+
+from course_lib.arms import SerialArm
 
 RUNS_ITS_CELL = (
     "time",
@@ -32,13 +37,24 @@ SIMPLE = (
     *IMPORTS,
     ast.Assign,
 )  # they always bind their names, whatever was bound before
+# The methods by which containers and arrays change themselves: what only the changing one of two
+# types has.
+CHANGING = {"fill", "put", "partition", "resize", "setfield", "setflags", "byteswap"}.union(
+    *(
+        set(dir(kind)) - set(dir(lasting))
+        for kind, lasting in ((list, tuple), (set, frozenset), (dict, types.MappingProxyType))
+    )
+)
+# The methods of containers, arrays and arms that return something new.
+_KEEPING = {name for kind in (list, dict, np.ndarray, SerialArm) for name in dir(kind)} - CHANGING
 
 
 @dataclass
 class Statement:
     """One statement at the top of a cell, and the names it binds, reads and changes.
 
-    cell, place: the numbers of the cell and of the statement in it, from 0.
+    cell, place: the numbers of the cell and of the statement in it, from 0. methods: the methods
+    that it calls, each with the name in front of it.
     """
 
     cell: int
@@ -47,16 +63,26 @@ class Statement:
     binds: set = field(default_factory=set)
     reads: set = field(default_factory=set)
     changes: set = field(default_factory=set)
+    methods: set = field(default_factory=set)
 
 
-def statements(sources: Sequence[str]) -> list[Statement]:
+def statements(sources: Sequence[str], given: Collection[int] = ()) -> list[Statement]:
     """Return the Statements of a notebook's code cells, without stubs of functions that other cells
-    define."""
+    define.
+
+    A method may change what it is called on. It is known not to if only the cells of these numbers,
+    which are as students are given them, say what that is.
+    """
     in_order = [
         _looked_at(number, place, tree)
         for number, source in enumerate(sources)
         for place, tree in enumerate(parsed(source))
     ]
+    own = {name for each in in_order if each.cell not in given for name in each.binds}
+    for each in in_order:
+        each.changes |= {
+            name for name, method in each.methods if name in own or method not in _KEEPING
+        }
     written = {
         name for statement in in_order if not is_stub(statement.tree) for name in statement.binds
     }
@@ -201,7 +227,7 @@ def _looked_at(cell: int, place: int, tree: ast.stmt) -> Statement:
         if isinstance(node, ast.Subscript | ast.Attribute) and not isinstance(node.ctx, ast.Load):
             statement.changes |= base_of(node)
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            statement.changes |= base_of(node.func)
+            statement.methods |= {(name, node.func.attr) for name in base_of(node.func)}
     if (
         isinstance(tree, ast.Expr)
         and isinstance(tree.value, ast.Call)
@@ -209,7 +235,7 @@ def _looked_at(cell: int, place: int, tree: ast.stmt) -> Statement:
     ):
         statement.changes |= {node.id for node in tree.value.args if isinstance(node, ast.Name)}
     if isinstance(tree, FUNCTIONS):
-        statement.changes = set()
+        statement.changes, statement.methods = set(), set()
     return statement
 
 

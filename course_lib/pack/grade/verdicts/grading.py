@@ -129,7 +129,7 @@ class Grading:
     @functools.cached_property
     def statements(self) -> list[Statement]:
         """The statements of its code cells."""
-        return statements(self.sources)
+        return statements(self.sources, self.given_cells)
 
     @functools.cached_property
     def unwritten(self) -> set[str]:

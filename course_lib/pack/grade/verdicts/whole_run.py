@@ -12,11 +12,11 @@ makes names in another way, by exec or in a file, shows it by its words.
 import ast
 import builtins
 import re
-import types
 import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from course_lib.pack.grade.jail.statements import (
+    CHANGING,
     FUNCTIONS,
     IMPORTS,
     SIMPLE,
@@ -38,14 +38,6 @@ OTHER_WAYS = {
 # longer one runs as a whole: to look at it takes a time that grows with the square of its length.
 MAX_STATEMENTS, MAX_CHARACTERS = 3_000, 200_000
 CHECK = "check"
-# The methods by which containers and arrays change themselves: what only the changing one of two
-# types has. Those of the library's objects return something new.
-CHANGING = {"fill", "put", "partition", "resize", "setflags", "byteswap"}.union(
-    *(
-        set(dir(kind)) - set(dir(lasting))
-        for kind, lasting in ((list, tuple), (set, frozenset), (dict, types.MappingProxyType))
-    )
-)
 CALLED_CHECK = re.compile(r"\bcheck\.\w+\(")  # in a cell at which the grader may ask
 DEFINITIONS = (*FUNCTIONS, ast.Lambda)  # what they read, they read when they are called
 
