@@ -12,6 +12,7 @@ Source: the URDF specification, wiki.ros.org/urdf/XML/joint.
 """
 
 import math
+import re
 from dataclasses import dataclass, replace
 from xml.etree.ElementTree import TreeBuilder
 from xml.parsers import expat
@@ -30,6 +31,10 @@ _OTHER_MOTIONS = {
     "planar": "lets the link slide in a plane",
 }
 _MAX_NAMES = 12  # of links in a message
+# expat refuses "--" inside a comment, as in a line of dashes, but ROS reads it, and a comment holds
+# nothing of the robot. A CDATA section may hold what only looks like a comment.
+_COMMENT = re.compile(rb"(<!\[CDATA\[.*?\]\]>)|<!--.*?-->", re.DOTALL)
+_ENCODING = re.compile(rb"""(?:\xef\xbb\xbf)?<\?xml[^>]*?\sencoding\s*=\s*["']([\w.-]+)["']""")
 _OTHER_FORMATS = {
     "sdf": "an SDF file, the format of Gazebo",
     "mujoco": "an MJCF file, the format of MuJoCo",
@@ -225,13 +230,24 @@ def _parsed(data):
     Its prefixes need no declaration. Programs add elements of their own, such as drake:joint, and
     often leave the prefix undeclared; ElementTree's own parser would refuse the whole file.
     """
-    builder, parser = TreeBuilder(), expat.ParserCreate()
+    data = _COMMENT.sub(lambda part: part[1] or re.sub(rb"[^\n]", b" ", part[0]), data)
+    encoding = _ENCODING.match(data)
+    if encoding:  # expat knows few names of encodings, and neither GBK nor utf8
+        data = _in_utf8(data, encoding[1].decode())
+    builder, parser = TreeBuilder(), expat.ParserCreate("utf-8" if encoding else None)
     parser.StartElementHandler = builder.start
     parser.EndElementHandler = builder.end
     parser.CharacterDataHandler = builder.data
     parser.StartDoctypeDeclHandler = _refuse_doctype  # is called before any entity is declared
     parser.Parse(data, True)
     return builder.close()
+
+
+def _in_utf8(data, encoding):
+    text = data.decode(encoding)
+    if not text.removeprefix("\ufeff").startswith("<?xml"):
+        raise LookupError(f"its encoding is not {encoding}")
+    return text.encode()
 
 
 def _robot(path):

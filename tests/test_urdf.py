@@ -193,6 +193,29 @@ def test_elements_of_other_programs_are_passed_over(file):
     assert SerialArm.from_urdf(path).joint_names == ("a",)
 
 
+NAMES = {
+    "utf8": "gelenk_ü",
+    "cp1252": "gelenk_ü",
+    "Shift_JIS": "関節",
+    "GBK": "关节",
+    "utf-16": "關節",
+}
+
+
+@pytest.mark.parametrize("encoding", NAMES)
+def test_a_file_is_read_in_the_encoding_that_it_declares(file, encoding):
+    text = robot(link("base", "arm"), joint(NAMES[encoding], "base", "arm"))
+    text = text.replace("?>", f' encoding="{encoding}"?>', 1)
+    assert SerialArm.from_urdf(file(text.encode(encoding))).joint_names == (NAMES[encoding],)
+
+
+@pytest.mark.parametrize("comment", ["<!-- ----- arm ----- -->", "<!-- from /tmp/a--1.xacro -->"])
+def test_a_comment_may_hold_two_dashes_as_for_ros(file, comment):
+    shown = "<gazebo><![CDATA[ <!-- ]]></gazebo>"
+    path = file(robot(link("base", "arm"), comment, shown, FORK[1], comment))
+    assert SerialArm.from_urdf(path).joint_names == ("a",)
+
+
 BASE = link("base", "arm")
 REFUSED = {
     "two ends": (robot(*FORK), None, r"ends in 2 links: 'left' \(2\), 'right' \(2\), .* tip='left'"),
@@ -223,6 +246,12 @@ REFUSED = {
     "no XML": ("solid cube", None, "is no whole XML file"),
     "nothing": ("", None, "own.urdf is empty"),
     "an encoding that is not there": ('<?xml version="1.0" encoding="klingon"?><robot/>', None, "own.urdf"),
+    "another encoding than it says": (
+        '<?xml version="1.0" encoding="utf-16"?><robot></robot>', None, "its encoding is not utf-16",
+    ),
+    "a byte that its encoding does not have": (
+        '<?xml version="1.0" encoding="utf-8"?><robot name="\xfc"/>'.encode("cp1252"), None, "cannot be read as XML",
+    ),
     "a cycle": (robot(BASE, FORK[1], joint("b", "arm", "base")), None, "the links are a cycle"),
     "a cycle beside the root": (
         robot(link("base", "arm", "x", "y"), FORK[1], joint("b", "x", "y"), joint("c", "y", "x")), "x",
