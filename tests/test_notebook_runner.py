@@ -15,7 +15,7 @@ from nbconvert import ScriptExporter
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from course_lib.figures.stills import TOY
-from course_lib.pack import notebooks
+from course_lib.pack import draw_charts, notebooks
 from course_lib.pack.files import write_atomically
 
 STILL = notebooks.STILL
@@ -204,6 +204,17 @@ def test_an_unusable_browser_is_reported_in_one_line(write, monkeypatch, capsys,
     assert f"figures without a still: 1 ({said}" in capsys.readouterr().out.replace(
         "the browser ", ""
     )
+
+
+@pytest.mark.slow
+def test_a_browser_that_does_not_answer_is_given_up(tmp_path, monkeypatch):
+    (tmp_path / "browser").write_text("#!/bin/sh\nexec sleep 3600\n")
+    (tmp_path / "browser").chmod(0o755)
+    monkeypatch.setenv("BROWSER_PATH", str(tmp_path / "browser"))
+    monkeypatch.setattr(draw_charts, "MAX_SECONDS", 1)
+    monkeypatch.setattr(draw_charts, "CLOSING_SECONDS", 1)
+    with pytest.raises(TimeoutError, match="browser failed"):
+        draw_charts.draw_charts([{"data": [], "layout": {}}])
 
 
 # ---- what can go wrong ----

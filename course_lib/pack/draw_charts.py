@@ -12,6 +12,7 @@ from course_lib.pack.photograph import MAX_SECONDS, find_browser
 if TYPE_CHECKING:
     from kaleido import Kaleido
 
+CLOSING_SECONDS = 30
 SCALE = 1.5  # pixels of the PNG for one on the page, as the PNGs of matplotlib have
 # What is pressed or dragged does not belong into a picture.
 _CONTROLS = ("updatemenus", "sliders")
@@ -40,12 +41,17 @@ async def _draw(browser: str, charts: Sequence[dict]) -> list[bytes]:
     # Not kaleido's sync server: its calls wait forever for a browser that did not start.
     from kaleido import Kaleido
 
-    pngs = []
     # MathJax would come from the net, and charts have no formulas.
-    async with Kaleido(n=1, timeout=MAX_SECONDS, mathjax=False, path=browser) as kaleido:
-        for chart in charts:
-            pngs.append(await _draw_one(kaleido, chart))
-    return pngs
+    kaleido = Kaleido(n=1, timeout=MAX_SECONDS, mathjax=False, path=browser)
+    try:
+        # Kaleido's own timeout begins with a picture, and so after the browser has answered.
+        async with asyncio.timeout(MAX_SECONDS):
+            await kaleido.open()
+        return [await _draw_one(kaleido, chart) for chart in charts]
+    finally:
+        # A browser that does not answer is not asked to close for longer than this: it is killed.
+        async with asyncio.timeout(CLOSING_SECONDS):
+            await kaleido.close()
 
 
 async def _draw_one(kaleido: Kaleido, chart: dict) -> bytes:
