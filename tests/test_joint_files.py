@@ -346,7 +346,7 @@ ASKED = {
     "matlab.csv": (matlab(), 'columns={"t": 1, "q1": 2, ', {"limits": HALF_TURN}, SEVEN, True),
     "long.csv": (long_form(), 'table.pivot(index=..., columns="joint", values=...)', None, None, False),
     "timetable.csv": (
-        timetable(), "'0 sec', which is not a number", {"columns": {"q": "q*"}, "step": 0.02}, SEVEN, False,
+        timetable(), "holds '0 sec', and a time must be a number", {"columns": {"q": "q*"}, "step": 0.02}, SEVEN, False,
     ),
     "two arms.csv": (two_arms(), 'columns={"q": "left_joint_*"}', {"columns": {"q": "left_joint_*"}}, SEVEN, False),
     "two sets.csv": (
@@ -608,6 +608,36 @@ def test_text_is_read_in_the_encodings_of_spreadsheets(file, encoding):
     np.testing.assert_allclose(load(file(text, encoding=encoding)).q, np.pi / 2)
 
 
+SPELLED = {
+    "a minus sign": "t;q1\n0;\u22120,5\n0,5;1,5e\u22121\n",
+    "Fortran's exponents": "t q1\n0.0D+00 -5.0D-01\n5.0D-01 1.5d-1\n",
+}
+
+
+@pytest.mark.parametrize("program", SPELLED)
+def test_numbers_are_read_as_programs_spell_them(file, program):
+    read = load(file(SPELLED[program]))
+    np.testing.assert_allclose(read.t, [0, 0.5])
+    np.testing.assert_allclose(read.q, [[-0.5], [0.15]])
+
+
+@pytest.mark.parametrize("time", ["2026-03-01 10:00:0{}.5", "2026-03-01T10:00:0{}Z", "17:03:2{}"])
+def test_times_that_are_dates_are_asked_about(file, time):
+    path = file("stamp,q1\n" + "".join(f"{time.format(i)},0.{i}\n" for i in range(N)))
+    with pytest.raises(UnclearFileError, match=r"a time must be a number(?s:.*)step=0\.01"):
+        load(path)
+    assert load(path, step=0.5).t.tolist() == [0, 0.5, 1, 1.5, 2]
+
+
+@pytest.mark.parametrize(
+    ("name", "advice"),
+    [("a.mcap", "--csv"), ("a.YAML", "--csv"), ("a.xlsx", "CSV"), ("a.mat", "writetable")],
+)
+def test_a_file_that_is_no_table_is_refused_with_what_writes_one(file, name, advice):
+    with pytest.raises(ValueError, match=f"must name a .csv.*{advice}"):
+        load(file("", name))
+
+
 BROKEN = {
     "1.234,5 and 0,5": ("t;q1\n0,5;1.234,5\n1,0;0,5\n", "row 1, column q1 is '1.234,5', with a point"),
     "cut off": ("t,q1,q2\n0,1,2\n1,2,3\n2,3", "row 3 has 2 columns, not 3: is the file cut off"),
@@ -624,6 +654,11 @@ BROKEN = {
         "the joints change their places",
     ),
     "more columns than titles": ("t,q1\n0,1,2\n1,1,2\n", "row 1 has 3 columns, not 2; its header is t,q1. Write a title"),
+    "rows without velocities": (
+        "t,q1,qd1\n0,1,1\n1,1\n2,1\n3,1,1\n",
+        "row 2 has 2 columns, not 3; 2 of 4 rows have another number of columns than the rest. Fill",
+    ),
+    "a line between messages": ("0,1\n---\n1,1\n", "row 2 has 1 column, not 2; 1 of 3 rows"),
     "an angle that is not a number": ("t,q1\n0,.nan\n1,2\n", "row 1, column q1 is not a finite number"),
 }  # fmt: skip
 

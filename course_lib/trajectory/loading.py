@@ -23,6 +23,15 @@ from course_lib.trajectory.understood import (
 )
 
 _SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".npy")
+_BY_ROS = (
+    "ROS writes the messages in it as a table by `ros2 topic echo --csv` or `rostopic echo -p`"
+)
+_IN_SPREADSHEET = "Open it in a spreadsheet, and save it as CSV"
+_OTHER_FILES = {
+    **dict.fromkeys((".yaml", ".yml", ".bag", ".db3", ".mcap"), _BY_ROS),
+    **dict.fromkeys((".xlsx", ".xls", ".ods"), _IN_SPREADSHEET),
+    ".mat": "MATLAB writes a table by `writetable(array2table(...), 'own.csv')`",
+}
 _MAX_RADIANS = 4 * np.pi  # beyond it angles without a unit are asked about: two full turns
 _MAX_VALUE = 1e100  # of a cell, as for all arguments of this library
 _SLOW = 1.0  # seconds between samples, from which times without a unit are asked about
@@ -180,9 +189,10 @@ def load(path, limits=None, velocities=None, step=None, units=None, joints=None,
 def _table_file(path, name):
     path = file_path(path, name)
     if path.suffix.lower() not in _SUFFIXES:
+        advice = _OTHER_FILES.get(path.suffix.lower(), "")
         raise ValueError(
             f"{name} must name a {', '.join(_SUFFIXES[:-1])} or {_SUFFIXES[-1]} file; it is "
-            f"{str(path)!r}"
+            f"{str(path)!r}{advice and '. '}{advice}"
         )
     return path
 
@@ -326,13 +336,15 @@ def _times(table, columns, unit, chosen):
             f'{unit!r}. For one column alone, write columns={{"t": {quoted(columns[0].title)}}}'
         )
     for column in columns:
+        if not table.holds_numbers(column.place):
+            raise _no_numbers(table, column, label)
         values = table.numbers(column.place, label)[:, None]
         bad = ~(np.abs(values) <= _MAX_VALUE)
         _refuse(table, [column], [label], bad, "is not a finite number")
     # Decimals, because a float holds nanoseconds since 1970 to 256 of them.
-    ticks = [Decimal(cell) for cell in table.cells(columns[0].place)]
+    ticks = [Decimal(cell) for cell in table.numerals(columns[0].place)]
     if len(columns) == 2:
-        parts = [Decimal(cell) for cell in table.cells(columns[1].place)]
+        parts = [Decimal(cell) for cell in table.numerals(columns[1].place)]
         ticks = [whole + Decimal("1e-9") * part for whole, part in zip(ticks, parts, strict=True)]
         unit = "s"
     else:
@@ -351,6 +363,17 @@ def _times(table, columns, unit, chosen):
             f" s{since}: time must increase"
         )
     return t, elapsed, unit
+
+
+def _no_numbers(table, column, label):
+    """Return what to say of times that are dates or texts, all of them."""
+    return unclear(
+        table,
+        [column],
+        f"{label} holds {table.cells(column.place)[0]!r:.40}, and a time must be a number.",
+        "Write the times as numbers, for example in seconds since the first one. If samples are "
+        "evenly spaced, write the time between two of them in seconds instead, step=0.01.",
+    )
 
 
 def _unit_of_times(table, column, ticks):

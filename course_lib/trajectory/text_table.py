@@ -15,8 +15,13 @@ import numpy as np
 
 _SEPARATORS = (";", "\t", "|", ",", " ")  # of equals the one least likely to be part of a number
 _SAMPLE_LINES = 200  # from which the separator is chosen
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?|[-+]?\.?(nan|inf|infinity)", re.I)
-_DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+(e[-+]?\d+)?", re.I)
+# Swedish spreadsheets write a minus sign, U+2212, and Fortran an exponent with a D.
+_SIGN, _EXPONENT = r"[-+\u2212]?", r"([ed][-+\u2212]?\d+)?"
+_AS_PYTHON = str.maketrans("\u2212dD", "-ee")
+_NUMBER = re.compile(
+    rf"{_SIGN}(\d+\.?\d*|\.\d+){_EXPONENT}|[-+]?\.?(nan|inf|infinity)", re.IGNORECASE
+)
+_DECIMAL_COMMA = re.compile(rf"{_SIGN}\d*,\d+{_EXPONENT}", re.IGNORECASE)
 _LIST = re.compile(r"[\[(](.*)[\])]", re.S)
 
 
@@ -75,6 +80,10 @@ class Table:
         cells = [row[place] for row in self.rows]
         return [cell.replace(",", ".") for cell in cells] if self.decimal_comma else cells
 
+    def numerals(self, place):
+        """Return the cells of a column of numbers as Python writes these."""
+        return [cell.translate(_AS_PYTHON) for cell in self.cells(place)]
+
     def holds_numbers(self, place):
         """Return whether a cell of a column is a number."""
         return any(_is_number(row[place]) for row in self.rows)
@@ -100,7 +109,8 @@ class Table:
                     "which is not a number"
                 )
         # YAML, in which ROS prints messages, writes .nan and .inf.
-        return np.array([re.sub(r"\.(?=[ni])", "", cell, flags=re.I) for cell in cells], float)
+        numerals = [re.sub(r"\.(?=[ni])", "", cell, flags=re.I) for cell in self.numerals(place)]
+        return np.array(numerals, float)
 
 
 def read_table(path):
@@ -235,14 +245,24 @@ def _header(lines, separator, width):
 
 
 def _refuse_ragged(name, header, rows, width):
-    for number, row in enumerate(rows, 1):
-        if len(row) == width:
-            continue
+    wrong = [number for number, row in enumerate(rows, 1) if len(row) != width]
+    if not wrong:
+        return
+    number = wrong[0]
+    count = len(rows[number - 1])
+    reason = ""
+    if 1 < number == len(rows) and count < width:
+        reason = ": is the file cut off?"
+    elif len(wrong) < len(rows):
+        reason = (
+            f"; {len(wrong)} of {len(rows)} rows have another number of columns than the rest. Fill"
+            " their missing cells, or leave these rows out"
+        )
+    elif header:
         reason = f"; its header is {','.join(header):.80}. Write a title for each column"
-        reason = reason if header else ""
-        if 1 < number == len(rows) and len(row) < width:
-            reason = ": is the file cut off?"
-        raise ValueError(f"{name}: row {number} has {len(row)} columns, not {width}{reason}")
+    raise ValueError(
+        f"{name}: row {number} has {count} column{'s' * (count > 1)}, not {width}{reason}"
+    )
 
 
 def _with_entries_of_lists(table):
