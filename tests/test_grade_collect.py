@@ -299,6 +299,12 @@ def test_a_name_is_found_without_the_signs_moodle_leaves_out():
     assert Roster(rows).find("Seán ONeill") == [rows[0]]
 
 
+@pytest.mark.parametrize("sign", ["'", "\u2019", "\u2018", "\u00b4", "`", "\u02bc"])
+def test_an_apostrophe_may_be_any_sign_that_stands_for_it(sign):
+    rows = [{"First name": "Pat", "Last name": "O\u2019Neill"}]
+    assert Roster(rows).find(f"Pat O{sign}Neill") == rows
+
+
 def test_the_folders_of_nbgrader_and_the_zips_of_otter_are_read(tmp_path):
     """By jupyter/nbgrader, nbgrader/exchange/default/collect.py: submitted/<student>/<assignment>/,
     with a time.

@@ -5,17 +5,21 @@ import csv
 import io
 import os
 import time
+from dataclasses import replace
 from datetime import datetime
+from pathlib import Path
 
 import pytest
 from grade_stand_in import grade, hand_in
 
 from course_lib.pack.grade import GradingStopped
 from course_lib.pack.grade.__main__ import main
+from course_lib.pack.grade.hand_ins.collect import Submission
 from course_lib.pack.grade.hand_ins.platforms import platforms
-from course_lib.pack.grade.hand_ins.roster import Roster, read_roster
+from course_lib.pack.grade.hand_ins.roster import Roster, person_of, read_roster
 from course_lib.pack.grade.marks.deadline import DAY, Deadline, begun_days, read_deadline
 from course_lib.pack.grade.marks.gradebook import gradebook_text
+from course_lib.pack.grade.marks.graded_file import GradedFile
 from course_lib.pack.grade.marks.tables import Totals
 
 POINTS = Totals(
@@ -200,6 +204,34 @@ def test_begun_days_count_from_the_moment_after_the_deadline():
         1,
     ]
     assert [deadline.share_left(seconds) for seconds in (0, 1, 5 * DAY, 9 * DAY)] == [1, 0.8, 0, 0]
+
+
+@pytest.fixture
+def in_new_york(monkeypatch):
+    monkeypatch.setenv("TZ", "America/New_York")
+    time.tzset()
+    yield
+    monkeypatch.undo()
+    time.tzset()
+
+
+@pytest.mark.parametrize(
+    ("due", "handed_in", "days"),
+    [
+        ("2026-10-31 20:00", "2026-11-01 20:00", 1),  # 25 hours later
+        ("2026-10-31 20:00", "2026-11-01 20:01", 2),
+        ("2026-03-07 20:00", "2026-03-08 20:00", 1),  # 23 hours later
+        ("2026-03-07 20:00", "2026-03-08 20:01", 2),
+        ("2026-11-01 01:30-04:00", "2026-11-01 01:10-05:00", 1),  # 40 minutes later
+        ("2026-11-01 01:30-04:00", "2026-11-01 01:30-04:00", 0),
+    ],
+)
+def test_a_day_late_is_one_by_the_clock_where_clocks_change(in_new_york, due, handed_in, days):
+    submission = Submission("al", "01_rotations", "al.ipynb", Path("al.ipynb"))
+    file = GradedFile(submission, {"notebook": ""})
+    times = {("al", "01_rotations"): datetime.fromisoformat(handed_in).timestamp()}
+    deadline = replace(read_deadline(due, "10%"), times=times)
+    assert begun_days(deadline.late(file)) == days
 
 
 def test_the_deadline_names_its_time_zone(monkeypatch):
@@ -449,6 +481,16 @@ def test_students_without_one_line_of_their_own_are_named(tmp_path, capsys):
         "One student of the roster, whose better points of each notebook count: Doe Jane, jane."
         in said
     )
+
+
+def test_a_student_on_two_lists_is_one_line_of_the_roster(roster):
+    """As where the lists of two sections were put together."""
+    lists = MOODLE + "Jane;Doe;1234;Jane@example.org\n"
+    assert [person_of(row)["number"] for row in roster(lists)] == ["1234", "1235"]
+
+
+def test_lines_that_share_a_number_and_no_name_stay_two_students(roster):
+    assert len(roster(MOODLE + "Eve;Roe;1234;jane@example.org\n")) == 3
 
 
 # ---- who is who ----

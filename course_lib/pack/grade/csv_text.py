@@ -36,6 +36,8 @@ KINDS = {
 }
 # A line for Excel that names the separator.
 EXCEL_SEPARATOR = re.compile(r"\Asep=.\s*")
+# The signs that keyboards and programs write for the apostrophe of O'Neill.
+APOSTROPHES = dict.fromkeys(map(ord, "'`\u00b4\u2018\u2019\u02bc\u2032"))
 JOINERS = "\u200c\u200d"  # not printable by themselves, and part of some names
 
 
@@ -183,12 +185,14 @@ def printable(name: str) -> str:
 
 
 def words(name: str) -> str:
-    """Return the sorted words of a name without accents, the same for "Doe, Jane" and "Jane Doe".
+    """Return the sorted words of a name, the same for "Doe, Jane" and "Jane Doe", without accents
+    or apostrophes.
 
     Without the signs that Moodle leaves out of file names too (public/lib/classes/param.php,
     clean_param_value_file).
     """
-    plain = re.sub(r"[&<>\"`|':\\/]", "", unicodedata.normalize("NFKD", name).casefold())
+    decomposed = unicodedata.normalize("NFKD", name.translate(APOSTROPHES))
+    plain = re.sub(r"[&<>\"`|':\\/]", "", decomposed.casefold())
     letters = "".join(c for c in plain if not unicodedata.combining(c))
     return " ".join(sorted(re.findall(r"\w+", letters)))
 

@@ -98,11 +98,24 @@ def read_roster(path: Path) -> list[Row]:
         if any(value for heading, value in row.items() if _identifies(heading)):
             rows.append(_with_all_headings(row))
     rows = [row for row in rows if all(p.is_student(row) for p in platforms().values())]
+    rows = _without_repetitions(rows)
     if not rows:
         raise GradingStopped(f"{path} is not a roster: no line of it names a student.")
     for row in rows:
         _refuse_rounded_numbers(path, row)
     return rows
+
+
+def _without_repetitions(rows: Iterable[Row]) -> list[Row]:
+    """Return the rows but for those of a student who has an earlier one, for example in the lists
+    of two sections: the name, what is certain of the student, and our column are the same."""
+    different: dict[tuple, Row] = {}
+    for place, row in enumerate(rows):
+        person = person_of(row)
+        certain = tuple(_text(person.get(field, "")) for field in KEYS)
+        known = certain if any(certain) else place
+        different.setdefault((known, words(full_name(row)), row.get(ALIAS, "")), row)
+    return list(different.values())
 
 
 def _known_headings() -> set[str]:

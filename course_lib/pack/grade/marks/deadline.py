@@ -46,11 +46,11 @@ class Deadline:
         return _entry(self.times, file, by_platform)
 
     def late(self, file: GradedFile) -> float | None:
-        """Return how many seconds late a GradedFile is; None if a mark of the platform is all that
-        is known."""
+        """Return how many seconds late a GradedFile is, by the clock of this machine's time zone;
+        None if a mark of the platform is all that is known."""
         time = self.time(file)
         if time is not None:
-            return max(0.0, time - _entry(self.others, file, self.when))
+            return _seconds_late(_entry(self.others, file, self.when), time)
         # The mark is about the platform's own deadline, so it says nothing of a student who has
         # another one here.
         marked = file.submission.late and not self.extended(file)
@@ -73,6 +73,18 @@ class Deadline:
         moment = datetime.fromtimestamp(self.when).astimezone()
         when = f"{moment:%A, %d %B %Y, %H:%M:%S} {moment.tzname()} (UTC{moment:%z})"
         return f"Deadline: {when}, in this machine's time zone."
+
+
+def _seconds_late(due: float, time: float) -> float:
+    """Return how many seconds a time is after a deadline, as a clock shows it.
+
+    So the same hour on the next day is one day later, also where clocks change in between and 23 or
+    25 hours have passed.
+    """
+    if time <= due:
+        return 0.0
+    shown = datetime.fromtimestamp(time) - datetime.fromtimestamp(due)
+    return shown.total_seconds() if shown.total_seconds() > 0 else time - due
 
 
 def begun_days(late: float | None) -> int:
