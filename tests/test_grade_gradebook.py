@@ -208,7 +208,7 @@ def test_begun_days_count_from_the_moment_after_the_deadline():
 
 @pytest.fixture
 def in_new_york(monkeypatch):
-    monkeypatch.setenv("TZ", "America/New_York")
+    monkeypatch.setenv("TZ", "EST5EDT,M3.2.0,M11.1.0")
     time.tzset()
     yield
     monkeypatch.undo()
