@@ -1,5 +1,7 @@
 """test_ik_2r: write the test. Candidates are right and wrong versions of ik_2r."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.mistake import Mistake
@@ -37,6 +39,13 @@ def _by_circles(xy):
 
 def _with_q1(q1):
     return _changed(lambda q, xy: np.column_stack([q1(q, xy), q[:, 1]]))
+
+
+def _wrong_in_quadrant(signs):
+    """Return the Version whose q1 points backward where x and y have these signs."""
+    wrong = _with_q1(lambda q, xy: q[:, 0] - np.pi * np.array_equal(np.sign(xy), signs))
+    x, y = ("> 0" if sign > 0 else "< 0" for sign in signs)
+    return Version(f"that is wrong only for x {x} and y {y}", wrong)
 
 
 def _generous(xy):
@@ -84,10 +93,7 @@ EXERCISE = WriteTest(
         Version(_SIGN, _changed(lambda q, xy: q * [-1, 1])),
         Version("with one q1 for both rows", _with_q1(lambda q, xy: q[[0, 0], 0])),
         Version("that leaves q2 out of q1", _with_q1(lambda q, xy: [np.arctan2(xy[1], xy[0])] * 2)),
-        Version(
-            "that is wrong only for x < 0",
-            _with_q1(lambda q, xy: q[:, 0] - (np.pi if xy[0] < 0 else 0)),
-        ),
+        *(_wrong_in_quadrant(signs) for signs in itertools.product((1, -1), repeat=2)),
         Version("in degrees", _changed(lambda q, xy: np.rad2deg(q))),
         Version("that is right to four digits only", _changed(lambda q, xy: np.round(q, 4))),
         Version("that answers beyond 2 m", two_link_angles),

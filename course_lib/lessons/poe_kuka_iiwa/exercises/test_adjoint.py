@@ -76,6 +76,10 @@ EXERCISE = WriteTest(
             "that is wrong in the coupling of omega to v",
             _made_of(lambda R, P, zero: [[R, zero], [P, R]]),
         ),
+        Version(
+            "whose columns of the coupling of omega to v are in another order",
+            _made_of(lambda R, P, zero: [[R, zero], [(P @ R)[:, ::-1], R]]),
+        ),
         Version("without any coupling of omega to v", _made_of(_uncoupled)),
         Version(
             "for twists in the order (v, omega)",

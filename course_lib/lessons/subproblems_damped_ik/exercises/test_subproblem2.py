@@ -28,8 +28,8 @@ def _perpendicular(k1, k2, p1, p2):
 
 
 def _acute(k1, k2, p1, p2):
-    """Wrong if the axes make an obtuse angle."""
-    return pairs_by_the_text(k1, k2 if k1 @ k2 > 0 else -k2, p1, p2)
+    """Wrong if the axes make an obtuse angle, and then only."""
+    return pairs_by_the_text(k1, k2 if k1 @ k2 > -1e-9 else -k2, p1, p2)
 
 
 def _unit_points(k1, k2, p1, p2):

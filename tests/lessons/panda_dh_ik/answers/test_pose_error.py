@@ -34,11 +34,11 @@ def right_against_known_errors(pose_error):
     return True
 
 
-def right_against_a_version_of_its_own(pose_error):
+def right_against_a_version_of_its_own(pose_error, off=1e-9):
     def mine(T, T_target):
         return [*(T_target[:3, 3] - T[:3, 3]), *rotations.log_so3(T_target[:3, :3] @ T[:3, :3].T)]
 
-    return all(np.abs(np.subtract(pose_error(*pair), mine(*pair))).max() < 1e-9 for pair in PAIRS)
+    return all(np.abs(np.subtract(pose_error(*pair), mine(*pair))).max() < off for pair in PAIRS)
 
 
 def wrong_zero_at_the_target(pose_error):
@@ -51,6 +51,11 @@ def wrong_example_alone(pose_error):
     return np.allclose(
         pose_error(np.eye(4), transform(rotations.rot_z(0.1), [0, 0, 0])), [0, 0, 0, 0, 0, 0.1]
     )
+
+
+def wrong_stricter_than_rounding(pose_error):
+    """your test rejects right versions"""
+    return right_against_a_version_of_its_own(pose_error, off=1e-10)
 
 
 def wrong_number(pose_error):

@@ -23,8 +23,10 @@ def _solves(pair, k1, k2, p1, p2):
     return np.allclose(rotate(k1, pair[0], p1), rotate(k2, pair[1], p2), atol=1e-8)
 
 
-def right_by_the_meeting_point(subproblem2):
+def right_by_the_meeting_point(subproblem2, least_cosine=-1):
     for k1, k2, p1, p2 in _problems():
+        if k1 @ k2 < least_cosine:
+            continue
         pairs = np.array(subproblem2(k1, k2, p1, p2))
         if pairs.shape != (2, 2) or not all(_solves(pair, k1, k2, p1, p2) for pair in pairs):
             return False
@@ -73,3 +75,8 @@ def wrong_exactly_equal(subproblem2):
 def wrong_only_what_is_returned_is_tested(subproblem2):
     """unnamed"""
     return all(_solves(pair, *case) for case in _problems() for pair in subproblem2(*case))
+
+
+def wrong_no_obtuse_axes(subproblem2):
+    """unnamed"""
+    return right_by_the_meeting_point(subproblem2, least_cosine=0)
