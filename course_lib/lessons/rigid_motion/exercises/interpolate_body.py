@@ -5,8 +5,9 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import away_from_zero
 from course_lib.lessons.rigid_motion.exercises import shared
 from course_lib.lessons.rigid_motion.exercises.shared import change as right_change
 from course_lib.planar import interpolate_body, wrap_angle
@@ -61,16 +62,28 @@ def rotating_cases(rng):
 
 
 def _rotating_by(angle):
-    """Two poses whose directions differ by nearly this angle."""
+    """Two poses whose directions differ by nearly this angle, on opposite sides of the origin: so
+    no two poses with as large coordinates are farther apart."""
 
     def case(rng, gap):
         first = round(rng.uniform(-1, 1), 2)
-        return between(rng, first, first + angle + gap, 4)
+        start, goal, n = between(rng, first, first + angle + gap, 5)
+        goal[:2] = -start[:2]
+        return start, goal, n
 
     return Sweep(f"a rotation by nearly {angle:.4g}", case, ON_BOTH_SIDES)
 
 
-SWEEPS = _rotating_by(0.0), _rotating_by(np.pi), _rotating_by(-2 * np.pi)
+def _nearly_there(rng, gap):
+    """Return two positions far from the origin whose difference is small, but not to rounding."""
+    far = np.array([100.0, -80.0, 0.5])
+    return far, far + gap * np.append(away_from_zero(rng, 2), 0), 4
+
+
+SWEEPS = (
+    *(_rotating_by(angle) for angle in (0.0, np.pi, -2 * np.pi)),
+    Sweep("nearly the same position, far from the origin", _nearly_there, SMALL),
+)
 
 
 def _path(start, goal, n, s=None, change=None):

@@ -1,5 +1,7 @@
 """propagate_body: a plan of body velocities, followed by Euler's method."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import rows
@@ -75,6 +77,11 @@ def body_cases(rng):
         (origin, [(AHEAD, 0.25), (LEFT, 0.1)], 0.1),
         (origin, [(SPIN, 0.25), (AHEAD, 0.25)], 0.1),
         ([-1.0, 2.0, 3.0], [(AHEAD, 0.5), ((1.0, 0.0, 2.0), 0.6), ((1.0, 0.0, -1.0), 0.45)], 0.25),
+    ]
+    # Any of the three velocities may be 0, whatever the others are.
+    several += [
+        (np.array([1.0, 2.0, 0.5]), [(tuple(zeros * np.array([1.0, 0.5, 2.0])), 0.5)], 0.25)
+        for zeros in np.array(list(itertools.product((0, 1), repeat=3)))[1:]
     ]
     start, plan, dt = drawn_case(rng)
     several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
