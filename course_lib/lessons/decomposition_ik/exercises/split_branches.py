@@ -94,11 +94,21 @@ def _one_elbow(rng):
             _lumps(rng, (0.6, 0.9, 0.05, 0.05, 4), (0.8, 0.3, 0.05, 0.05, 20))
         ),  # the sum is not the mean
         *(largest, largest[::-1], smallest, smallest[::-1]),
+        rng.permutation(
+            _lumps(rng, (3.1, 0.6, 0.3, 0.05, 12), (3.2, -0.6, 0.3, 0.05, 12))
+        ),  # q1 is below pi in some samples, and above in others
+        np.array(_SKEWED),  # the cluster of the larger mean has the smaller median
         rng.permutation(towers),  # q1 tells more than q2, unless both are scaled
         rng.permutation(towers)[:, ::-1],  # and here q2
     ]
 
 
+_SKEWED = [[0.2, 0.0], [0.2, 0.1], [0.2, 0.2], [1.8, 0.3], [1.8, 0.4], [1.8, -0.6]]
+# Means of q2 of 1/2 and 1/3; whichever cluster comes first.
+_FRACTIONS = (
+    [[0, 1], [0, 0], [9, 0], [9, 0], [9, 1]],
+    [[9, 0], [9, 0], [9, 1], [0, 1], [0, 0]],
+)
 _TOWERS = [(0.6, 0.1, 8), (0.6, -0.1, 4), (1.4, 0.1, 4), (1.4, -0.1, 8)]
 
 
@@ -116,7 +126,18 @@ def _cases(rng):
     cells = [rng.permutation(_both_elbows(rng, *cell)) for cell in cells]
     pair = _both_elbows(rng, (0.4, 1.6), 1, 1)[::-1]
     whole = np.array([[0, 1], [1, -1], [0, 2], [2, -1]])
-    samples = [first, whole, first[::-1], pair, *equal, *cells, *_one_elbow(rng), np.zeros((0, 2))]
+    whole_with_fractions = map(np.array, _FRACTIONS)
+    samples = [
+        first,
+        whole,
+        *whole_with_fractions,
+        first[::-1],
+        pair,
+        *equal,
+        *cells,
+        *_one_elbow(rng),
+        np.zeros((0, 2)),
+    ]
     return [*((q.copy(),) for q in samples), (first.tolist(),)]
 
 

@@ -127,7 +127,8 @@ def _cases(rng):
     ]
     drawn += [_case(rng, 3, 0), _case(rng, 5, 0), _case(rng, 9, range(4), "same", _CLOSEST[:1])]
     drawn += [_case(rng, 9, [2, 5, 8], "own")]
-    few = [_case(rng, 9, 5, "own") for _ in range(4)]  # which few random triples hardly find
+    # Four good matches, which some random triples hardly find.
+    few = [_case(rng, n, n - 4, "own") for n in (9, 9, 9, 16)]
     scaled = [tuple(factor * part for part in drawn[1]) for factor in (0.02, 50.0)]
     given = [*drawn, *scaled, _three_apart(rng), *few]
     given.append(_case(rng, 7, 1, "slight", [by_coordinates]))

@@ -107,6 +107,14 @@ def _moved(rng, T_target, q0, q_target):
     return T_W0 @ T, q0
 
 
+def _two_starts_that_solve(rng):
+    """Return a target twice, each time with another start that reaches it already."""
+    T, q = _moved(rng, flange(READY), READY, READY)
+    still = np.linalg.svd(PANDA.body_jacobian(q))[2][-1]  # moves the joints, and not the flange
+    other = solved(T, q + 0.3 * np.sign(still[0]) * still)
+    return [(flange(other), q), (flange(other), other)]  # which other reaches to the last digit
+
+
 def _cases(rng):
     at_ready = flange(READY)
     # Who stops too early answers q0: by the larger half of the error, or by its largest number.
@@ -126,6 +134,7 @@ def _cases(rng):
     poses += [shifted, rotated, transform(at_ready[:3, :3], [3.0, 0.13, 0.6])]
     cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
     cases = cases[:4] + [_moved(rng, T, READY, READY) for T in poses] + cases[4:]
+    cases += _two_starts_that_solve(rng)
     return [*cases, (flange(_WHOLE + 0.05 * rng.choice([-1, 1], 7)), _WHOLE)]
 
 

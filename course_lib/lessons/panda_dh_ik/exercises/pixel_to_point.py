@@ -7,10 +7,10 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, SMALL, Sweep
-from course_lib.checks.vocabulary import any_pose, first_off
+from course_lib.checks.vocabulary import any_pose, away_from_zero, first_off
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.rigid import inverse, transform
-from course_lib.rotations import rot_x
+from course_lib.rotations import exp_so3, rot_x
 
 _K = np.array([[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]])  # with two focal lengths
 
@@ -36,6 +36,13 @@ def _on_the_axis(rng, size):
     K = _K * np.eye(3)
     T_wc = transform(rot_x(size), [size, -2 * size, 3 * size])
     return np.array([[580 * size, -610 * size]]), np.array([0.7]), K, T_wc
+
+
+def _nearly_down(rng, gap):
+    """Return pixels of a camera that hangs above the table, and looks nearly straight down."""
+    pixels, depths, K, _ = _drawn(rng, 2)
+    R = rot_x(np.pi) @ exp_so3(gap * away_from_zero(rng, 3))
+    return pixels, depths, K, transform(R, [0.3, 0.1, 1.4])
 
 
 def _rays(pixels, K):
@@ -74,6 +81,7 @@ EXERCISE = declared(
     sweeps=(
         Sweep("the number of pixels", _drawn, SIZES),
         Sweep("nearly on the camera's axis", _on_the_axis, SMALL),
+        Sweep("a camera that looks nearly straight down", _nearly_down, SMALL),
     ),
     hints=(
         "In two steps: the point in the camera's frame first, then the same point in the world's.",

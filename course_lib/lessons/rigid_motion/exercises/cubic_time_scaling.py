@@ -28,6 +28,8 @@ def _cases(rng):
         (0.5 * even, 0.5, 1.0, 1.0, 3.0, 3.0),
         (1, 4, 0, 1, 0, 0),
         (np.arange(5), 4, 0, 1, 0, 1),
+        (0.01 * even, 0.01, 0.0, 1.0, 30.0, -20.0),  # the shortest and the longest of the task
+        (100 * even, 100.0, 0.0, 1.0, 0.03, -0.02),
     ]
     drawn = []
     for T in rng.uniform([0.5, 3.6, 12], [0.8, 6, 20]).round(2).tolist():

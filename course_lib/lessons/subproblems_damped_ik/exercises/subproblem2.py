@@ -151,6 +151,11 @@ EXERCISE = Exercise(
             lambda rng, gap: _around(rng, 1 - gap, 1.0),
             (*JUST_WITHIN, 1e-9, 1e-10),
         ),
+        Sweep(
+            "the same with points as near to the origin as the task allows",
+            lambda rng, gap: _around(rng, 1 - gap, 1e-5),
+            (0.1, 1e-2, 1e-3, 1e-4),
+        ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
         shared.near_the_origin(lambda rng: _meeting(rng, 0.5, (0.7, -0.9), 1.0), 0, 0, 1, 1),
         Sweep("nearly parallel axes", _nearly_parallel, _BETWEEN_AXES),
