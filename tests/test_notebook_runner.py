@@ -3,9 +3,11 @@
 import base64
 import json
 import os
+import shutil
 import subprocess
 import sys
 from io import BytesIO
+from pathlib import Path
 
 import matplotlib.image
 import nbformat
@@ -145,6 +147,29 @@ def test_kernel_is_this_environment_without_the_users_settings(write, tmp_path, 
     )
     notebooks.refresh(path)
     assert outputs(path)[0].text.splitlines() == [sys.executable, str(path.parent), "False"]
+
+
+@pytest.mark.slow
+def test_nbval_runs_notebooks_without_the_users_settings(write, tmp_path, monkeypatch):
+    """As `pytest --nbval notebooks` does, beside whose notebooks the file conftest.py stands."""
+    startup = tmp_path / "home/.ipython/profile_default/startup"
+    startup.mkdir(parents=True)
+    (startup / "mine.py").write_text("mine = True")
+    (tmp_path / "home/.config/matplotlib").mkdir(parents=True)
+    (tmp_path / "home/.config/matplotlib/matplotlibrc").write_text("font.size: 30")
+    for name in ("IPYTHONDIR", "MPLCONFIGDIR", "XDG_CONFIG_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    folder = tmp_path / "course/notebooks"
+    folder.mkdir(parents=True)
+    shutil.copy(Path(__file__).parents[1] / "notebooks/conftest.py", folder)
+    code = "import matplotlib\nprint('mine' in dir(), matplotlib.rcParams['font.size'])"
+    cell = new_code_cell(code, execution_count=1)
+    cell.outputs = [new_output("stream", name="stdout", text="False 10.0\n")]
+    path = write(cell).rename(folder / "01_scratch.ipynb")
+    command = [sys.executable, "-m", "pytest", "--nbval", "--nbval-current-env", path]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert "1 passed" in run.stdout, run.stdout
 
 
 # ---- stills ----
