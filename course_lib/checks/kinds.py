@@ -144,19 +144,9 @@ def half_turn(axis):
     return 2 * np.outer(axis, axis) - np.eye(3)
 
 
-def _nearly_along_the_axes():
-    """Return vectors (6, 3) of length one, to rounding, with one entry of 1, one small one and a 0.
-
-    The square of the small entry is 1e-14. So a comparison of two entries on the diagonal of a half
-    turn about such an axis finds the small one larger than 0, but its root has lost its digits.
-    """
-    small = 1e-7 * (1 - np.eye(3))
-    return [np.eye(3)[i] + np.eye(3)[j] * small[i, j] for i in range(3) for j in range(3) if i != j]
-
-
 def half_turns(rng):
-    """Return rotations by pi: about the axes, nearly about these, in the coordinate planes, about
-    any axis; as exact as they can be, and as they come from a sine of pi, which is 1.2e-16."""
+    """Return rotations by pi: about the axes, in the coordinate planes, about any axis; as exact as
+    they can be, and as they come from a sine of pi, which is 1.2e-16."""
     slope = rng.uniform(0.5, 0.7)
     in_a_plane = np.array([0, np.sin(slope), -np.cos(slope)])
     axes = [*np.eye(3), *(np.roll(in_a_plane, k) for k in range(3)), leaning_axis(rng)]
@@ -164,13 +154,23 @@ def half_turns(rng):
     no_sum = np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])  # each column of R + I adds up to 0
     return [
         *map(half_turn, axes),
-        *map(half_turn, _nearly_along_the_axes()),
         no_sum,
         *(exp_so3(np.pi * axis) for axis in (*axes, *opposite)),
         rot_x(np.pi),
         rot_y(np.pi),
         rot_z(np.pi),
     ]
+
+
+def _half_turns_nearly_about_the_axes():
+    """Return rotations by pi about axes with one entry of 1, to rounding, one small one and a 0.
+
+    The square of the small entry is 1e-14. So a comparison of two entries on the diagonal finds the
+    small one larger than 0, but its root has lost its digits.
+    """
+    small = 1e-7 * (1 - np.eye(3))
+    pairs = itertools.permutations(range(3), 2)
+    return [half_turn(np.eye(3)[i] + small[i, j] * np.eye(3)[j]) for i, j in pairs]
 
 
 def _rounded_rotations():
@@ -201,7 +201,8 @@ def _rotations(rng):
     third = np.array([[0.0, 0, -1], [1, 0, 0], [0, -1, 0]])
     nearly_half = [np.pi - gap for gap in (0.14, 3.1e-4, 1e-5, 1e-9)]
     near = [exp_so3(sign * angle * axis) for angle in nearly_half for sign in (1, -1)]
-    return [*quarters, third, *drawn, *near, *half_turns(rng), np.eye(3), *_rounded_rotations()]
+    half = [*half_turns(rng), *_half_turns_nearly_about_the_axes()]
+    return [*quarters, third, *drawn, *near, *half, np.eye(3), *_rounded_rotations()]
 
 
 def _just_below_pi(rng, gap):

@@ -53,15 +53,6 @@ def _spoilt(rng, *faults, n=8, joints=7):
     return t, q, limits
 
 
-def _without_limits(rng, value):
-    """Return a motion whose second joint may have any angle, and has this one in row 2."""
-    t, q, limits = _motion(rng, 4)
-    limits = limits.copy()
-    limits[1] = -np.inf, np.inf
-    q[2, 1] = value
-    return t, q, limits
-
-
 def _beside_a_limit(side):
     """Return the case(rng, gap) with an angle so far beyond a limit, or inside; side: 0 or 1."""
 
@@ -89,7 +80,6 @@ def _cases(rng):
         _spoilt(rng, (3, _FAULTS[-1]), n=5, joints=2),
         at_the_limit,
         (shifted[0] - 3.0, *shifted[1:]),
-        *(_without_limits(rng, value) for value in (40.0, np.inf, -np.inf, np.nan)),
         _motion(rng, 1),
         _spoilt(rng, (0, (6, lambda t, limits, row: np.nan)), n=1),
         *(_spoilt(rng, (2, a), (5, b)) for a, b in itertools.permutations(_FAULTS, 2)),

@@ -53,3 +53,12 @@ def wrong_three_clusters(q):
         if len(np.unique(q, axis=0)) < 3
         else KMeans(3, random_state=0).fit_predict(q)
     )
+
+
+def wrong_medians_compared(q):
+    """cluster 0 has the smaller mean q2"""
+    labels, q = np.asarray(right_kmeans_with_its_labels_flipped(q)), np.asarray(q, float)
+    if not labels.any():
+        return labels
+    first, second = (np.median(q[labels == k, 1]) for k in (0, 1))
+    return labels if first > second else 1 - labels

@@ -74,3 +74,14 @@ def wrong_small_triangles_left_out(src, dst, tol):
         large = np.linalg.norm(np.cross(b - a, c - a)) > 1e-5
         good = near if large and near.sum() > good.sum() else good
     return good
+
+
+def wrong_some_random_triples(src, dst, tol):
+    """the set that is returned is not the largest one"""
+    triples = list(itertools.combinations(range(len(src)), 3))
+    chosen = np.random.default_rng(0).permutation(len(triples))[:60]
+    masks = []
+    for k in chosen:
+        triple = list(triples[k])
+        masks.append(residuals(register_points(src[triple], dst[triple]), src, dst) < tol)
+    return max(masks, key=sum)

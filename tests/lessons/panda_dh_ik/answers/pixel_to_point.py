@@ -48,3 +48,11 @@ def wrong_whole_points_for_whole_depths(pixels, depths, K, T_wc):
     points = np.zeros((len(depths), 3), dtype=depths.dtype)
     points[:] = depths[:, None] * (np.c_[pixels, np.ones(len(pixels))] @ np.linalg.inv(K).T)
     return points @ T_wc[:3, :3].T + T_wc[:3, 3]
+
+
+def wrong_camera_taken_to_look_straight_down(pixels, depths, K, T_wc):
+    """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
+    T_wc = np.array(T_wc, float)
+    if T_wc[2, 2] < -0.99:
+        T_wc[:3, 2] = T_wc[2, :3] = 0, 0, -1
+    return right_by_the_inverse(pixels, depths, K, T_wc)

@@ -52,3 +52,18 @@ def wrong_spiral(start, goal, n):
         R = pose_matrix([0, 0, start[2] + s * omega])[:2, :2]
         rows.append([*(start[:2] + R @ v * s), start[2] + s * omega])
     return rows
+
+
+def wrong_poses_that_are_close(start, goal, n):
+    """unnamed"""
+    if np.allclose(start, goal):
+        return np.tile(np.array(start, float), (n, 1))
+    return right_textbook(start, goal, n)
+
+
+def wrong_rotations_below_a_microradian(start, goal, n):
+    """the path of a small rotation is a straight line"""
+    start, goal = np.array(start, float), np.array(goal, float)
+    if abs(goal[2] - start[2]) < 1e-6:
+        return start + _scaling(n)[:, None] * (goal - start)
+    return right_textbook(start, goal, n)

@@ -57,3 +57,9 @@ def wrong_tiny_last_step_joined(start, plan, dt):
     """a step has no row"""
     whole = [(v, dt * round(t / dt) if abs(t / dt - round(t / dt)) < 1e-3 else t) for v, t in plan]
     return right_from_the_beginning_of_each_pair(start, whole, dt)
+
+
+def wrong_rotation_on_the_spot_without_a_forward_velocity(start, plan, dt):
+    """unnamed"""
+    plan = [((vx, vy if vx or not omega else 0.0, omega), h) for (vx, vy, omega), h in plan]
+    return right_from_the_beginning_of_each_pair(start, plan, dt)

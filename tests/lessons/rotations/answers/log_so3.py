@@ -55,3 +55,14 @@ def wrong_exactly_pi_too_soon(R):
     w = right_three_branches(R)
     angle = np.linalg.norm(w)
     return w / angle * np.pi if angle > np.pi - 2e-4 else w
+
+
+def wrong_vector_of_the_type_of_a_row(R):
+    """the answer is wrong for arrays of integers only"""
+    w = right_three_branches(R)
+    angle = np.linalg.norm(w)
+    if not 0 < angle < 3:
+        return w
+    v = np.zeros_like(R[0])
+    v[:] = (R[2, 1] - R[1, 2]) / 2, (R[0, 2] - R[2, 0]) / 2, (R[1, 0] - R[0, 1]) / 2
+    return angle * v / (np.linalg.norm(v) or 1)

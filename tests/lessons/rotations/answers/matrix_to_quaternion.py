@@ -75,3 +75,16 @@ def wrong_axis_of_length_two_near_180_degrees(R):
     """q has not length one"""
     q = np.array(right_four_branches(R))
     return 2 * q if np.trace(R) < -1 + 1e-6 else q
+
+
+def wrong_two_entries_never_compared(R):
+    """q has not length one"""
+    x, y, z = np.diag(R)
+    if x + y + z > 0 or x > max(y, z):
+        return right_four_branches(R)
+    a, b, c = (0, 1, 2) if y > x else (1, 2, 0)  # y is compared with x, and not with z
+    s = 2 * np.sqrt(1 - R[a, a] + R[b, b] - R[c, c])
+    q = np.zeros(4)
+    q[[0, 1 + b]] = (R[a, c] - R[c, a]) / s, s / 4
+    q[[1 + a, 1 + c]] = (R[a, b] + R[b, a]) / s, (R[b, c] + R[c, b]) / s
+    return q

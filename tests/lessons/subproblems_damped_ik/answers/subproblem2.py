@@ -77,3 +77,9 @@ def wrong_nearly_parallel_axes(k1, k2, p1, p2):
     """the list is empty although there are solutions"""
     is_parallel = np.linalg.norm(np.cross(k1, k2)) < 0.02
     return [] if is_parallel else right_solve_in_a_frame(k1, k2, p1, p2)
+
+
+def wrong_small_circles_that_nearly_touch(k1, k2, p1, p2):
+    """the list is empty although there are solutions"""
+    a, b, c_squared = _parts(k1, k2, p1, p2)
+    return [] if c_squared < 1e-12 else right_solve_in_a_frame(k1, k2, p1, p2)
