@@ -72,6 +72,15 @@ def _nearly_equal(sign):
     return Sweep("two rotations that are nearly equal", case)
 
 
+def _halfway(rng, gap):
+    """Return a case at t = 1/2, where the chord is shorter than at any other t."""
+    return (*_apart(rng, gap), 0.5)
+
+
+# Radians, around the angle from which on the chord is too short by more than the tolerance.
+_NEARLY_ON_THE_CHORD = tuple(np.geomspace(1e-4, 1e-3, 13).tolist())
+
+
 def _nearly_about_an_axis(rng, size):
     """Rotations nearly about x, with small entries, one of them by a small angle."""
     axis = np.array([1.0, *(size * rng.uniform(0.3, 0.9, 2))])
@@ -144,6 +153,7 @@ EXERCISE = declared(
     sweeps=(
         _nearly_equal(1),
         _nearly_equal(-1),
+        Sweep("the middle of two rotations that are nearly equal", _halfway, _NEARLY_ON_THE_CHORD),
         Sweep("quaternions with small entries", _nearly_about_an_axis, SMALL_NUMBERS),
     ),
     properties=(

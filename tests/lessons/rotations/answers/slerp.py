@@ -48,3 +48,12 @@ def wrong_longer_arc_with_q0_for_opposite_ones(q0, q1, t):
     if np.sin(a) < 1e-9:
         return q0
     return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
+
+
+def wrong_chord_of_nearly_length_one(q0, q1, t):
+    """the straight line is taken at angles where it differs from the arc"""
+    q1 = q1 if q0 @ q1 >= 0 else -q1
+    a = np.arccos(min(q0 @ q1, 1))
+    if a < 1.4e-4:
+        return (1 - t) * q0 + t * q1
+    return (np.sin((1 - t) * a) * q0 + np.sin(t * a) * q1) / np.sin(a)
