@@ -234,7 +234,7 @@ def add_stills(
 
 
 def _committed_stills(path: Path) -> dict[str, str]:
-    """Return the stills of a notebook as git has it, because JupyterLab saves toys without them."""
+    """Return the stills of a notebook as git has it: some programs save it without."""
     command = ["git", "show", f"HEAD:./{path.name}"]
     with contextlib.suppress(OSError, ValueError, LookupError):  # there is no git, or no notebook
         committed = subprocess.run(command, cwd=path.parent, capture_output=True).stdout
