@@ -10,11 +10,17 @@ from course_copy import ROOT, copied, made
 from grade_stand_in import TABLES
 from hostile.build import FULL, answers, book, cell
 
+from course_lib.checks.call_student import MAX_CALLS
+from course_lib.pack.grade import cluster
+from course_lib.pack.grade.__main__ import SECONDS_EACH
 from course_lib.pack.grade.hand_ins import collect
 from course_lib.pack.grade.hand_ins.roster import Roster, read_roster
+from course_lib.pack.grade.jail import runner
 from course_lib.pack.grade.jail.sandbox import Limits
+from course_lib.pack.grade.marks import alike
 from course_lib.pack.grade.marks.deadline import read_deadline
 from course_lib.pack.grade.marks.marks_table import read_marks
+from course_lib.pack.site.gather import NUMBERS
 
 GUIDE = ROOT / "course_lib/pack/README.md"
 TOO_LONG = ("make test",)  # it runs this very test
@@ -125,6 +131,26 @@ def test_its_limits_are_those_of_the_grader():
     submission = f"{limits.submission_cpu_seconds // 60} minutes for a submission"
     assert f"{answers}, {cells}, {submission}" in text
     assert f"at most {collect.MAX_GRADED} notebooks are graded" in text
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        f"A passage is {alike.PASSAGE} tokens",
+        f"a pair is listed from a score of {alike.MIN_SCORE}",
+        f"Code of more than {NUMBERS[alike.MAX_STUDENTS]} students",
+        f"more than {NUMBERS[alike.CPU_SECONDS // 3600]} hours of processor time or "
+        f"{alike.MEMORY // 10**9} GB",
+        f"no sign of life for {NUMBERS[cluster.MAX_SILENT // 60]} minutes",
+        f"returned {NUMBERS[cluster.MAX_BAD]} such results",
+        f"more than {collect.MAX_UNASKED} notebooks",
+        f"prints more than {runner.MAX_PRINTED // 10**6} million characters",
+        f"has {Limits().cpu_seconds} seconds and {MAX_CALLS:,} calls for each version",
+        f"With {SECONDS_EACH} seconds for a notebook, which the run assumes",
+    ],
+)
+def test_its_figures_are_those_of_the_code(sentence):
+    assert sentence in " ".join(GUIDE.read_text(encoding="utf-8").split())
 
 
 def test_the_tables_of_the_guide_are_read(tmp_path):

@@ -83,6 +83,7 @@ def test_its_core_takes_a_sitting_or_two_and_ends_with_a_summary(path):
     cells = [
         cell for cell, more in zip(notebook.cells, cells_of_more(notebook), strict=True) if not more
     ]
+    assert len(set(checks_of(path).EXERCISES) - set(checks_of(path).MORE)) <= 10
     hours = sittings(notebook)
     assert hours, 'name the hours of its sittings in its metadata, "course": {"sittings": [2, 2.5]}'
     assert duration(notebook) in cells[0].source
