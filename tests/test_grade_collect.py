@@ -152,10 +152,8 @@ def test_exported_names_are_read_if_the_platform_is_named(platform, exported, tm
     assert fitting_names == [platform], "so that the instructor is asked"
     for named in (platform, ""):
         (inner,) = find(tmp_path, NOTEBOOKS, named)
-        assert (
-            "export of a class: put its files directly into the folder of submissions"
-            in inner.refused
-        )
+        assert "export of a class: put its files directly into the folder" in inner.refused
+        assert f"SUBMISSIONS='{tmp_path / 'in'}'" in inner.refused
     write(tmp_path / "in", "Bo/01_rotations.ipynb")
     assert fitting(tmp_path / "in") == []
     assert {each.platform_id for each in find(tmp_path / "in", NOTEBOOKS)} == {""}

@@ -7,6 +7,7 @@ import io
 import os
 import re
 import shutil
+import sys
 from datetime import datetime
 from pathlib import Path
 
@@ -367,43 +368,59 @@ def test_every_platform_says_all_that_is_needed(platform):
 # ---- another platform ----
 
 
-def test_a_platform_added_by_the_guide_is_found_everywhere(tmp_path, monkeypatch, capsys):
-    """The guide's class for ILIAS, whose folders ilExSubmission::getDirectoryNameFromUserData
-    names."""
-    guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
-    (block,) = re.findall(r"```python\n(.*?class Ilias.*?)```", guide, re.DOTALL)
-    assert len(block.splitlines()) <= 25
-    (tmp_path / "more").mkdir()
-    (tmp_path / "more/ilias.py").write_text(block, encoding="utf-8")
-    monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path / "more")])
+@pytest.fixture
+def add_platform(tmp_path, monkeypatch):
+    """add_platform(name, text) saves the file of a platform where the others stand."""
+
+    def add(name, text):
+        (tmp_path / "more").mkdir()
+        (tmp_path / f"more/{name}.py").write_text(text, encoding="utf-8")
+        monkeypatch.delitem(sys.modules, f"{package.__name__}.{name}", raising=False)
+        monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path / "more")])
+        forget_platforms()
+
+    yield add
+    monkeypatch.undo()
+    forget_platforms()
+
+
+def forget_platforms():
     for cached in (platforms, _fields):
         cached.cache_clear()
     importlib.invalidate_caches()
-    try:
-        for name in ("Doe_Jane_jdoe_301", "Bo_Al_abo_302"):
-            hand_in(tmp_path / "in", f"{name}/01_rotations.ipynb", points=[2])
-        folders = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
-        assert main(folders, grade=grade) == 1
-        assert "as ILIAS exports them: add LMS=ilias" in capsys.readouterr().err
-        assert main([*folders, "--lms", "ilias"], grade=grade) == 0
-        table = rows((tmp_path / "out/ilias.csv").read_text("utf-8"))
-        assert [row[0] for row in table[1:]] == ["abo", "jdoe"]
-    finally:
-        monkeypatch.undo()
-        for cached in (platforms, _fields):
-            cached.cache_clear()
 
 
-def test_a_platform_that_cannot_be_loaded_is_named(tmp_path, monkeypatch, capsys):
-    (tmp_path / "more").mkdir()
-    (tmp_path / "more/broken.py").write_text("import no_such_module\n")
-    monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path / "more")])
-    platforms.cache_clear()
-    try:
-        assert main(["in"], grade=grade) == 1
-    finally:
-        monkeypatch.undo()
-        platforms.cache_clear()
+def guides_platform():
+    """Return the guide's class for ILIAS, whose folders
+    ilExSubmission::getDirectoryNameFromUserData names."""
+    guide = (ROOT / "course_lib/pack/README.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"```python\n(.*?class Ilias.*?)```", guide, re.DOTALL)
+    return block
+
+
+# An export may have one more folder around it, which the platform then names.
+@pytest.mark.parametrize("around", ["", "Course-101/"])
+def test_a_platform_added_by_the_guide_is_found_everywhere(tmp_path, capsys, add_platform, around):
+    block = guides_platform()
+    assert len(block.splitlines()) <= 25
+    if around:
+        line = "    files = False"
+        assert line in block
+        block = block.replace(line, f'    export_folder = re.compile(r"Course-\\d+")\n{line}')
+    add_platform("ilias", block)
+    for name in ("Doe_Jane_jdoe_301", "Bo_Al_abo_302"):
+        hand_in(tmp_path / "in", f"{around}{name}/01_rotations.ipynb", points=[2])
+    folders = [str(tmp_path / "in"), "--output", str(tmp_path / "out"), "--jobs", "1"]
+    assert main(folders, grade=grade) == 1
+    assert "as ILIAS exports them: add LMS=ilias" in capsys.readouterr().err
+    assert main([*folders, "--lms", "ilias"], grade=grade) == 0
+    table = rows((tmp_path / "out/ilias.csv").read_text("utf-8"))
+    assert [row[0] for row in table[1:]] == ["abo", "jdoe"]
+
+
+def test_a_platform_that_cannot_be_loaded_is_named(capsys, add_platform):
+    add_platform("broken", "import no_such_module\n")
+    assert main(["in"], grade=grade) == 1
     said = capsys.readouterr().err
     assert "The learning platform in broken.py cannot be loaded: ModuleNotFoundError" in said
 

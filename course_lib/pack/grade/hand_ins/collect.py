@@ -40,10 +40,7 @@ MAX_GRADED = 60  # notebooks of one student that are graded; there are six
 MAX_UNASKED = 20  # notebooks and links of one student that are taken for one student's
 MAX_LISTED = 200  # notebooks and links of one student that get a line of their own
 LINK = "It is a link to another file, and links are not followed."
-CLASS = (
-    "It looks like a learning platform's export of a class: put its files directly into the folder "
-    "of submissions."
-)
+CLASS = "It looks like a learning platform's export of a class:"
 
 
 @dataclass(frozen=True)
@@ -274,7 +271,8 @@ def _in_folder(
     if not students:
         inside = [path.relative_to(top) for path in files]
         if not known and is_of_a_class([str(path) for path in inside], platform):
-            return [whole.asked(CLASS)]
+            remedy = "put its files directly into the folder of submissions, or grade it alone by"
+            return [whole.asked(f"{CLASS} {remedy} SUBMISSIONS='{printable(top)}'.")]
         question = _question(whole, inside, notebooks, known)
         if question:
             return [whole.asked(question)]
@@ -375,9 +373,8 @@ def _in_zip(whole: Submission, notebooks: Sequence[str], students: str) -> list[
         return [replace(whole, refused=str(reason))]
     names = [zips.path_of(member) for member in members]
     if not students:
-        unpack = CLASS.replace("put its files directly", "unpack it")
         if not whole.in_folder and is_of_a_class(names, ""):
-            return [whole.asked(unpack)]
+            return [whole.asked(f"{CLASS} unpack it into the folder of submissions.")]
         known = whole.in_folder or bool(whole.platform_id or whole.who.known())
         if question := _question(whole, [Path(name) for name in names], notebooks, known):
             return [whole.asked(f"{question} A class must be unpacked first.")]

@@ -91,7 +91,8 @@ class Platform:
     vague : bool
         Whether its names are like any others, so that only whole folders of them say something.
     export_folder : re.Pattern or None
-        What the folder of an export is called, if that is certain.
+        What the folder around all hand-ins of an export is called, if no other folder is called so.
+        Hand-ins are looked for directly in such folders, too.
     carries_times : bool
         Whether its names or lists have the time of each hand-in.
     marks_late : bool
@@ -132,11 +133,24 @@ class Platform:
         exported."""
         return None
 
+    def is_export(self, path: Path) -> bool:
+        """Return whether a path is a folder around the hand-ins of an export."""
+        pattern = self.export_folder
+        return pattern is not None and bool(pattern.fullmatch(path.name)) and is_folder(path)
+
+    def entries_of(self, folder: Path) -> list[Path]:
+        """Return the files and folders directly in a folder, and those in exports in place of
+        these."""
+        outer = entries(folder)
+        exports = [path for path in outer if self.is_export(path)]
+        inner = [path for export in exports for path in entries_inside(export)]
+        return [path for path in outer if path not in exports] + inner
+
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
         """Return {file or folder: [a HandIn for each student whose it is]} of what it exported to a
         folder."""
         exported = {}
-        for path in entries(folder):
+        for path in self.entries_of(folder):
             if is_folder(path) and not self.folders:
                 continue
             if not is_folder(path) and not self.files:
@@ -147,10 +161,10 @@ class Platform:
         return exported
 
     def fits(self, folder: Path) -> bool:
-        """Return whether all notebooks, zips and folders directly in a folder may be its export."""
+        """Return whether all notebooks, zips and folders of a folder may be its export."""
         holders = [
             path
-            for path in entries(folder)
+            for path in self.entries_of(folder)
             if (is_folder(path) or ending_of(path.name) in READ) and not self.ignores(path)
         ]
         return bool(holders) and set(holders) <= self.hand_ins(folder).keys()

@@ -15,10 +15,8 @@ from course_lib.pack.grade.hand_ins.platforms.base import (
     Platform,
     entries,
     entries_inside,
-    is_folder,
 )
 
-EXPORT = re.compile(r"assignment_\d+_export")  # "Export Submissions"
 LIST = "submission_metadata.yml"
 
 
@@ -44,16 +42,12 @@ class Gradescope(Platform):
     )
     takes_tables = False
     asks = False
-    export_folder = EXPORT
+    export_folder = re.compile(r"assignment_\d+_export")  # "Export Submissions"
     carries_times = True
 
     def hand_ins(self, folder: Path) -> dict[Path, list[HandIn]]:
         exported = {}
-        places = [folder]
-        places += [
-            path for path in entries(folder) if is_folder(path) and EXPORT.fullmatch(path.name)
-        ]
-        for place in places:
+        for place in [folder, *filter(self.is_export, entries(folder))]:
             if place != folder:
                 exported |= {path: [] for path in entries_inside(place) if path.name != LIST}
             if (place / LIST).is_file():
@@ -62,7 +56,7 @@ class Gradescope(Platform):
         return {path: students for path, students in exported.items() if path.exists()}
 
     def ignores(self, path: Path) -> bool:
-        return path.name == LIST or (is_folder(path) and bool(EXPORT.fullmatch(path.name)))
+        return path.name == LIST or self.is_export(path)
 
 
 def _listed(path: Path) -> dict[str, list[HandIn]]:
