@@ -13,6 +13,12 @@ from course_lib.pack.cover import cover_of
 from course_lib.pack.site import HOME, ten_minutes
 from course_lib.pack.site.prepare import IMAGES, alternative, picture, show
 
+SHORT_TIMES = {
+    0.25: "a quarter of an hour",
+    0.5: "half an hour",
+    0.75: "three quarters of an hour",
+    1: "one hour",
+}
 NUMBERS = [
     "no",
     "one",
@@ -278,25 +284,29 @@ def sittings(book: NotebookNode) -> list[float]:
 
 
 def hours_in_words(hours: float) -> str:
-    """Return a number of hours as the texts write it.
+    """Return a number of hours, in quarters, as the texts write it.
 
     Examples
     --------
     >>> hours_in_words(2.5)
-    'two and a half'
+    'two and a half hours'
+    >>> hours_in_words(1)
+    'one hour'
     """
+    if hours in SHORT_TIMES:
+        return SHORT_TIMES[hours]
     whole = int(hours)
     parts = {0: "", 0.25: " and a quarter", 0.5: " and a half", 0.75: " and three quarters"}
-    return NUMBERS[whole] + parts[hours - whole]
+    return f"{NUMBERS[whole]}{parts[hours - whole]} hours"
 
 
 def duration(book: NotebookNode) -> str:
     """Return the words with which a notebook's first cell says how long its core takes."""
     words = [hours_in_words(hours) for hours in sittings(book)]
     if len(words) == 1:
-        return f"takes about {words[0]} hours"
+        return f"takes about {words[0]}"
     first, second = words
-    return f"takes two sittings, one of about {first} hours and one of about {second} hours"
+    return f"takes two sittings, one of about {first} and one of about {second}"
 
 
 def _cover(book, name: str, pages: Path) -> str:
