@@ -265,6 +265,14 @@ def test_a_cell_that_raises_is_named(write, capsys):
     assert "code cell 2 (x = 1) raised ZeroDivisionError: division by zero" in fails(path, capsys)
 
 
+def test_an_error_in_the_projects_code_is_located(write, capsys):
+    path = write(new_code_cell("from course_lib.planar import pose_matrix\npose_matrix([1, 2])"))
+    lines = fails(path, capsys).splitlines()
+    assert "raised ValueError: pose must" in lines[0]
+    files = [line.strip().partition(":")[0] for line in lines[1:-1]]
+    assert files == ["course_lib/planar.py", "course_lib/arguments.py"]
+
+
 def test_a_cell_that_ends_the_kernel_is_named(write, capsys):
     path = write(new_code_cell("import os\nos._exit(1)"))
     assert "code cell 1 (import os) ended its kernel" in fails(path, capsys)

@@ -133,6 +133,9 @@ def _short(text: str) -> str:
 
 # ---- run ----
 
+_COLOUR = re.compile(r"\x1b\[[\d;]*m")  # in a traceback of IPython
+_PLACE = re.compile(r"course_lib/\S+\.py:\d+")
+
 
 def run(notebook: nbformat.NotebookNode, path: Path) -> None:
     """Execute every cell in a new kernel of this environment, in the notebook's folder."""
@@ -190,9 +193,14 @@ def describe(number: int, cell: nbformat.NotebookNode) -> str:
 
 
 def reason(error: Exception) -> str:
-    """Return why a cell failed, to follow its description."""
+    """Return why a cell failed, to follow its description.
+
+    The lines of the project's code that led to an error follow, because it may be raised far below
+    the cell, such as where an exercise makes its cases.
+    """
     if isinstance(error, CellExecutionError):
-        return f"raised {error.ename}: {error.evalue}"
+        places = _PLACE.findall(_COLOUR.sub("", error.traceback))
+        return "\n  ".join([f"raised {error.ename}: {error.evalue}", *places])
     if isinstance(error, CellTimeoutError):
         return f"was not done after {CELL_TIMEOUT} s"
     return "ended its kernel"
