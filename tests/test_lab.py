@@ -298,6 +298,15 @@ def test_arrow_keys_move_the_target_and_not_to_another_cell(lab):
     )
 
 
+@pytest.mark.parametrize("control", ["input[type=range]", "button", "summary"])
+def test_shift_enter_in_a_toy_goes_on_to_the_next_cell(lab, control):
+    number = 1 if control == "summary" else 0
+    output(lab, number).locator(control).first.click()
+    lab.keyboard.press("Shift+Enter")
+    following = lab.locator(".jp-Notebook .jp-CodeCell").nth(number + 1)
+    expect(following).to_have_class(re.compile("jp-mod-active"))
+
+
 def test_a_wrong_forward_kinematics_is_seen_beside_the_librarys(lab):
     out = output(lab, 1)
     words = out.locator("p[role=status]")

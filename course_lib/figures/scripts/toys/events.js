@@ -30,9 +30,20 @@
     });
   };
 
-  /** Keep the keys that an input uses from JupyterLab, which would take them for commands. */
+  /** Whether JupyterLab runs the cell by this key, or saves the notebook. */
+  const runsOrSaves = ({ key, shiftKey, ctrlKey, metaKey }) => {
+    const isWithCtrl = ctrlKey || metaKey;
+    return (key === "Enter" && (shiftKey || isWithCtrl)) || (key === "s" && isWithCtrl);
+  };
+
+  /**
+   * Keep the keys that an input uses from JupyterLab, which would take them for commands. After a
+   * slider was moved, Shift+Enter goes on to the next cell all the same.
+   */
   P.keepKeys = (node) => {
-    node.addEventListener("keydown", (event) => event.stopPropagation());
+    node.addEventListener("keydown", (event) => {
+      if (!runsOrSaves(event)) event.stopPropagation();
+    });
   };
 
   P.onRelease = (node, act) => {
