@@ -137,8 +137,16 @@ def test_named_and_other_versions_add_up(kinds):
     missed = [f"that is {kind}" for kind in kinds]
     text = str(Misjudges([], missed, n_right=3, n_wrong=len(missed)))
     others = re.search(r"and (\d+) others?\)", text)
-    assert text.count("one that") + int(others[1] if others else 0) == len(missed)
+    more = re.findall(r", and (\d+) more of this kind", text)
+    named = text.count("one that") + sum(map(int, more))
+    assert named + int(others[1] if others else 0) == len(missed)
     assert text.count("; ") == text.count("one that") - 1 + bool(others)
+
+
+def test_two_versions_of_one_kind_are_no_other_kind():
+    kind = "that is wrong only at 180 degrees"
+    text = str(Misjudges([], [kind, kind], n_right=3, n_wrong=14))
+    assert f"2 of 14 wrong ones (one {kind}, and 1 more of this kind)" in text
 
 
 def test_a_test_with_asserts_refuses_by_raising():

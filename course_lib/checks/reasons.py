@@ -6,6 +6,7 @@ say the same whatever the numbers of the cases are: fields that differ with thes
 A reason on which nothing else depends may be a plain text.
 """
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
@@ -236,17 +237,23 @@ class Misjudges:
 def _listed(kinds):
     """Return the kinds of versions, in brackets, of more than four only three; without their names.
 
-    Several versions may be of one kind. Each that is not named is one of the others, so that the
-    numbers in a message add up.
+    Each kind stands there with the number of its versions, and the last number counts the versions
+    of all kinds that are not named, so that the numbers in a message add up.
     """
-    different = list(dict.fromkeys(kinds))
-    if not different:
+    counts = Counter(kinds)
+    if not counts:
         return ""
-    shown = different if len(different) <= MAX_KINDS else different[:3]
-    n_others = len(kinds) - len(shown)
-    noun = "other" if n_others == 1 else "others"
-    others = f"; and {n_others} {noun}" if n_others else ""
-    return f" (one {'; one '.join(shown)}{others})"
+    n_shown = len(counts) if len(counts) <= MAX_KINDS else 3
+    shown = list(counts.items())[:n_shown]
+    parts = [f"one {kind}{_and_more(count - 1)}" for kind, count in shown]
+    n_others = len(kinds) - sum(count for _, count in shown)
+    if n_others:
+        parts.append(f"and {n_others} {'other' if n_others == 1 else 'others'}")
+    return f" ({'; '.join(parts)})"
+
+
+def _and_more(count):
+    return f", and {count} more of this kind" if count else ""
 
 
 @dataclass(frozen=True)
