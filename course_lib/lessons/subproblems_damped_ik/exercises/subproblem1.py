@@ -229,19 +229,30 @@ EXERCISE = Exercise(
 )
 
 
-@EXERCISE.mistake(
-    "the sign of the angle is lost",
+LOST_SIGN_HINT = (
     "Neither arccos nor the length of a cross product tells one direction of rotation from the "
-    "other: what does?",
+    "other: what does?"
 )
+
+
+@EXERCISE.mistake("the sign of the angle is lost", LOST_SIGN_HINT)
 def sign_lost(k, p, g):
     return abs(angle_about(k, p, g))
 
 
 @EXERCISE.mistake(
+    "the sign of the angle is lost, and p and g are not projected onto the plane perpendicular to "
+    "the axis",
+    LOST_SIGN_HINT,
+)
+def sign_lost_and_not_projected(k, p, g):
+    return np.arctan2(np.linalg.norm(np.cross(p, g)), p @ g)
+
+
+@EXERCISE.mistake(
     "p and g are not projected onto the plane perpendicular to the axis",
     "Which part of a point does the rotation move?",
-    sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n), lambda k, n: np.linalg.norm(n)),
+    sine=(np.dot, lambda k, n: np.sign(k @ n) * np.linalg.norm(n)),
 )
 def not_projected(k, p, g, sine):
     return np.arctan2(sine(k, np.cross(p, g)), p @ g)
