@@ -201,6 +201,22 @@ def test_unprintable_characters_of_names_are_escaped(tmp_path):
     assert found(tmp_path) == [("a\\xff", "01_rotations")]
 
 
+@pytest.mark.parametrize("space", ["\u00a0", "\u202f", "\u2009", "\u3000"])
+def test_every_space_in_a_name_is_one(tmp_path, space):
+    """Since version 72, ICU writes a narrow no-break space before PM."""
+    for who in ("Al Bo", "Jane Doe"):
+        folder = f"39706{len(who)}-25 - {who} - Nov 30, 2026 605 PM".replace(" ", space)
+        write(tmp_path, f"{folder}/01_rotations.ipynb")
+    submissions = find(tmp_path, NOTEBOOKS, "brightspace")
+    assert [each.student for each in submissions] == ["Al Bo", "Jane Doe"]
+    assert all(each.timed for each in submissions)
+
+
+def test_two_folders_that_differ_in_a_space_are_one_students(tmp_path):
+    write(tmp_path, "Al Bo/01_rotations.ipynb", "Al\u00a0Bo/02_rigid_motion.ipynb")
+    assert found(tmp_path) == [("Al Bo", "01_rotations"), ("Al Bo", "02_rigid_motion")]
+
+
 # ---- what platforms and programs export ----
 
 GRADESCOPE = """---

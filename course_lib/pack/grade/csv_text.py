@@ -180,7 +180,9 @@ def printable(name: str) -> str:
         name = os.fsencode(str(name)).decode("utf-8", "backslashreplace")
     except UnicodeEncodeError:  # a name from a zip, with letters that this locale does not have
         name = str(name)
-    text = unicodedata.normalize("NFC", name)
+    # Some programs write a no-break space before PM, and keyboards of Macs write one by Alt.
+    text = "".join(" " if unicodedata.category(c) == "Zs" else c for c in name)
+    text = unicodedata.normalize("NFC", text)
     return "".join(c if c.isprintable() or c in JOINERS else f"\\x{ord(c):02x}" for c in text)
 
 
