@@ -65,25 +65,24 @@ def judge(exercise, function, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     return judged(exercise, function, cases, asked, reply)
 
 
-def review(exercise, function, secret_seeds=()):
-    """Return the Verdict on the notebook's sets of cases, and then on those of secret seeds.
+def review(exercise, function):
+    """Return the Verdict on the notebook's sets of cases.
 
-    The first set that is not answered rightly decides. So an answer that the notebook refuses gets
-    the same verdict, with the same credit, in grading, whatever the secret seed is.
+    The first set that is not answered rightly decides. Grading asks the same sets, and then one of
+    a secret seed (judging.ask_and_judge). So an answer that the notebook refuses gets the same
+    verdict there, with the same credit, whatever the secret seed is.
 
     Parameters
     ----------
     exercise : Exercise
     function : object
         As of `judge`.
-    secret_seeds : iterable of int, optional
-        None in the notebook.
 
     Returns
     -------
     Verdict
     """
-    first, *others = *exercise.public_seeds, *secret_seeds
+    first, *others = exercise.public_seeds
     verdict = judge(exercise, function, first)
     for seed in others:
         if verdict.state != RIGHT:
