@@ -9,10 +9,7 @@ from course_lib.checks.verdict import RIGHT
 from course_lib.pack.grade.jail.statements import needed, stubs_only
 from course_lib.pack.grade.verdicts.grading import Grading, Instead, Outcome
 from course_lib.pack.grade.verdicts.notebook_run import all_forbidden, run_and_ask
-
-# Words without which a function reads only names that it writes down.
-FINDS_NAMES = ("globals", "locals", "vars", "eval", "exec", "getattr", "import_", "importlib")
-FINDS_NAMES += ("sys", "gc", "inspect", "__dict__", "__main__", "get_ipython")
+from course_lib.pack.grade.verdicts.whole_run import only_by_names
 
 
 def ask_with_right_functions(grading: Grading, outcomes: dict[str, Outcome]) -> None:
@@ -52,9 +49,10 @@ def _may_call(grading: Grading, exercise: Exercise, others: Sequence[Exercise]) 
     """Return whether the cells that a function needs name another exercise at all, or find names by
     other ways than by writing them."""
     cells = {statement.cell for statement in needed(grading.statements, [exercise.name])}
-    text = "\n".join(grading.sources[cell] for cell in sorted(cells))
     names = [other.name for other in others if other is not exercise]
-    return any(name in text for name in (*names, *FINDS_NAMES))
+    if any(name in grading.sources[cell] for name in names for cell in cells):
+        return True
+    return not only_by_names(grading.sources[cell] for cell in cells - grading.given_cells)
 
 
 def _in_one_run_or_alone(
