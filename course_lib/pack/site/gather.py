@@ -306,6 +306,8 @@ def duration(book: NotebookNode) -> str:
     if len(words) == 1:
         return f"takes about {words[0]}"
     first, second = words
+    if first == second:
+        return f"takes two sittings of about {first} each"
     return f"takes two sittings, one of about {first} and one of about {second}"
 
 
