@@ -157,7 +157,19 @@ def _mistake_in_earlier_case(exercise, position, cases, answers):
     A known mistake in a simple case is more helpful than an error, or nan, in a later one.
     """
     before = exercise.verdict(cases[:position], answers[:position]) if position else None
-    return replace(before, credit=0) if before and before.mistake in exercise.mistakes else None
+    return replace(before, credit=0) if before and _is_of_exercise(exercise, before) else None
+
+
+def _is_of_exercise(exercise, verdict):
+    """Return whether a verdict's mistake is a known one, or one that a property sees in the
+    answer."""
+    if verdict.mistake in exercise.mistakes:
+        return True
+    if verdict.mistake is None or verdict.case is None:
+        return False
+    value = attempt(exercise.returns, verdict.answer, *verdict.case)
+    by_sight = (wanted.mistake for wanted in exercise.properties if callable(wanted.mistake))
+    return verdict.mistake in [attempt(see, value, *verdict.case) for see in by_sight]
 
 
 def _is_unchanged(exercise, cases, values):

@@ -37,3 +37,11 @@ def wrong_folded_too_early(tip):
         first = np.arctan2(tip[1], tip[0])
         return np.array([[first - np.pi / 2, np.pi], [first + np.pi / 2, -np.pi]])
     return right_law_of_cosines(tip)
+
+
+def wrong_one_first_angle_and_nan_beyond_the_reach(tip):
+    """the angle of the elbow is right, and the first one is not"""
+    x, y = tip
+    two = np.arccos((x * x + y * y - 2) / 2)
+    first = np.arctan2(y, x) - two / 2
+    return np.array([[first, two], [first, -two]])
