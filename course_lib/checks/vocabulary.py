@@ -119,6 +119,11 @@ _Q2 = Mistake(
     "Which cosine follows from the squared distance of the tip? From which angle to which angle "
     "does your inverse function go?",
 )
+_OTHER_SIDE = Mistake(
+    "the two angles of a row belong to different elbows",
+    "To which side of the line from the base to the tip does this first angle lead, and to which "
+    "side must the elbow then bend?",
+)
 _NONE = Mistake(
     "a position within reach has no answer",
     "What makes it nan: a range, a division, or a comparison?",
@@ -138,6 +143,10 @@ def other_bend(angles, tip):
     bend = np.abs(np.angle(np.exp(1j * angles[:, 1])))
     if (bend > np.pi - EXACT).all():
         return _FOLDED
+    leads_there = np.linalg.norm(two_link_tip(angles) - tip, axis=-1) < PREDICTED
+    bent_back = np.linalg.norm(two_link_tip(angles * [1, -1]) - tip, axis=-1) < PREDICTED
+    if (leads_there | bent_back).all():
+        return _OTHER_SIDE
     return (
         _Q1
         if angle_gap(np.abs(angles[:, 1]), np.abs(two_link_angles(tip)[:, 1])) < PREDICTED

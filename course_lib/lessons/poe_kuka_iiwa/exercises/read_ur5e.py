@@ -48,7 +48,7 @@ def _direction_mistake(read):
         )
     return Mistake(
         "an axis does not have the direction of its arrow",
-        "Compare the row of the joint named below with its arrow in both views.",
+        "Compare the row of the joint named below with its arrow in each view.",
     )
 
 
