@@ -92,10 +92,27 @@ def _found(T, twist):
     return f"|omega| is {_angle(twist):.4g}. p should be " + both + "."
 
 
+_PART_ALONG = Mistake(
+    "the step of p along the axis is not the part of v along n",
+    "The step of p across the axis is right. Print the part of v along n: which direction and "
+    "which length does this vector have, and what becomes of it in p?",
+)
+
+
+def _p_across_is_right(T, twist):
+    """Return whether p differs from the right one by a step along the axis alone."""
+    off = T[COLUMN] - exp_se3(twist)[COLUMN]
+    n = twist[:3] / _angle(twist)
+    across = off - (n @ off) * n
+    return np.abs(across).max() <= 10 * EXACT * max(1.0, np.abs(twist[3:]).max())
+
+
 def _otherwise(T, twist):
     """Return the Mistake of a p that no known mistake explains: none if p is nearly right."""
     if _off(T, twist) <= 0.01 * np.abs(twist[3:]).max():
         return None
+    if not _is_across(twist) and _p_across_is_right(T, twist):
+        return _PART_ALONG
     return Mistake(
         "p is not where the origin arrives",
         "What does your formula give for twists along the same line, from a short omega to the one "
@@ -122,11 +139,16 @@ def _students_angle(twist):
     return a
 
 
-def _number_for_the_part_along_n(twist):
-    a, v = _students_angle(twist), twist[3:]
-    n = twist[:3] / a
-    part = n @ v
-    return part + (np.sin(a) * (v - part) + (1 - np.cos(a)) * np.cross(n, v)) / a
+def _with_part(part_of):
+    """Return p with part_of(n, v) for the part of v along n."""
+
+    def answer(twist):
+        a, v = _students_angle(twist), twist[3:]
+        n = twist[:3] / a
+        part = part_of(n, v)
+        return part + (np.sin(a) * (v - part) + (1 - np.cos(a)) * np.cross(n, v)) / a
+
+    return answer
 
 
 def _wrapped(wrap):
@@ -194,13 +216,21 @@ EXERCISE = declared(
         Mistake(
             "the number n @ v stands for the part of v along n",
             "Which vector along n has this length?",
-            _number_for_the_part_along_n,
+            _with_part(lambda n, v: n @ v),
+            part=COLUMN,
+        ),
+        Mistake(
+            "the part of v along n does not have the direction of n",
+            "Which vector gives this part its direction, and which number gives it its length?",
+            _with_part(lambda n, v: (n @ v) * v),
+            _with_part(lambda n, v: n * v),
             part=COLUMN,
         ),
         Mistake(
             "the part of v along n is bent into the arc as well",
             "Which part of v moves the origin straight along the axis?",
             _p(bent=lambda v, part: v),
+            _p(along=0, bent=lambda v, part: v),
             part=COLUMN,
         ),
         Mistake(
