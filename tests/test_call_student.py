@@ -341,4 +341,6 @@ def test_a_line_of_another_cell_is_said_to_be_there():
         exec(compile(source, f"<{name}>", "exec"), space)
         linecache.cache[f"<{name}>"] = (len(source), None, source.splitlines(True), f"<{name}>")
     text = describe(judge(NEAREST_SO, LocalFunction(space["nearest_so"])))
-    assert "Line 2 of the cell of helper, `return M.nothing`, raises AttributeError" in text
+    led_there = "which your line `return helper(M)` calls,"
+    wanted = f"Line 2 of the cell of helper, `return M.nothing`, {led_there} raises AttributeError"
+    assert wanted in text

@@ -66,8 +66,9 @@ def reply(
         answer are among "value" (what came back, see wire.py), "changed" (positions of the
         arguments changed in place), "change" (in words, of the first of these), "overwritten"
         (whether a later call has changed the result), "warning" (the text of the first one), and
-        "error" ({"type", "message", "line", "source", "cell"}; the line is one of the student's own
-        code, "cell" names the function in whose cell it stands, if not in this function's).
+        "error" ({"type", "message", "line", "source", "cell", "caller"}; the line is one of the
+        student's own code; if it does not stand in this function's cell, "cell" names the function
+        in whose cell it stands, and "caller" is the line of this function's cell that led there).
 
     Examples
     --------
@@ -168,10 +169,9 @@ def _answer(function, case, arguments, through, names):
         return error, None
 
 
-def _error(kind, message, line=None, source="", cell=""):
-    return {
-        "error": {"type": kind, "message": message, "line": line, "source": source, "cell": cell}
-    }
+def _error(kind, message, line=None, source="", cell="", caller=""):
+    where = {"line": line, "source": source, "cell": cell, "caller": caller}
+    return {"error": {"type": kind, "message": message, **where}}
 
 
 def _message_of(raised):
@@ -250,15 +250,15 @@ def _first_change(before, after, place=""):
 
 
 def _students_line(raised, function):
-    """Return (number, text, cell) of the last line that ran in the notebook, whose globals are the
-    function's.
+    """Return (number, text, cell, caller) of the last line that ran in the notebook, whose globals
+    are the function's.
 
     cell: the name of the function whose cell contains that line, or "" if it is the function's own
-    cell.
+    cell. caller: the text of the last line of the function's own cell, if that is another line.
     """
     written = written_function(function)
     own = written.__globals__ if written else None
-    number, source, cell, step = None, "", "", raised.__traceback__
+    number, source, cell, caller, step = None, "", "", "", raised.__traceback__
     while step is not None:
         code = step.tb_frame.f_code
         if step.tb_frame.f_globals is own:
@@ -266,10 +266,12 @@ def _students_line(raised, function):
                 step.tb_lineno,
                 linecache.getline(code.co_filename, step.tb_lineno).strip()[:200],
             )
-            elsewhere = code.co_filename != written.__code__.co_filename
-            cell = (cell if code.co_name.startswith("<") else code.co_name) if elsewhere else ""
+            if code.co_filename == written.__code__.co_filename:
+                cell, caller = "", source
+            elif not code.co_name.startswith("<"):
+                cell = code.co_name
         step = step.tb_next
-    return number, source, cell
+    return number, source, cell, caller if cell else ""
 
 
 class TimeUp(BaseException):

@@ -150,9 +150,10 @@ def explain_error(exercise, error):
     exercise : Exercise
     error : dict
         "type" and "message", the name of the exception's type and its text, which for TimeUp is the
-        bound that was reached; and, where they are known, "line", "source" and "cell": the number
-        and the text of the student's last line that ran, and the function whose cell holds it if
-        that is another one; and "seconds", the processor time that there was for all cases.
+        bound that was reached; and, where they are known, "line", "source", "cell" and "caller":
+        the number and the text of the student's last line that ran, the function whose cell holds
+        it if that is another one, and the line of the exercise's cell that led there; and
+        "seconds", the processor time that there was for all cases.
     """
     kind, message = error["type"], error["message"]
     call = f"{exercise.name}({', '.join(exercise.arguments)})"
@@ -186,7 +187,8 @@ def explain_error(exercise, error):
     if source.startswith("raise "):
         mistakes.append(_RAISED)
     mistake = mistakes[0] if mistakes else None
-    reason = Raised(call, kind, message, source, error.get("cell", ""), error.get("line", ""))
+    where = (error.get(part, "") for part in ("cell", "line", "caller"))
+    reason = Raised(call, kind, message, source, *where)
     # A function that was called with symbols was not given the numbers of the case.
     shows_case = not exercise.through
     return "error", reason, mistake, shows_case

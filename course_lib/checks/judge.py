@@ -150,7 +150,7 @@ def _checked_answer(answer, arguments, seconds):
     """Return an answer of call_student.reply with names in place of argument positions, and an
     error with the seconds that there were; raises for anything else."""
     if "error" in answer:
-        parts = ("type", "message", "line", "source", "cell")
+        parts = ("type", "message", "line", "source", "cell", "caller")
         error = {key: str(answer["error"].get(key) or "")[:300] for key in parts}
         return {"error": error | {"seconds": seconds}}
     changed = [arguments[int(position)] for position in answer["changed"]]

@@ -147,6 +147,8 @@ class Raised:
         The function in whose cell the line stands, "" if in the cell of the function itself.
     line : str
         The number of the line in its cell.
+    caller : str
+        The line of the function's own cell that led to a line of another cell; "" otherwise.
     """
 
     call: str
@@ -155,12 +157,15 @@ class Raised:
     source: str = ""
     cell: str = ""
     line: str = ""
+    caller: str = ""
 
     def __str__(self):
         where = f"Calling {self.call}"
         if self.source:
             cell = f"the cell of {self.cell}" if self.cell else "its cell"
             where = f"Line {self.line} of {cell}, `{self.source}`,"
+            if self.caller:
+                where += f" which your line `{self.caller}` calls,"
         return f"{where} raises {self.kind}" + (f": {self.message}" if self.message else "")
 
 

@@ -71,7 +71,9 @@ def _cut_texts(answer: dict, sources: tuple[str, ...]) -> None:
         kind = OTHER_TYPE
     if not _is_of_the_course(kind, message):
         message = first_words(message)
-    error |= {"type": kind, "message": message, "source": source}
+    caller = str(error.get("caller") or "")
+    caller = caller if caller in _lines(sources) else ""
+    error |= {"type": kind, "message": message, "source": source, "caller": caller}
     error["cell"] = cell if _is_written(cell, sources) else ""
 
 
