@@ -228,6 +228,11 @@ NOT_UNDERSTOOD = {
     "German": ("Vorname,Nachname,Matrikelnummer,E-Mail-Adresse", "ID number,Email address"),
     "Spanish": ("Nombre,Apellido(s),Número de ID,Dirección de correo", "ID number,Email address"),
     "Japanese": ("名,姓,IDナンバー,メールアドレス", "ID number,Email address"),
+    # TUMonline's list of participants.
+    "family name first": (
+        "FAMILY_NAME_OF_STUDENT,FIRST_NAME_OF_STUDENT,REGISTRATION_NUMBER,EMAIL_ADDRESS",
+        "Last name,First name,ID number,Email address",
+    ),
     "a column student": ("student,Vorname,Matrikelnummer,E-Mail-Adresse", "student,First name"),
 }
 

@@ -46,6 +46,11 @@ COMMON = {
     "Last name": "last",
     "Surname": "last",
 }
+# Words of a heading that say which part of a name a column holds, as FAMILY_NAME_OF_STUDENT does.
+PARTS = {
+    "First name": ("first name", "given name", "forename"),
+    "Last name": ("last name", "family name", "surname"),
+}
 MAX_NEAREST = 3  # names of the roster that are listed for one that has no line
 NEAR = 0.5  # of difflib's ratio, which is 1 for equal texts and near 0.3 for names of two people
 
@@ -170,10 +175,11 @@ def _not_understood(path: Path, lines: Sequence[Line]) -> str:
 
 
 def _suggested(lines: Sequence[Line]) -> list[str]:
-    """Return headings that are understood, by what the first filled cell of each column looks
-    like."""
+    """Return headings that are understood, by the words of each heading and what the first filled
+    cell of its column looks like."""
     suggested = []
-    names = iter(("First name", "Last name"))
+    parts = [_part_of_a_name(heading) for heading in lines[0].cells]
+    names = iter([name for name in PARTS if name not in parts])
     for column, heading in enumerate(lines[0].cells):
         cells = (line.cells[column] for line in lines[1:] if len(line.cells) > column)
         cell = next((cell.strip() for cell in cells if cell.strip()), "")
@@ -184,8 +190,13 @@ def _suggested(lines: Sequence[Line]) -> list[str]:
         elif any(sign.isdecimal() for sign in cell):
             suggested.append("ID number")
         else:
-            suggested.append(next(names, heading))
+            suggested.append(parts[column] or next(names, heading))
     return suggested
+
+
+def _part_of_a_name(heading: str) -> str:
+    text = " ".join(re.findall(r"[a-z]+", heading.casefold()))
+    return next((part for part, forms in PARTS.items() if any(form in text for form in forms)), "")
 
 
 def _refuse_rounded_numbers(path: Path, row: Row) -> None:
