@@ -15,8 +15,11 @@ import plotly.graph_objects as go
 import pytest
 from bs4 import BeautifulSoup
 from helpers import ALT, shown, unavailable
+from nbconvert.exporters import SlidesExporter
+from nbformat.v4 import new_markdown_cell, new_notebook
 from playwright.sync_api import expect
 from site_visits import SETTLED, Visit
+from traitlets.config import Config
 
 from course_lib.figures import charts, show
 from course_lib.figures.charts import ColourScale
@@ -392,6 +395,14 @@ def test_nbconvert_keeps_the_words_of_charts_and_plots(tmp_path):
     words = [image["alt"] for image in page.select(".jp-OutputArea-output img")]
     assert len(words) > 10
     assert not [alt for alt in words if "No description" in alt or len(alt) < 50]
+
+
+def test_slides_by_nbconvert_are_slides():
+    """The template that the course sets for pages would make slides a page, too."""
+    installed = ROOT / "course_lib/pack/installed/etc/jupyter/jupyter_nbconvert_config.json"
+    exporter = SlidesExporter(config=Config(json.loads(installed.read_text())))
+    page, _ = exporter.from_notebook_node(new_notebook(cells=[new_markdown_cell("# A title")]))
+    assert page.count("<section") == 2
 
 
 # ---- in a browser ----
