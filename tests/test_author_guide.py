@@ -96,9 +96,9 @@ def test_a_new_exercise_passes_the_commands_of_the_guide(course):
     ]
     notebook.cells[tasks.index(True) : tasks.index(True)] = cells()
     nbformat.write(notebook, path)
-    made(course, "notebooks", f"NOTEBOOKS=notebooks/{path.name}")
     said = made(course, "test", f"ONLY={EXERCISE}")
     assert re.search(rf"{EXERCISE} +\d+ +\d+", said), "the table of the wrong answers"
+    made(course, "notebooks", f"NOTEBOOKS=notebooks/{path.name}")
 
 
 def test_a_new_notebook_passes_the_commands_of_the_guide(course):
