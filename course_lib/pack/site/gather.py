@@ -97,7 +97,8 @@ python3 -m venv .venv
 .venv/bin/jupyter lab notebooks
 ```
 
-On Windows, in PowerShell or in the Command Prompt:
+On Windows, in PowerShell or in the Command Prompt, and in a folder with a short path such as
+`C:\\courses`, because Windows allows 260 characters in a path:
 
 ```powershell
 py -m venv .venv
