@@ -41,6 +41,7 @@ def _cases(rng):
     R_0, R_bi = any_rotation(rng), any_rotation(rng)
     return [
         (np.eye(3), _ROLL, 0.5, np.eye(3)),
+        (rot_z(np.pi / 2), _ROLL, 0.5, np.eye(3)),  # the body's x axis is not the world's
         (R_0, rng.normal(size=(4, 3)), 0.4, np.eye(3)),
         (np.eye(3), _ROLL, 0.5, rot_z(np.pi / 2)),
         (R_0, rng.normal(size=(6, 3)), 0.3, R_bi),
@@ -115,6 +116,7 @@ EXERCISE = declared(
             "with the sensor's axes along the body's (R_bi = I), each sample rotates the body "
             "about its own axes",
             lambda R, *case: near(R, _right(*case)),
+            says=_found,
             where=lambda R_0, log, dt, R_bi: np.array_equal(R_bi, np.eye(3)),
             points=1,
         ),
@@ -152,6 +154,7 @@ EXERCISE = declared(
             "A gyroscope is carried along: about whose axes does it report?",
             lambda R_0, log, dt, R_bi: _flown(R_0, dt * log @ R_bi.T, _fixed_axes),
             lambda R_0, log, dt, R_bi: _flown(R_0, dt * log, _fixed_axes),
+            lambda R_0, log, dt, R_bi: _flown(R_0, dt * log @ R_bi, _fixed_axes),
         ),
         Mistake(
             "the orientations are those of the sensor",

@@ -60,3 +60,11 @@ def wrong_second_order_for_slow_samples(R_0, log, dt, R_bi):
         factor = np.eye(3) + step + step @ step / 2 if is_slow else scipy.linalg.expm(step)
         orientations.append(orientations[-1] @ factor)
     return np.array(orientations)
+
+
+def wrong_fixed_axes_and_transposed_mounting(R_0, log, dt, R_bi):
+    """each step is made about the fixed axes"""
+    R = [R_0]
+    for omega in log:
+        R.append(exp_so3(R_bi.T @ omega * dt) @ R[-1])
+    return np.array(R)
