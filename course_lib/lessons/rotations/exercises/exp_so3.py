@@ -82,6 +82,12 @@ EXERCISE = declared(
             _formula(lambda a, N: np.sin(a) * N + (1 - np.cos(a)) * (N @ N + np.eye(3))),
         ),
         Mistake(
+            "the factor of [n]^2 is cos(a), and not 1 - cos(a)",
+            "Put a = 90 degrees and n = z into the formula: where does x go?",
+            _formula(lambda a, N: np.sin(a) * N + np.cos(a) * N @ N),
+            _formula(lambda a, N: np.sin(a) * N - np.cos(a) * N @ N),
+        ),
+        Mistake(
             "w is not divided by its length before [w] is formed",
             "Rodrigues' formula contains a unit axis n.",
             _undivided,
@@ -90,7 +96,7 @@ EXERCISE = declared(
         Mistake(
             "the series of the exponential is cut after some terms",
             "A few terms are enough for small angles only.",
-            *(lambda w, n=n: partial_sum(hat(w), n) for n in (2, 3, 4, 6, 11, 20, 30)),
+            *(lambda w, n=n: partial_sum(hat(w), n) for n in range(2, 31)),
         ),
         Mistake(
             "*, ** or np.exp works entry by entry",

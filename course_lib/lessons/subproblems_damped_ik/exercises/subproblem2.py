@@ -98,11 +98,12 @@ def _cases(rng):
 solutions = shared.exact_solutions(subproblem2)
 
 
-def pairs_by_the_text(k1, k2, p1, p2, power=2):
+def pairs_by_the_text(k1, k2, p1, p2, power=2, axes_are_perpendicular=False):
     """Return the pairs for z = a k1 + b k2 + c (k1 x k2): two, or none if c^2 is negative, however
     little, or if the points are not equally far from the origin.
 
     power: of the length of k1 x k2 by which c^2 is divided; 2 is right.
+    axes_are_perpendicular: whether |a k1 + b k2|^2 is taken for a^2 + b^2.
     """
     lengths = np.linalg.norm(p1), np.linalg.norm(p2)
     if abs(lengths[0] - lengths[1]) > EXACT * max(lengths):
@@ -110,7 +111,8 @@ def pairs_by_the_text(k1, k2, p1, p2, power=2):
     cosine, n = k1 @ k2, shared.cross(k1, k2)
     a, b = np.linalg.solve([[1, cosine], [cosine, 1]], [k1 @ p1, k2 @ p2])
     middle = a * k1 + b * k2
-    c_squared = (p1 @ p1 - middle @ middle) / np.linalg.norm(n) ** power
+    squared = a**2 + b**2 if axes_are_perpendicular else middle @ middle
+    c_squared = (p1 @ p1 - squared) / np.linalg.norm(n) ** power
     if c_squared <= 0:
         return []
     points = [middle + sign * np.sqrt(c_squared) * n for sign in (1, -1)]
@@ -210,3 +212,12 @@ def all_combinations(k1, k2, p1, p2):
 def c_of_perpendicular_axes(k1, k2, p1, p2, power):
     two(solutions, k1, k2, p1, p2)
     return pairs_by_the_text(k1, k2, p1, p2, power)
+
+
+@EXERCISE.mistake(
+    "|a k1 + b k2|^2 is taken for a^2 + b^2",
+    "That holds for perpendicular axes. Multiply (a k1 + b k2) . (a k1 + b k2) out: which term "
+    "does your sum leave out?",
+)
+def middle_of_perpendicular_axes(k1, k2, p1, p2):
+    return pairs_by_the_text(k1, k2, p1, p2, axes_are_perpendicular=True)

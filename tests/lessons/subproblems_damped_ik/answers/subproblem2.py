@@ -83,3 +83,10 @@ def wrong_small_circles_that_nearly_touch(k1, k2, p1, p2):
     """the list is empty although there are solutions"""
     a, b, c_squared = _parts(k1, k2, p1, p2)
     return [] if c_squared < 1e-12 else right_solve_in_a_frame(k1, k2, p1, p2)
+
+
+def wrong_without_the_mixed_term(k1, k2, p1, p2):
+    """|a k1 + b k2|^2 is taken for a^2 + b^2"""
+    a, b, _ = _parts(k1, k2, p1, p2)
+    c_squared = (p1 @ p1 - a**2 - b**2) / (1 - (k1 @ k2) ** 2)
+    return _through(a, b, math.sqrt(c_squared), k1, k2, p1, p2) if c_squared > 0 else []
