@@ -39,6 +39,11 @@ _READ_ONLY = Mistake(
     "array.",
 )
 _SHAPES = Mistake("two arrays are combined whose shapes do not fit", "Print the .shape of both.")
+_OTHER_PLACE = Mistake(
+    "an array is written into a place of another shape",
+    "Print the .shape of the array, and that of the place to the left of the equals sign. Which "
+    "axis of the array belongs to which axis of the place?",
+)
 _UNEVEN_PARTS = Mistake(
     "parts that differ in shape are put into one array",
     "np.array needs rows of equal length, and one number in each place. Which function puts a "
@@ -130,6 +135,7 @@ _KNOWN = (
         _OUTSIDE_THE_DOMAIN,
     ),
     ("ValueError", "read-only", _READ_ONLY),
+    ("ValueError", "could not broadcast input array", _OTHER_PLACE),
     (
         "ValueError",
         "matmul|could not be broadcast|must match exactly|same number of dim|for cross product",

@@ -129,6 +129,7 @@ EXERCISE = declared(
             "If the arm sags, which direction has the larger angle: the rigid arm's, or the "
             "measured one?",
             lambda q, xy: -_right(q, xy),
+            _fitted(gap=lambda q, xy: -_gap(q, xy), wrap=lambda gap: gap),
         ),
         Mistake(
             "a delta is off by a full revolution, or by several",

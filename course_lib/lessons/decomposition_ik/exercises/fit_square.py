@@ -6,6 +6,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.cells import quadratic_terms
@@ -54,12 +55,15 @@ def _columns(terms, q):
     return np.column_stack([terms, q[:, 1]])
 
 
+def _off(model, terms, q):
+    """Return how far each row is from the right one, (2,), by what both give at the samples."""
+    return np.abs(_columns(terms, q) @ (model - _right(terms, q)).T).max(0)
+
+
 def _misfits(model, terms, q):
-    """Return how far each row is from the right one, (2,), by what both give at the samples: as a
-    share of what rounding in A^T A does."""
-    A = _columns(terms, q)
-    off = np.abs(A @ (model - _right(terms, q)).T).max(0)
-    return off / max(1, _ROUNDING / EXACT * np.linalg.cond(A) ** 2)
+    """Return how far each row is off, (2,), as a share of what rounding in A^T A does."""
+    rounding = _ROUNDING / EXACT * np.linalg.cond(_columns(terms, q)) ** 2
+    return _off(model, terms, q) / max(1, rounding)
 
 
 def _distance(model, right, terms, q):
@@ -69,7 +73,9 @@ def _distance(model, right, terms, q):
 def _found(model, terms, q):
     j = 1 if _misfits(model, terms, q)[1] > EXACT else 0
     right = _right(terms, q)[j]
-    return f"Row {j} should be {format_tuple(right)}; yours is {format_tuple(model[j])}."
+    rows = f"Row {j} should be {format_tuple(right)}; yours is {format_tuple(model[j])}"
+    at_samples = off_by(_off(model, terms, q)[j])
+    return rows + ". Times the terms, your row is " + at_samples + " at one of the samples."
 
 
 _OTHER_ROW_0 = Mistake(
