@@ -40,7 +40,7 @@ def wrong_folded_too_early(tip):
 
 
 def wrong_one_first_angle_and_nan_beyond_the_reach(tip):
-    """the angle of the elbow is right, and the first one is not"""
+    """the two angles of a row belong to different elbows"""
     x, y = tip
     two = np.arccos((x * x + y * y - 2) / 2)
     first = np.arctan2(y, x) - two / 2
