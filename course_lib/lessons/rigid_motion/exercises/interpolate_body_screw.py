@@ -97,7 +97,15 @@ def _straight_if_small(start, goal, n):
     return shared.straight(start, shared.change(start, goal), shared.scaling(n))
 
 
-def _by_matrices(product, s=shared.cubic):
+def _by_arctan2(T):
+    return np.arctan2(T[:, 1, 0], T[:, 0, 0])
+
+
+def _by_arccos(T):
+    return np.arccos(np.clip(T[:, 0, 0], -1, 1))
+
+
+def _by_matrices(product, s=shared.cubic, angle=_by_arctan2):
     """Return the answer with the poses product(T_start, T_goal, move), where move(T) is exp(s(u)
     log(T)) for all u."""
 
@@ -106,9 +114,13 @@ def _by_matrices(product, s=shared.cubic):
             return exp_se2(np.multiply.outer(s(np.linspace(0, 1, n)), log_se2(T)))
 
         T = product(pose_matrix(start), pose_matrix(goal), move)
-        return np.column_stack([T[:, :2, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
+        return np.column_stack([T[:, :2, 2], angle(T)])
 
     return answer
+
+
+def _right_product(T0, T1, move):
+    return T0 @ move(inverse(T0) @ T1)
 
 
 _WRONG_PRODUCTS = (
@@ -170,5 +182,6 @@ EXERCISE = declared(
             "in the product?",
             *map(_by_matrices, _WRONG_PRODUCTS),
         ),
+        shared.lost_sign(_by_matrices(_right_product, angle=_by_arccos)),
     ),
 )

@@ -142,10 +142,15 @@ EXERCISE = declared(
             ),
         ),
         Mistake(
-            "arccos loses the sign of the angle",
-            "Which function uses both sine and cosine, so that the angle keeps its sign?",
-            _by(_right_step, lambda T, theta: np.arccos(min(1, T[0, 0]))),
+            "the twist is not multiplied by the time",
+            "A twist is a velocity, and the exponential takes it for one second. How long is the "
+            "step that is shown?",
+            _by(
+                lambda T, velocity, h: T @ exp_se2(velocity[[2, 0, 1]]),
+                lambda T, theta: np.arctan2(T[1, 0], T[0, 0]),
+            ),
         ),
+        shared.lost_sign(_by(_right_step, lambda T, theta: np.arccos(min(1, T[0, 0])))),
         *shared.step_mistakes(exact),
     ),
 )

@@ -133,6 +133,15 @@ def _leaves_the_shorter_arc(rows, start, goal):
     return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() > abs(angle) + 1e-6
 
 
+def lost_sign(*answers):
+    """Return the Mistake of these answers, whose angle is an arccos."""
+    return Mistake(
+        "arccos loses the sign of the angle",
+        "Which function uses both sine and cosine, so that the angle keeps its sign?",
+        *answers,
+    )
+
+
 _LONGER_ARC = Mistake(
     "the body takes the longer arc",
     "Between which bounds should the difference of two directions lie?",

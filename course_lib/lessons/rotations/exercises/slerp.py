@@ -33,6 +33,18 @@ def _along(q0, q1, t):
     return hamilton_product(q0, _power(hamilton_product(q0 * CONJUGATE, q1), t))
 
 
+def _one_arc_and_the_other_end(straight_below):
+    """The weights of the shorter arc with this very q1; the straight line below an angle."""
+
+    def answer(q0, q1, t):
+        angle = np.arccos(min(1, abs(q0 @ q1)))
+        if angle <= straight_below:
+            return (1 - t) * q0 + t * q1
+        return (np.sin((1 - t) * angle) * q0 + np.sin(t * angle) * q1) / np.sin(angle)
+
+    return answer
+
+
 def slerp(q0, q1, t):
     """Return the unit quaternion at the fraction t of the arc from q0 to q1 or -q1, whichever is
     nearer."""
@@ -185,6 +197,12 @@ EXERCISE = declared(
             "q1 and -q1 are the same rotation: which of them is nearer to q0?",
             _along,
             seen=_is_on_the_longer_arc,
+        ),
+        Mistake(
+            "the angle is that of the shorter arc, and q1 is at the end of the longer one",
+            "q1 and -q1 are the same rotation: which of them belongs to your angle, if q0 . q1 is "
+            "negative?",
+            *map(_one_arc_and_the_other_end, (0, 1e-6)),
         ),
         Mistake(
             "the quaternions are mixed on the straight line between them",

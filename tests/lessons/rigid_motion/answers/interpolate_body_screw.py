@@ -67,3 +67,12 @@ def wrong_rotations_below_a_microradian(start, goal, n):
     if abs(goal[2] - start[2]) < 1e-6:
         return start + _scaling(n)[:, None] * (goal - start)
     return right_textbook(start, goal, n)
+
+
+def wrong_angle_by_arccos(start, goal, n):
+    """arccos loses the sign of the angle"""
+    u = np.linspace(0, 1, n)
+    T_start, T_goal = pose_matrix(start), pose_matrix(goal)
+    twist = rigid.log_se2(rigid.inverse(T_start) @ T_goal)
+    poses = [T_start @ rigid.exp_se2(s * twist) for s in 3 * u**2 - 2 * u**3]
+    return [(T[0, 2], T[1, 2], np.arccos(np.clip(T[0, 0], -1, 1))) for T in poses]

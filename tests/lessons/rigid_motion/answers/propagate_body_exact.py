@@ -63,3 +63,13 @@ def wrong_rotation_on_the_spot_without_a_forward_velocity(start, plan, dt):
     """unnamed"""
     plan = [((vx, vy if vx or not omega else 0.0, omega), h) for (vx, vy, omega), h in plan]
     return right_from_the_beginning_of_each_pair(start, plan, dt)
+
+
+def wrong_one_second_each(start, plan, dt):
+    """the twist is not multiplied by the time"""
+    T, poses = planar.pose_matrix(start), [start]
+    for (vx, vy, omega), duration in plan:
+        for _ in range(math.ceil(duration / dt - 1e-6)):
+            T = T @ rigid.exp_se2(np.array([omega, vx, vy]))
+            poses.append([T[0, 2], T[1, 2], math.atan2(T[1, 0], T[0, 0])])
+    return np.array(poses)
