@@ -54,6 +54,10 @@ def _base_first(q):
     return np.array([shared.T_W0, *right[:6], right[-1]])
 
 
+def _base_first_and_no_flange(q):
+    return np.array([shared.T_W0, *shared.frames(q)[:7]])
+
+
 def _one_array(which):
     """Return the answer whose seven frames are all the pose `which`."""
     return lambda q: np.array([shared.frames(q)[which]] * 7 + [shared.frames(q)[-1]])
@@ -118,8 +122,9 @@ EXERCISE = declared(
         ),
         Mistake(
             "the first pose is that of the base, and the other frames follow one place later",
-            "Which frame does the task name as the first of the eight?",
+            "Which frame does the task name as the first of the eight, and which as the last?",
             _base_first,
+            _base_first_and_no_flange,
         ),
         Mistake(
             "one array stands in several places, so that its last change shows in all of them",

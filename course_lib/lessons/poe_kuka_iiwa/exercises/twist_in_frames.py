@@ -9,7 +9,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, TWIST
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
-from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, first_off, near
+from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, compared, first_off, near
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import WHOLE_HOME, at, nearly_identity
 from course_lib.rigid import adjoint, inverse, transform
 from course_lib.rotations import exp_so3
@@ -56,6 +56,14 @@ def _in_order(order):
     return lambda *case: _right(*case)[order]
 
 
+def _found(value, *case):
+    """Return which row is off: the third if it is, because the mistakes of this row are named."""
+    right = _right(*case)
+    if near(value[2], right[2]):
+        return first_off(value.T, right.T, "The {} row")
+    return "The third row should be " + compared(right[2], value[2]) + "."
+
+
 def _otherwise(value, *case):
     right = _right(*case)
     if not near(value[2], right[2]):
@@ -80,7 +88,7 @@ EXERCISE = declared(
     library=_right,
     says="the rows are the twist as the space frame sees it, V_s itself; as the end-effector sees "
     "it; and omega and the velocity of the end-effector's origin p along the base's axes",
-    found=lambda value, *case: first_off(value.T, _right(*case).T, "The {} row"),
+    found=_found,
     otherwise=_otherwise,
     sweeps=(Sweep("a small motion, nearly at the base", _small, SMALL),),
     hints=(
