@@ -59,45 +59,72 @@ def ask_and_judge(
     exercise = function.exercise
     if grading.is_out_of_time():
         return grading.not_graded(exercise)
-    first, *others = [seed] if seed is not None else _seeds(grading, exercise, times)
-    if exercise.name in grading.unwritten:
-        judgement = Judgement(first, Verdict(exercise, NOT_ATTEMPTED), known=True)
-    else:
-        judgement = judge_within_bounds(grading, function, first)
-    for other in others:
-        if (
-            judgement.verdict.state != RIGHT
-            or function.ended
-            or function.candidates
-            or grading.is_out_of_time()
-        ):
-            break
-        note = judgement.verdict.note
-        judgement = judge_within_bounds(grading, function, other)
-        judgement = replace(judgement, verdict=replace(judgement.verdict, note=note))
-    verdict = judgement.verdict
+    seeds = [seed] if seed is not None else _seeds(grading, exercise, times)
+    judgement = _judgement_of_sets(grading, function, seeds)
     if function.ended:
         verdict = Verdict(exercise, ERROR, function.ended)
         return Outcome(verdict, not function.too_slow, answered=False, called=function.called)
-    quotes = verdict.case is not None and verdict.state in (WRONG, ERROR)
-    if quotes and not judgement.known and not _is_answered_alike(grading, function, judgement):
-        again = judge_within_bounds(grading, function, judgement.seed).verdict
-        verdict = _without_what_varies(verdict, again)
-    for (cell, _), how in left_out.items():
-        is_missing = verdict.state == NOT_ATTEMPTED and exercise.name in grading.sources[cell]
-        if verdict.state == ERROR or is_missing:
-            reason = LeftOut(verdict.reason, how)
-            verdict, function.hindered = replace(verdict, state=ERROR, reason=reason), True
-            break
-    hindered = function.hindered and verdict.state != RIGHT
+    verdict = _certain_to_repeat(grading, function, judgement)
+    how = _how_a_needed_cell_was_left_out(grading, verdict, left_out)
+    if how is not None:
+        verdict = replace(verdict, state=ERROR, reason=LeftOut(verdict.reason, how))
+    hindered = function.hindered or how is not None
     return Outcome(
         verdict,
-        hindered,
+        hindered and verdict.state != RIGHT,
         is_test=function.candidates,
         at=at,
         called=function.called,
         too_late=function.too_late,
     )
+
+
+def _judgement_of_sets(
+    grading: Grading, function: SandboxedFunction, seeds: list[Seed]
+) -> Judgement:
+    """Return the Judgement of the first set of cases that is not answered rightly, or else of the
+    last one. Candidates are asked about one set."""
+    exercise = function.exercise
+    first, *others = seeds
+    if exercise.name in grading.unwritten:
+        return Judgement(first, Verdict(exercise, NOT_ATTEMPTED), known=True)
+    judgement = judge_within_bounds(grading, function, first)
+    note = judgement.verdict.note
+    for other in others:
+        is_wrong = judgement.verdict.state != RIGHT
+        if is_wrong or function.ended or function.candidates or grading.is_out_of_time():
+            break
+        judgement = judge_within_bounds(grading, function, other)
+        judgement = replace(judgement, verdict=replace(judgement.verdict, note=note))
+    return judgement
+
+
+def _certain_to_repeat(
+    grading: Grading, function: SandboxedFunction, judgement: Judgement
+) -> Verdict:
+    """Return the Verdict of a judgement, without what it quotes if that differs a second time."""
+    verdict = judgement.verdict
+    quotes = verdict.case is not None and verdict.state in (WRONG, ERROR)
+    if not quotes or judgement.known or _is_answered_alike(grading, function, judgement):
+        return verdict
+    again = judge_within_bounds(grading, function, judgement.seed).verdict
+    return _without_what_varies(verdict, again)
+
+
+def _how_a_needed_cell_was_left_out(
+    grading: Grading, verdict: Verdict, left_out: dict
+) -> str | None:
+    """Return why a cell was left out that may have prevented a better verdict; None if no such cell
+    was.
+
+    Any cell may be behind an error. Behind a function that is missing is one with its name.
+    """
+    name = verdict.exercise.name
+    for (cell, _), how in left_out.items():
+        is_missing = verdict.state == NOT_ATTEMPTED and name in grading.sources[cell]
+        if verdict.state == ERROR or is_missing:
+            return how
+    return None
 
 
 def _seeds(grading: Grading, exercise: Exercise, times: int = 0) -> list[Seed]:
