@@ -22,7 +22,7 @@ from course_lib.checks.wire import write
 # Below this an error of a thousandth comes near the rounding of numbers near 1.
 _SMALLEST = 0.99e-12
 _MAX_REMEMBERED = 2000  # right answers of an exercise: those to a few sets of cases
-_NEARLY = 1000  # times the allowed error: an answer so near is told which error is allowed
+_NEARLY = 1000  # times the allowed error: an answer so near is told that the task allows an error
 
 
 def declared(
@@ -126,15 +126,11 @@ def declared(
         return "The right answer is " + compared(right, value) + "."
 
     def remark(value, *case):
-        """Return what was found and, where it is nearly right, which error is allowed."""
+        """Return what was found and, of a nearly right answer, where to find the error allowed."""
         finding = (found or in_words)(value, *case)
         right = right_answer(*case)
-        error, off = error_of(right, *case), distance(value, right, *case)
-        if off < _NEARLY * error:
-            # A distance may be stricter than entry by entry, which is how a student compares.
-            gap = difference(value, right)
-            error *= gap / off if 0 < gap < off else 1
-            finding += f" Here the error may be {error:.1g} at most."
+        if distance(value, right, *case) < _NEARLY * error_of(right, *case):
+            finding += " The task says how large the error may be."
         return finding
 
     return Exercise(

@@ -4,7 +4,7 @@ earned all the same."""
 from dataclasses import replace
 
 from course_lib.checks.answer_types import Unreadable
-from course_lib.checks.comparisons import attempt, predict, same
+from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.naming import Naming
@@ -102,7 +102,9 @@ def _wrong(exercise, wanted, cases, answers, values, failing):
     after = exercise.properties[exercise.properties.index(wanted) + 1 :]
     wrong = {*failing}.union(*(other.failing(cases, values) for other in after))
     naming = Naming(exercise, cases, values)
-    if naming.looks_right(failing[0]) and found.off_by is None:
+    # A distance of the exercise's own would contradict numbers that were found in another measure.
+    fits = exercise.distance is difference or not found
+    if naming.looks_right(failing[0]) and found.off_by is None and fits:
         gap = naming.gap(failing[0])
         found += Finding(f" Your answer is off by {gap:.1e}.", gap)
     mistake = _mistake(wanted, naming, failing, sorted(wrong))

@@ -26,6 +26,7 @@ from course_lib.checks.comparisons import (
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.wire import Seed
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
@@ -122,7 +123,9 @@ class Naming:
                 return known
         if wrong and all(map(self._is_given_again, wrong)):
             return KEPT_FOR_SIMILAR_INPUT
-        if attempt(first_otherwise, self.values, self.cases) in wrong:
+        # What draws random numbers may differ without keeping anything.
+        draws = any(isinstance(argument, Seed) for argument in self.cases[0])
+        if not draws and attempt(first_otherwise, self.values, self.cases) in wrong:
             return KEPT_FOR_THE_NEXT_CALL
         for known in () if self.has_few_values() else own:
             if self._explains(known, failing, wrong):

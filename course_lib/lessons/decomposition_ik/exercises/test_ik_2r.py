@@ -77,7 +77,8 @@ EXERCISE = WriteTest(
     refuses=Mistake(
         ALWAYS_FALSE.name,
         "A right version must pass. Its answer is NaN beyond 2 m: what do your comparisons give "
-        "for NaN? And by how much may a right answer be off?",
+        "for NaN? By how much may a right answer be off? Does your test ask only where the task "
+        "says which answer is right?",
     ),
     versions=(
         _right("that is as in the text", closed_form, example=True),

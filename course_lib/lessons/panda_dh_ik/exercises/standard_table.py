@@ -81,7 +81,8 @@ EXERCISE = declared(
     points=1,
     arguments={"table": _MODIFIED_TABLE},
     library=_converted,
-    says="for any joint angles, the standard steps multiply to the same pose as the modified ones",
+    says="the rows are those of the standard table of the same arm, whose steps multiply to the "
+    "same pose as the modified ones, for any joint angles",
     found=_found,
     hints=(
         "(X_0 Z_1)(X_1 Z_2)(X_2 Z_3) = X_0 (Z_1 X_1)(Z_2 X_2)(Z_3 X_3), where X_3 is the identity. "

@@ -53,3 +53,11 @@ def wrong_angles_from_a_generator_of_its_own(n, rng):
     V = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], axis=1)
     own = np.random.default_rng(1).random(n)
     return (2 * V[:, :, None] * V[:, None, :] - np.eye(3)) @ rot_z(2 * np.pi * own)
+
+
+def wrong_one_angle_from_numpys_global_generator(n, rng):
+    """the numbers do not come from rng"""
+    theta, phi = 2 * np.pi * rng.random(n), 2 * np.pi * np.random.random(n)
+    z = rng.random(n)
+    v = np.stack([np.cos(phi) * np.sqrt(z), np.sin(phi) * np.sqrt(z), np.sqrt(1 - z)], -1)
+    return (2 * v[:, :, None] * v[:, None, :] - np.eye(3)) @ rot_z(theta)
