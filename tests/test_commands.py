@@ -200,7 +200,7 @@ def test_ci_runs_the_tests_or_names_the_missing_packages(course, tmp_path, chrom
 
 
 def test_make_clean_leaves_the_environment(course):
-    (course / "notebooks/__pycache__").mkdir()
+    (course / "notebooks/__pycache__").mkdir(exist_ok=True)
     (course / "build/grades/results").mkdir(parents=True, exist_ok=True)
     for name in ("questions.csv", "seed", "totals.csv", "results/1.json"):
         (course / "build/grades" / name).write_text("1")
