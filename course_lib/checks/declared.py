@@ -96,6 +96,7 @@ def declared(
     kinds = tuple(arguments.values())
     makes_own_cases = any(kind.drawn is OWN_CASES.drawn for kind in kinds)
     usual = EXACT if tolerance is None else tolerance
+    is_stated = tolerance is not None or allowed is not None
 
     def all_cases(rng):
         own = cases(rng) if callable(cases) else list(cases)
@@ -126,10 +127,12 @@ def declared(
         return "The right answer is " + compared(right, value) + "."
 
     def remark(value, *case):
-        """Return what was found and, of a nearly right answer, where to find the error allowed."""
+        """Return what was found and, of a nearly right answer, that the task says which error is
+        allowed, if it does."""
         finding = (found or in_words)(value, *case)
         right = right_answer(*case)
-        if distance(value, right, *case) < _NEARLY * error_of(right, *case):
+        is_nearly_right = distance(value, right, *case) < _NEARLY * error_of(right, *case)
+        if is_stated and is_nearly_right:
             finding += " The task says how large the error may be."
         return finding
 
