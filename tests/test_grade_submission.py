@@ -399,7 +399,7 @@ def test_a_function_that_only_the_checks_have_answers_in_grading(solutions):
         "    return own_error(*arguments)\n"
     )
     result = grade(book(first, asks, inside), name, SEED)
-    assert states(result)["approximation_error"] == "right", messages(result)
+    assert states(result)["approximation_error"] == "right", messages(result)["approximation_error"]
 
 
 OWN_MODULES = {
