@@ -7,6 +7,7 @@ from course_lib.checks import kinds
 from course_lib.checks.declared import declared
 from course_lib.checks.judge import LocalFunction, review
 from course_lib.checks.kinds import Kind, cases_of, sweeps_of
+from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.checks.wire import write
@@ -74,6 +75,19 @@ TWICE = twice(scale=lambda w: np.linalg.norm(w))
 def test_the_library_s_answer_is_right_and_a_mistake_is_named():
     assert review(TWICE, LocalFunction(lambda w: w + w)).state == RIGHT
     assert review(TWICE, LocalFunction(lambda w: 0.5 * w)).mistake.name == "w is halved"
+
+
+@pytest.mark.parametrize("stated", [{"tolerance": 1e-9}, {"allowed": lambda w: 1e-9}, {}])
+def test_a_message_refers_to_a_bound_of_the_task_only_if_it_has_one(stated):
+    text = describe(review(twice(**stated), LocalFunction(lambda w: 2 * w + 1e-8)))
+    assert ("The task says how large the error may be." in text) == bool(stated)
+
+
+def test_a_distance_in_another_measure_is_not_put_beside_numbers():
+    nearly = LocalFunction(lambda w: 2 * w + 1e-5)
+    half_as_far = twice(distance=lambda value, right, w: np.abs(value - right).max() / 2)
+    assert "Your answer is off by 1.0e-05." in describe(review(twice(), nearly))
+    assert "off by" not in describe(review(half_as_far, nearly))
 
 
 def test_a_small_argument_counts_where_its_scale_is_given():
