@@ -11,7 +11,6 @@ import functools
 import importlib.resources
 import importlib.util
 import marshal
-from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from course_lib.checks.exercise import Exercise
@@ -130,13 +129,14 @@ def ask_library(text):
 '''
 
 
+@functools.cache
 def contents(
-    checks: Mapping[str, Iterable[Exercise]], forbidden: Iterable[str]
+    checks: tuple[tuple[str, tuple[Exercise, ...]], ...], forbidden: frozenset[str]
 ) -> dict[str, bytes]:
     """Return the files of a sandbox as {path: bytes}.
 
-    checks: {name of a package of checks: its exercises}. forbidden: dotted names of functions that
-    are taken away.
+    checks: the names of the packages of checks, each with its exercises. forbidden: dotted names of
+    functions that are taken away.
     """
     own = Path(__file__).parent
     files = {name: (own / name).read_bytes() for name in SCRIPTS}
@@ -149,7 +149,7 @@ def contents(
     files |= {
         f"course_lib/checks/{name}": (PACKAGE / "checks" / name).read_bytes() for name in ASKING
     }
-    asked = {exercise.name for exercises in checks.values() for exercise in exercises}
+    asked = {exercise.name for _, exercises in checks for exercise in exercises}
     quiet = QUIET.format(library={}).encode()
     lessons = PACKAGE / "lessons"
     drawing = [path for path in lessons.glob("*/*.py") if path.stem in DRAWING]
@@ -166,7 +166,7 @@ def contents(
         module = ".".join(("course_lib", *place.with_suffix("").parts))
         dotted = frozenset(name for name in forbidden if name.startswith(f"{module}."))
         files[f"course_lib/{place.as_posix()}"] = without(path, dotted)
-    for package, exercises in checks.items():
+    for package, exercises in checks:
         library = {
             exercise.name: (library_name(exercise.library), exercise.arguments)
             for exercise in exercises

@@ -184,12 +184,10 @@ def all_forbidden(exercises: Iterable[Exercise]) -> frozenset[str]:
     return frozenset(name for exercise in exercises for name in exercise.forbidden)
 
 
-@functools.cache
 def sandbox_files(forbidden: frozenset[str]) -> dict[str, bytes]:
     """Return the content of a sandbox without these functions of the library."""
-    return contents(
-        {course.package: course.exercises for course in notebook_file.courses().values()}, forbidden
-    )
+    courses = notebook_file.courses().values()
+    return contents(tuple((course.package, course.exercises) for course in courses), forbidden)
 
 
 # ---- tests, which are asked about each candidate apart ----
