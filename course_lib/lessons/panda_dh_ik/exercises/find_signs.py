@@ -88,6 +88,10 @@ def _squares(differences):
     return (differences**2).sum((1, 2, 3))
 
 
+def _absolute(differences):
+    return np.abs(differences).sum((1, 2, 3))
+
+
 def _with_signs(part, size):
     """Return the answer that adds up a part of the differences with their signs."""
 
@@ -138,7 +142,7 @@ _IN_THE_WORLD = tuple(
         lambda ends, poses: ends - T_W0 @ poses,
         lambda ends, poses: ends - inverse(T_W0) @ poses,
     )
-    for size in (_largest, _squares)
+    for size in (_largest, _squares, _absolute)
 )
 
 
@@ -161,20 +165,23 @@ def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small
 
     The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong
     answers to the case. reversed_joints: how many joints have the opposite sign, or None for any
-    number but all. small: whether all angles are small, so that all patterns are close.
+    number but all. small: whether all angles are small, so that all patterns are close, and the
+    links so long that the positions differ by more than the orientations.
     """
     least = 0.02 if small else 0.2  # of the difference of the second best pattern
     while True:
         table = np.round(rng.uniform(0.2, 0.8, (n, 3)), 2)
         table[:, 1] = rng.choice([-1, 1], n) * np.round(rng.uniform(0.6, 1.5, n), 2)
         table[-1, :2] = 0
+        if small:
+            table[:, [0, 2]] *= 5
         signs = rng.choice([-1, 1], n)
         signs[-1] = -1
         if reversed_joints is not None:
             signs = np.ones(n, int)
             signs[n - reversed_joints :] = -1
-        size = rng.uniform(0.1, 0.3, (2, n)) if small else rng.uniform(0.4, 1.4, (3, n))
-        q = np.round(size * rng.choice([-1, 1], size.shape), 2)
+        size = rng.uniform(0.03, 0.1, (2, n)) if small else rng.uniform(0.4, 1.4, (3, n))
+        q = np.round(size * rng.choice([-1, 1], size.shape), 3)
         if zero is not None:
             q[zero] = 0  # which fits any pattern
         poses = _ends(table, q, [signs])[0]

@@ -70,6 +70,15 @@ def _beside_the_time_before(rng, gap):
     return (t, q, limits) if t[1] != t[0] else None
 
 
+def _without_limits(rng, *faults):
+    """Return a motion with faults of an arm whose joint 4 turns without end."""
+    t, q, limits = _spoilt(rng, *faults)
+    endless = limits.copy()
+    endless[3] = -np.inf, np.inf
+    q[1, 3] = 50.0
+    return t, q, endless
+
+
 def _cases(rng):
     at_the_limit, shifted = _motion(rng, 4), _motion(rng, 5)
     at_the_limit[1][2], at_the_limit[1][3] = at_the_limit[2].T
@@ -79,6 +88,9 @@ def _cases(rng):
         *(_spoilt(rng, fault) for fault in _MORE),
         _spoilt(rng, (3, _FAULTS[-1]), n=5, joints=2),
         at_the_limit,
+        _without_limits(rng),
+        _without_limits(rng, (4, (3, lambda t, limits, row: np.inf))),
+        _without_limits(rng, (3, _FAULTS[-1])),
         (shifted[0] - 3.0, *shifted[1:]),
         _motion(rng, 1),
         _spoilt(rng, (0, (6, lambda t, limits, row: np.nan)), n=1),

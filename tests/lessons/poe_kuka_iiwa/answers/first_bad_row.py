@@ -28,9 +28,17 @@ def right_smallest_of_all(t, q, limits):
         for i in range(len(t))
         if not (limits[:, 0] <= q[i]).all() or not (q[i] <= limits[:, 1]).all()
     ]
-    rows += [i for i in range(len(t)) if not np.isfinite(t[i])]
+    rows += [i for i in range(len(t)) if not np.isfinite([t[i], *q[i]]).all()]
     rows += [i + 1 for i in np.flatnonzero(np.diff(t) <= 0)]
     return np.array([min(rows, default=-1)], float)
+
+
+def wrong_infinite_angle_within_infinite_limits(t, q, limits):
+    """unnamed"""
+    outside = ~((limits[:, 0] <= q) & (q <= limits[:, 1])).all(1)
+    late = np.append(False, ~(np.diff(t) > 0))
+    bad = outside | late | ~np.isfinite(t)
+    return int(np.argmax(bad)) if bad.any() else -1
 
 
 def wrong_first_time_compared_with_the_last(t, q, limits):
