@@ -12,9 +12,11 @@ from toy_exercises import DOUBLE, NEAREST_SO, TEST_LOG
 from course_lib import rotations
 from course_lib.checks import wire
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.declared import declared
 from course_lib.checks.examine import FORGOTTEN_RETURN, SHARED_RESULT
 from course_lib.checks.exercise import Property
 from course_lib.checks.judge import LocalFunction, judge, review
+from course_lib.checks.kinds import ANGLE
 from course_lib.checks.messages import describe
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.naming import KEPT_FOR_AN_ARRAY
@@ -75,6 +77,39 @@ def test_a_forged_reply_earns_nothing_and_stops_nothing(text):
     assert verdict.state in (WRONG, ERROR)
     assert verdict.points == 0
     assert len(describe(verdict)) < 2500
+
+
+# Half a revolution, of which rounding decides the sign
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_mistake_is_named_whichever_of_two_right_answers_rounding_takes(sign):
+    def direction(a):
+        return np.array([np.arctan2(np.sin(a), np.cos(a)), 1.0])
+
+    def in_degrees(a):
+        return direction(a) * [180 / np.pi, 1]
+
+    def distance(value, right, a):
+        turned = np.angle(np.exp(1j * (value[0] - right[0])))
+        return max(abs(turned), abs(value[1] - right[1]))
+
+    def with_the_other_sign_at_pi(a):
+        answer = in_degrees(a)
+        return answer * [sign, 1] if abs(answer[0]) > 179.999 else answer
+
+    exercise = declared(
+        "direction",
+        1,
+        {"a": ANGLE},
+        direction,
+        "the answer is the direction, and 1",
+        hints=(),
+        mistakes=(Mistake("degrees", "Which unit?", in_degrees),),
+        distance=distance,
+    )
+    verdict = judge(exercise, LocalFunction(with_the_other_sign_at_pi))
+    assert verdict.mistake.name == "degrees"
 
 
 # Find the bug

@@ -1,6 +1,8 @@
 """Find the name of a mistake: those of the exercise first, then those that are tried for every
 exercise."""
 
+import functools
+
 import numpy as np
 
 from course_lib.checks.common_mistakes import (
@@ -30,6 +32,8 @@ from course_lib.checks.wire import Seed
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
+_LAST_BITS = 1e-15
+_NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
 
@@ -379,6 +383,43 @@ class Naming:
     def _predicts(self, mistake, answer, position):
         """Return whether a variant predicts the answer to a case; None if it does not apply
         there."""
+        found = self._predicts_as_asked(mistake, answer, position)
+        if found is False:
+            return any(
+                naming._predicts_as_asked(mistake, answer, position)
+                for naming in self._namings_of_other_rights(position)
+            )
+        return found
+
+    def _namings_of_other_rights(self, position):
+        """Return the namings of nudged cases in which the library answers this case otherwise, and
+        rightly all the same.
+
+        A rotation by pi has two rotation vectors. Rounding decides which of them the library
+        returns, and so do a student and a mistake that begins with it.
+        """
+        right, case = self.right(position), self.cases[position]
+        if right is None or self.exercise.distance is difference:
+            return []
+        others = []
+        for naming in self._nudged:
+            other = naming.right(position)
+            if other is None or same(other, right):
+                continue
+            gap = attempt(self.exercise.distance, other, right, *case)
+            if gap is not None and gap <= _NUDGED:
+                others.append(naming)
+        return others
+
+    @functools.cached_property
+    def _nudged(self):
+        """The namings of the same answers to cases that differ in the last bits."""
+        return [
+            Naming(self.exercise, [_nudge(case, sign) for case in self.cases], self.values)
+            for sign in (1, -1)
+        ]
+
+    def _predicts_as_asked(self, mistake, answer, position):
         case, value = self.cases[position], self.values[position]
         predicted = self._predicted(answer, position)
         if predicted is None:
@@ -396,6 +437,20 @@ class Naming:
         if between <= rounding:
             return True if difference(value, predicted) <= rounding else None
         return same(value, predicted) and bool(difference(value, predicted) <= 0.1 * between)
+
+
+def _nudge(case, sign):
+    """Return a case whose numbers are larger or smaller by a few units in the last place."""
+    rng = np.random.default_rng(0)
+
+    def nudged(argument):
+        if not isinstance(argument, float) and not (
+            isinstance(argument, np.ndarray) and argument.dtype.kind == "f"
+        ):
+            return argument
+        return argument * (1 + sign * _LAST_BITS * rng.choice([-1, 1], np.shape(argument)))
+
+    return type(case)(map(nudged, case))
 
 
 def _are_similar(case, other):
