@@ -22,6 +22,17 @@ def test_an_adaptive_rule_needs_far_fewer_than_124_steps():
     assert mean_steps(adapting, damped_step) < 10
 
 
+def test_an_adaptive_rule_can_do_better_than_the_constants_that_the_notebook_names():
+    def adapting(k, before, after, alpha, eps):
+        if k == 0:
+            return 1.0, 0.6
+        return 1.0, eps / 20 if after < before else 4 * eps
+
+    scores = [mean_steps(lambda *tried, eps=eps: (1.0, eps), damped_step) for eps in (0.1, 0.003)]
+    assert [f"{score:.1f}" for score in scores] == ["7.0", "6.0"]
+    assert f"{mean_steps(adapting, damped_step):.1f}" == "5.7"
+
+
 def test_a_rule_hears_of_each_step():
     heard = []
 
