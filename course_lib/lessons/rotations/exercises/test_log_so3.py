@@ -25,6 +25,11 @@ def _by_quaternion(R):
     return 2 * np.arctan2(sine, q[0]) / sine * q[1:] if sine > 0 else np.zeros(3)
 
 
+def _closer_than(gap):
+    """Return whether(R): its angle is nearer to 180 degrees than the gap, in radians."""
+    return lambda R: _angle(R) > np.pi - gap
+
+
 def _if(where, otherwise):
     """Right but where where(R): there otherwise(w, R) is returned."""
 
@@ -61,6 +66,11 @@ _STRICT = Mistake(
     "At 180 degrees |w| may be 3.1415926535897936, which is > np.pi. By how much may an answer be "
     "off?",
 )
+_EXACT_ONLY = Mistake(
+    "your test rejects an answer whose error the task allows",
+    "By how much may the exponential of a correct answer differ from the matrix, and by how much "
+    "may the length of the answer exceed pi?",
+)
 
 EXERCISE = WriteTest(
     name="test_log_so3",
@@ -89,6 +99,18 @@ EXERCISE = WriteTest(
             right=True,
             mistake=_STRICT,
         ),
+        Version(
+            "that takes the other axis at 180 degrees",
+            _if(_closer_than(1e-7), lambda w, R: -w),
+            right=True,
+            mistake=_ONE_SIGN,
+        ),
+        Version(
+            "that is off by half of what is allowed",
+            lambda R: log_so3(R) * (1 + 1.5e-7),
+            right=True,
+            mistake=_EXACT_ONLY,
+        ),
         Version("that returns lists", lambda R: log_so3(R).tolist(), right=True),
         Version("whose sign is wrong", lambda R: -log_so3(R)),
         Version("that answers in degrees", lambda R: np.rad2deg(log_so3(R))),
@@ -106,6 +128,10 @@ EXERCISE = WriteTest(
             "that is wrong only near 180 degrees",
             _if(_nearly_half, lambda w, R: np.pi * w / _angle(R)),
         ),
+        Version(
+            "that is wrong only near 180 degrees",
+            _if(_closer_than(5e-4), lambda w, R: _longer(w)),
+        ),
         Version("that is wrong only at 180 degrees", _if(_half_turn, lambda w, R: np.zeros(3))),
         Version("that loses signs at 180 degrees", _if(_half_turn, lambda w, R: np.abs(w))),
         Version("that is wrong only at 180 degrees about some axes", _by_column(0)),
@@ -117,6 +143,10 @@ EXERCISE = WriteTest(
         Version(
             "that is wrong only for small angles",
             _if(lambda R: _angle(R) < 0.01, lambda w, R: np.zeros(3)),
+        ),
+        Version(
+            "that is wrong only for small angles",
+            _if(lambda R: _angle(R) < 1e-4, lambda w, R: np.zeros(3)),
         ),
     ),
     hints=(
