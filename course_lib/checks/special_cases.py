@@ -18,12 +18,11 @@ _MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
 _MAX_WHOLE_NUMBER = 1e6
 
-# From 0.3 down to the rounding of numbers near 1, four to a power of ten. The error of a formula
-# that is used too near to a special value grows with the distance from it, or with its square. So
-# an answer that passes between two neighbours is off by about twice the tolerance at most, or by
-# three times.
-_DIGITS = (5.6, 3.1, 1.8, 1)
-BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in _DIGITS)[1:]
+# From 0.3 down to the rounding of numbers near 1, four to a power of ten. Whoever changes formulas
+# near a special value does so at a round number, 1, 2, 3 or 5 times a power of ten, and the error
+# of the wrong formula is largest just inside it, whatever power of the distance it grows with.
+_DIGITS = (9.9, 4.9, 2.9, 1.9)
+BESIDE = tuple(float(f"{digit}e-{k}") for k in range(1, 17) for digit in _DIGITS)[2:]
 ON_BOTH_SIDES = tuple(sign * gap for gap in BESIDE for sign in (1, -1))
 # Sizes of numbers that somebody may take for 0, and whose loss shows in answers right to EXACT.
 SMALL = tuple(size for size in BESIDE if size > EXACT)

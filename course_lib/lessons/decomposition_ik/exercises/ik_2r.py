@@ -46,7 +46,7 @@ def _cases(rng):
         [0, 4, 1, 5, 6, 2, 7, 3]
     ]
     within = [np.round(r * _direction(a), 3) for r, a in zip(sizes, angles, strict=True)]
-    beyond = np.nextafter(2, 3)
+    beyond = 2 + 1e-14  # to rounding, on every processor
     edge = [[2.0, 0], [0, -2.0], [beyond, 0], [0, beyond], [-beyond, 0], [1.9999, 0.0]]
     edge += [2 * _direction(a) for a in rng.uniform(-3, 3, 6)]
     far = [[3.0, 0], [0, -2.5], [1.6, 1.6], [-2.001, 0]]

@@ -27,7 +27,8 @@ def right_known_answers(log_so3):
     axes = np.array([[2, -1, 2], [3, 0, 0], [0, 0, -3]]) / 3
     near = lambda x, y: np.abs(np.asarray(x) - y).max() < 1e-6
     ordinary = all(
-        near(log_so3(exp_so3(a * axes[0])), a * axes[0]) for a in (0.0, 5e-6, 0.005, 1.0, 2.5, 3.13, 3.1415)
+        near(log_so3(exp_so3(a * axes[0])), a * axes[0])
+        for a in (0.0, 5e-6, 0.005, 1.0, 2.5, 3.13, 3.1415)
     )
     half = [(log_so3(2 * np.outer(n, n) - np.eye(3)), np.pi * n) for n in axes]
     return bool(ordinary and all(near(answer, w) or near(answer, -w) for answer, w in half))
