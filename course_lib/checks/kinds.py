@@ -290,7 +290,10 @@ def _poses(rng):
     turned = [pose(rot(QUARTER), far) for rot in (rot_z, rot_x, rot_y)]
     distant = any_pose(rng)
     distant[:3, 3] *= 100
-    return [*turned, distant, pose(np.eye(3), far), pose(rot_z(QUARTER), 0 * far), np.eye(4)]
+    # Formulas by quaternions divide by 0 there, or by roll, pitch and yaw.
+    half = transform(half_turn(leaning_axis(rng)), away_from_zero(rng, 3))
+    upright = transform(rot_z(0.7) @ rot_y(-QUARTER) @ rot_x(0.4), away_from_zero(rng, 3))
+    return [*turned, distant, half, upright, pose(np.eye(3), far), pose(rot_z(QUARTER), 0 * far), np.eye(4)]
 
 
 def _near_identity(rng, size):

@@ -10,7 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course_lib.checks.comparisons import attempt
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.wire import write
 from course_lib.rotations import exp_so3, is_so
 
 _MAX_WHOLE = 4  # cases repeated with whole numbers in their arrays
@@ -120,6 +122,7 @@ def made_cases(cases, names, sweeps, angles, rng, small=(), free=()):
     swept = [case for sweep in sweeps for case in sweep.cases(rng)]
     whole = _different([_with_whole_numbers(case) for case in cases])[:_MAX_WHOLE]
     whole += _with_one_whole_argument(cases)
+    whole += _with_all_free_arguments_whole(cases, names, free)
     whole += _different([_with_integers(case) for case in cases])[:_MAX_WHOLE]
     negative_zeros = [_with_negative_zeros(case) for case in cases]
     several = []
@@ -156,12 +159,12 @@ def in_the_same_arrays(cases):
 
 def with_one_changed(cases, names, free):
     """Return for each free argument the last case, and then this case with that argument changed,
-    asked with the same arrays; or none if there is no array.
+    asked with the same arrays.
 
     A function that keeps a result for some of its arguments, and not for all, answers both alike.
     """
     last = cases[-1]
-    if len(last) < 2 or not any(isinstance(argument, np.ndarray) for argument in last):
+    if len(last) < 2:
         return []
     pairs = []
     for k in (names.index(name) for name in free):
@@ -172,8 +175,9 @@ def with_one_changed(cases, names, free):
 
 
 def _are_alike_but_differ(argument, other):
-    same_form = type(argument) is type(other) and np.shape(argument) == np.shape(other)
-    return same_form and not np.array_equal(argument, other)
+    if type(argument) is not type(other) or write([argument]) == write([other]):
+        return False
+    return attempt(np.shape, argument) == attempt(np.shape, other)  # None of a plan of pairs
 
 
 def _is_floats(argument):
@@ -226,6 +230,29 @@ def _with_one_whole_argument(cases):
     return [
         (*case[:k], np.rint(case[k]).astype(int), *case[k + 1 :]) for k, (_, case) in best.items()
     ]
+
+
+def _with_all_free_arguments_whole(cases, names, free):
+    """Return the last case with an array of integers for each free argument that holds whole
+    numbers in some case; or none.
+
+    An answer whose array has the common type of its arguments cuts off digits only then.
+    """
+    last = cases[-1]
+    changed = list(last)
+    for k in (names.index(name) for name in free):
+        whole = [
+            case[k]
+            for case in cases
+            if _is_whole(case[k]) and np.shape(case[k]) == np.shape(last[k])
+        ]
+        if whole:
+            changed[k] = np.rint(max(whole, key=lambda array: _variety((array,)))).astype(int)
+    return [tuple(changed)] if sum(map(_has_integers, changed)) > 1 else []
+
+
+def _has_integers(argument):
+    return isinstance(argument, np.ndarray) and argument.dtype.kind == "i"
 
 
 def _different(cases):

@@ -67,7 +67,7 @@ def _along_the_ray(pixels, depths, K, T_wc):
 EXERCISE = declared(
     "pixel_to_point",
     points=2,
-    arguments={"pixels": OWN_CASES, "depths": OWN_CASES, "K": OWN_CASES, "T_wc": OWN_CASES},
+    arguments=dict.fromkeys(("pixels", "depths", "K", "T_wc"), OWN_CASES.but(free=True)),
     cases=_cases,
     library=_right,
     says="T_wc takes each point to the world from the camera's frame, where its z is its depth, "

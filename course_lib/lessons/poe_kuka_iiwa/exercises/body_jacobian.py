@@ -53,7 +53,7 @@ EXERCISE = declared(
     "body_jacobian",
     points=3,
     arguments={
-        "screws": OWN_CASES,
+        "screws": OWN_CASES.but(free=True),
         "M": OWN_CASES.but(free=True),
         "q": OWN_CASES.but(angle=True, free=True),
     },

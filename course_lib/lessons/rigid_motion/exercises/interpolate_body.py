@@ -121,8 +121,8 @@ EXERCISE = declared(
     points=2,
     sets=2,
     arguments={
-        "start": OWN_CASES.but(small=True),
-        "goal": OWN_CASES.but(small=True),
+        "start": OWN_CASES.but(small=True, free=True),
+        "goal": OWN_CASES.but(small=True, free=True),
         "n": OWN_CASES.but(free=True),
     },
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),

@@ -136,8 +136,8 @@ EXERCISE = declared(
     points=2,
     sets=1,
     arguments={
-        "start": OWN_CASES.but(small=True),
-        "goal": OWN_CASES.but(small=True),
+        "start": OWN_CASES.but(small=True, free=True),
+        "goal": OWN_CASES.but(small=True, free=True),
         "n": OWN_CASES.but(free=True),
     },
     cases=_cases,

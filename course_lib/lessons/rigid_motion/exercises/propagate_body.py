@@ -15,7 +15,7 @@ from course_lib.planar import propagate_body
 
 ORIGIN = (0.0, 0.0, 0.0)
 AHEAD, LEFT, SPIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
-PLAN = {"start": OWN_CASES, "plan": OWN_CASES, "dt": OWN_CASES.but(free=True)}
+PLAN = dict.fromkeys(("start", "plan", "dt"), OWN_CASES.but(free=True))
 
 
 def read_poses(value, *case):
