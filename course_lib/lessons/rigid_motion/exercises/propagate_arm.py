@@ -40,7 +40,8 @@ def _cases(rng):
     ]
     start, plan, dt = drawn_case(rng, angles=2, lengths=0)
     several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
-    return [*simple, *sums, *several, *(drawn_case(rng, angles=2, lengths=0) for _ in range(4))]
+    drawn = [drawn_case(rng, angles=2, lengths=0) for _ in range(4)]
+    return [*simple, *sums, *several, *shared.plans(2), *drawn]
 
 
 def _step(angles, velocity, h):

@@ -66,14 +66,9 @@ def body_cases(rng):
         (1.1, 0.1),
         (2.1, 0.3),
     )  # a hair above or below a multiple
-    # A pair in which the body stands still has its rows, wherever it stands in the plan.
-    pause = [
-        ([1, 2, 3], [(ORIGIN, 0.5)], 0.25),
-        (np.array([1.0, 2.0, 0.5]), [(ORIGIN, 0.5), ((1.0, 0.0, 1.0), 0.5)], 0.25),
-        (np.array([1.0, 2.0, 0.5]), [((1.0, 0.5, 1.0), 0.5), (ORIGIN, 0.35)], 0.25),
-    ]
     sums = [(origin, [(AHEAD, duration)], dt) for duration, dt in rounding]
     several = [
+        ([1, 2, 3], [(ORIGIN, 0.5)], 0.25),
         (origin, [(AHEAD, 0.25), (LEFT, 0.1)], 0.1),
         (origin, [(SPIN, 0.25), (AHEAD, 0.25)], 0.1),
         ([-1.0, 2.0, 3.0], [(AHEAD, 0.5), ((1.0, 0.0, 2.0), 0.6), ((1.0, 0.0, -1.0), 0.45)], 0.25),
@@ -85,7 +80,7 @@ def body_cases(rng):
     ]
     start, plan, dt = drawn_case(rng)
     several.append((np.rint(start), plan, dt))  # whole numbers, and legs that end between them
-    return [*simple, *sums, *several, *pause, *(drawn_case(rng) for _ in range(4))]
+    return [*simple, *sums, *several, *shared.plans(3), *(drawn_case(rng) for _ in range(4))]
 
 
 def _nearly_a_multiple(rng, gap):

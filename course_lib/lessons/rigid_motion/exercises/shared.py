@@ -345,6 +345,25 @@ def first_wrong_step(right_rows, angles):
     return found
 
 
+def plans(columns):
+    """Return what every exercise on a plan asks, with so many columns in a row: a velocity that
+    occurs twice, a pause, and thirds of a second."""
+    start = np.array([1.0, -2.0, 0.5])[-columns:]
+    one, another = (0.5, -1.0, 2.0)[-columns:], (-2.0, 1.5, -1.0)[-columns:]
+    pause = (0.0,) * columns
+    each = [
+        ([(one, 0.6), (one, 0.6)], 0.25),  # side by side, and apart
+        ([(one, 0.6), (another, 0.5), (one, 0.6)], 0.25),
+        # Nothing moves in a pause, but it has its rows, wherever it stands in the plan.
+        ([(pause, 0.5)], 0.25),
+        ([(pause, 0.5), (one, 0.5)], 0.25),
+        ([(one, 0.5), (pause, 0.35)], 0.25),
+        ([(one, 1.0), (another, 0.5)], 1 / 3),
+        ([(one, 1 / 3), (another, 0.5)], 0.25),
+    ]
+    return [(start, plan, dt) for plan, dt in each]
+
+
 def slow_motions(columns):
     """Return the Sweep of a start near 0 and of slow motions, with so many columns in a row."""
 

@@ -43,3 +43,22 @@ def wrong_base_of_whole_numbers(start, plan, dt):
             rows.append(base + np.array(velocity) * elapsed)
         base[:] = rows[-1]
     return np.array(rows)
+
+
+def wrong_equal_velocities_joined(start, plan, dt):
+    """a step has no row"""
+    joined = []
+    for velocity, duration in plan:
+        if joined and joined[-1][0] == velocity:
+            duration += joined.pop()[1]
+        joined.append((velocity, duration))
+    return right_steps(start, joined, dt)
+
+
+def wrong_times_in_microseconds(start, plan, dt):
+    """unnamed"""
+    rows = [np.array(start, float)]
+    for velocity, duration in plan:
+        begin, times = rows[-1], np.append(np.arange(dt, duration - 1e-9, dt), duration)
+        rows += [begin + np.array(velocity) * elapsed for elapsed in np.round(times, 6)]
+    return np.array(rows)

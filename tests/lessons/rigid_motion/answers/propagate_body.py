@@ -95,3 +95,8 @@ def wrong_tiny_last_step_joined(start, plan, dt):
             theta = theta + omega * h
             poses.append([x, y, theta])
     return poses
+
+
+def wrong_each_velocity_once(start, plan, dt):
+    """a step has no row"""
+    return right_components(start, [*dict(plan).items()], dt)
