@@ -48,6 +48,7 @@ POSE = Kind(
         ("omega near pi", _beside_half, ON_BOTH_SIDES),
         ("omega near pi/2 or -pi/2", _beside_quarter, SMALL),
     ),
+    small=True,
 )
 
 
@@ -125,7 +126,8 @@ def _loses_digits(twist, T):
     -1."""
     angle = abs(_angle(T))
     special = 0 < angle < 1e-3 or 0 < np.pi - angle < 1e-3
-    return special and difference(twist, log_se2(T)) < 1e-2
+    right = log_se2(T)
+    return special and difference(twist, right) < 1e-2 * min(1, np.abs(right).max())
 
 
 def _same_twist(twist, predicted, T):

@@ -33,3 +33,9 @@ def wrong_cosine_from_1e_8_on(twist):
     w, vx, vy = twist
     a, b = (1.0, w / 2) if abs(w) < 1e-8 else (np.sin(w) / w, (1 - np.cos(w)) / w)
     return _pose(w, a * vx - b * vy, b * vx + a * vy)
+
+
+def wrong_slow_body_stands_still(twist):
+    """the position is not the integral of R(omega t) v"""
+    w, vx, vy = twist
+    return _pose(w, 0.0, 0.0) if np.allclose([vx, vy], 0) else right_half_angle(twist)

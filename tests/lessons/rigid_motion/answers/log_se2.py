@@ -40,3 +40,8 @@ def wrong_arcsin_with_the_sign_of_the_cosine(T):
     """unnamed"""
     omega = np.arcsin(np.clip(T[1, 0], -1, 1))
     return _twist(omega if T[0, 0] >= 0 else np.copysign(np.pi, omega) - omega, T)
+
+
+def wrong_nothing_near_the_identity(T):
+    """the answer is wrong where some numbers are small"""
+    return np.zeros(3) if np.allclose(T, np.eye(3)) else right_linear_system(T)
