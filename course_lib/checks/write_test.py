@@ -25,9 +25,9 @@ from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, WRONG, Verdic
 from course_lib.checks.wire import Candidate, from_json, to_json
 
 _MAX_CHARACTERS = 20_000  # in the arguments of one call, as JSON
-# Of answers that are kept, of at most so many characters. About twenty versions are called up to
-# 5,000 times each. Together they take about 50 MB.
-_MAX_KEPT = 110_000
+# Of answers that are kept, of at most so many characters. About twenty-five versions are called up
+# to 5,000 times each. Together they take about 60 MB.
+_MAX_KEPT = 130_000
 _MAX_KEPT_CHARACTERS = 1_000
 _ENDS_HERE = ("NotImplementedError", "NotPlain", "NotAllowed", "TimeUp", "KeyboardInterrupt")
 

@@ -21,6 +21,22 @@ def _one_revolution(angle):
     return angle - REVOLUTION * (angle > np.pi) + REVOLUTION * (angle < -np.pi)
 
 
+def _twice(angle):
+    return _one_revolution(_one_revolution(angle))
+
+
+def _bounded_by_315(angle):
+    """Return the answer of somebody who subtracts revolutions while the angle is above 3.15."""
+    number = max(0, np.ceil((abs(angle) - 3.15) / REVOLUTION))
+    return angle - np.copysign(number * REVOLUTION, angle)
+
+
+def _zero_at_half(angle):
+    """Return 0 at half a revolution, where no strict comparison holds."""
+    half = np.pi - abs(wrap_angle(angle)) < EXACT * max(1, abs(angle))
+    return 0.0 if half else wrap_angle(angle)
+
+
 EXERCISE = WriteTest(
     name="test_wrap_angle",
     points=2,
@@ -59,6 +75,7 @@ EXERCISE = WriteTest(
             "that subtracts one revolution at most",
             lambda a: wrap_angle(a) if abs(a) < 9 else _one_revolution(a),
         ),
+        _wrong("that is right for two revolutions at most", _twice),
         _wrong(
             "that returns negative angles as they came", lambda a: wrap_angle(a) if a >= 0 else a
         ),
@@ -90,6 +107,9 @@ EXERCISE = WriteTest(
             "that is right for angles between -pi and pi only",
             lambda a: a if abs(a) <= np.pi else 0.0,
         ),
+        _wrong("that takes angles below 0.3 for 0", lambda a: wrap_angle(a) if abs(a) > 0.3 else 0),
+        _wrong("with 3.15 for the largest angle", _bounded_by_315),
+        _wrong("that is wrong only at odd multiples of pi", _zero_at_half),
     ),
     shapes=((),),
     given=lambda wrap_angle: abs(wrap_angle(4.0) - (4.0 - REVOLUTION)) < EXACT,

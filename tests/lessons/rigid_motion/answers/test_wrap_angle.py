@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-ANGLES = [0.0, 1.0, -1.0, 2.0, -2.0, 3.1, -3.1, 3.3, -3.3, 6.0, -6.0, 10.0, -10.0, 100.0, -100.0]
+SIZES = [0.15, 0.2, 1.0, 2.0, 3.1, 3.145, np.pi, 3.3, 6.0, 10.0, 3 * np.pi, 18.0, 100.0]
+ANGLES = [0.0, *SIZES, *(-size for size in SIZES)]
 
 
 def right_range_and_direction(wrap_angle):
@@ -20,22 +21,37 @@ def right_range_and_direction(wrap_angle):
 
 
 def right_against_a_version_of_its_own(wrap_angle):
-    return all(abs(wrap_angle(a) - math.remainder(a, 2 * math.pi)) < 1e-9 for a in ANGLES)
+    off = [abs(wrap_angle(a) - math.remainder(a, 2 * math.pi)) for a in ANGLES]
+    half = [abs(math.cos(a / 2)) < 1e-9 for a in ANGLES]  # where the sign of pi is free
+    return all(
+        min(gap, abs(gap - 2 * math.pi)) < 1e-8 if either else gap < 1e-8
+        for gap, either in zip(off, half, strict=True)
+    )
 
 
 def right_whole_revolutions_with_assertions(wrap_angle):
-    for angle in np.random.default_rng(1).uniform(-50, 50, 60):
-        revolutions = (angle - wrap_angle(angle)) / (2 * np.pi)
-        assert abs(revolutions - round(revolutions)) < 1e-9
-        assert -np.pi <= wrap_angle(angle) <= np.pi
+    angles = np.append(np.linspace(-20, 20, 4950), np.pi * np.array([-5, -3, -1, 1, 3, 5]))
+    for angle in angles:
+        value = wrap_angle(angle)
+        revolutions = (angle - value) / (2 * np.pi)
+        assert abs(revolutions - round(revolutions)) < 1e-8
+        assert -np.pi - 1e-7 <= value <= np.pi + 1e-7
     return True
 
 
 def wrong_compares_exactly(wrap_angle):
     """your test rejects right versions"""
     # For these angles most right versions are right to the last digit.
-    for angle in (4.0, 7.0, -4.0, 100.0, 0.0, 0.5):
+    for angle in (0.0, 0.2, 0.5, 3.145, np.pi, 4.0, 7.0, -4.0, 18.0, 100.0):
         revolutions = (angle - wrap_angle(angle)) / (2 * np.pi)
         if abs(wrap_angle(angle)) > np.pi or revolutions != round(revolutions):
+            return False
+    return True
+
+
+def wrong_only_angles_drawn(wrap_angle):
+    """unnamed"""
+    for angle in np.random.default_rng(1).uniform(-20, 20, 4000):
+        if abs(wrap_angle(angle) - math.remainder(angle, 2 * math.pi)) > 1e-7:
             return False
     return True
