@@ -118,8 +118,12 @@ def _distance(e, right, T, T_target):
     allowed, angle = _fine(T, T_target), _angle(T, T_target)
     if 0 < angle < _SMALL and not np.array_equal(T[:3, :3], T_target[:3, :3]):
         allowed = min(allowed, FIVE_DIGITS * angle)
-    share = _gap(e, T, T_target) / allowed
-    return max(np.abs(e[:3] - right[:3]).max(), share * EXACT * max(1, np.abs(right).max()))
+    gap = _gap(e, T, T_target)
+    share = gap / allowed
+    off = share * EXACT * max(1, np.abs(right).max())
+    if share > 1:
+        off = max(off, gap)  # so that an error of pi is not as small as its share suggests
+    return max(np.abs(e[:3] - right[:3]).max(), off)
 
 
 def _otherwise(e, *case):
