@@ -145,21 +145,31 @@ def half_turn(axis):
 
 
 def half_turns(rng):
-    """Return rotations by pi: about the axes, in the coordinate planes, about any axis; as exact as
-    they can be, and as they come from a sine of pi, which is 1.2e-16."""
+    """Return rotations by pi: about the axes, in the coordinate planes, also halfway between two
+    axes, about any axis; as exact as they can be, and as they come from a sine of pi, which is
+    1.2e-16."""
     slope = rng.uniform(0.5, 0.7)
     in_a_plane = np.array([0, np.sin(slope), -np.cos(slope)])
     axes = [*np.eye(3), *(np.roll(in_a_plane, k) for k in range(3)), leaning_axis(rng)]
     opposite = [-axis for axis in axes]
-    no_sum = np.array([[-1.0, 0, 0], [0, 0, -1], [0, -1, 0]])  # each column of R + I adds up to 0
     return [
         *map(half_turn, axes),
-        no_sum,
+        *_half_turns_halfway_between_axes(),
         *(exp_so3(np.pi * axis) for axis in (*axes, *opposite)),
         rot_x(np.pi),
         rot_y(np.pi),
         rot_z(np.pi),
     ]
+
+
+def _half_turns_halfway_between_axes():
+    """Return rotations by pi that exchange two axes, or exchange and reverse them.
+
+    The two largest entries on the diagonal are equal. If the axes are reversed, each column of
+    R + I adds up to 0.
+    """
+    exchanges = [np.eye(3)[order] for order in ([0, 2, 1], [2, 1, 0], [1, 0, 2])]
+    return [half for P in exchanges for half in (P - 2 * np.diag(np.diag(P)), 0 - P)]
 
 
 def _half_turns_nearly_about_the_axes():

@@ -88,3 +88,13 @@ def wrong_two_entries_never_compared(R):
     q[[0, 1 + b]] = (R[a, c] - R[c, a]) / s, s / 4
     q[[1 + a, 1 + c]] = (R[a, b] + R[b, a]) / s, (R[b, c] + R[c, b]) / s
     return q
+
+
+def wrong_equal_entries_left_to_the_last_branch(R):
+    """something is divided by 0"""
+    x, y, z = np.diag(R)
+    if x + y + z > 0 or (x > y and x > z) or (y > x and y > z):
+        return right_four_branches(R)
+    with np.errstate(all="ignore"):
+        s = 2 * np.sqrt(1 - x - y + z)
+        return np.array([R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[1, 2] + R[2, 1], s * s / 4]) / s
