@@ -1,5 +1,7 @@
 """euler_angles: roll, pitch and yaw out of a rotation matrix, at gimbal lock too."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
@@ -40,15 +42,23 @@ def _cases(rng):
     alpha, gamma = rng.choice([-1, 1], 2) * rng.uniform(1.7, 2.9, 2)
     named = [*(0.3 * np.eye(3)), (np.pi / 2, 0.0, 0.0), (0.5, -0.4, 1.1), (2.5, 1.0, -2.0)]
     named += [(alpha, 0.8, gamma), (-gamma, -0.8, alpha), (3.0, 0.2, 0.1), (0.1, 0.2, 3.0)]
+    # R[2, 0] is nearer to 1 or -1 than 1e-12, and the entries of the first column are up to 1.4e-6.
+    named += [(3.0, sign * (np.pi / 2 - 1.4e-6), -3.0) for sign in (1, -1)]
+    # An exact 0 in place of the product of two cosines
+    quarter_yaw, quarter_roll = np.rint(rot_z(np.pi / 2)), np.rint(rot_x(np.pi / 2))
+    quarters = [quarter_yaw @ _matrix(alpha, 0.8, 0), _matrix(0, 0.8, gamma) @ quarter_roll]
     exact = [_locked(sign, alpha, gamma) for sign in (1, -1)] + [_locked(1, 0.0, 0.4)]
-    # What products of rotations have instead of the zeros, and of the -1, at gimbal lock
+    # What products of rotations have instead of the zeros, and of the -1 or 1, at gimbal lock
     noise = 1e-16 * np.array([[1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 1.0, -1.0]])
-    short, beyond = (_locked(1, alpha, gamma) + noise for _ in range(2))
-    short[2, 0], beyond[2, 0] = np.nextafter(-1, [0, -2])
+    rounded = []
+    for sign, bound in itertools.product((1, -1), (0, 2)):
+        R = _locked(sign, alpha, gamma) + noise
+        R[2, 0] = np.nextafter(-sign, -sign * bound)
+        rounded.append(R)
     A = any_rotation(rng)
     computed = [A @ (A.T @ _locked(sign, alpha, gamma)) for sign in (1, -1)]
-    locked = [*exact, _locked(1, alpha, gamma) + noise, short, beyond, *computed]
-    return [(R,) for R in [*(_matrix(*angles) for angles in named), *locked]]
+    locked = [*exact, _locked(1, alpha, gamma) + noise, *rounded, *computed]
+    return [(R,) for R in [*(_matrix(*angles) for angles in named), *quarters, *locked]]
 
 
 def _nearly_locked(rng, gap):

@@ -68,3 +68,26 @@ def wrong_arcsin_and_the_lock_from_1e_6(R):
     return np.array(
         [np.arctan2(R[2, 1], R[2, 2]), np.arcsin(sine), np.arctan2(R[1, 0], R[0, 0])],
     )
+
+
+def wrong_lock_from_a_sine_of_1_minus_1e_12(R):
+    """near gimbal lock the formula for the exact lock is used too soon"""
+    if abs(R[2, 0]) > 1 - 1e-12:
+        beta = np.copysign(np.pi / 2, -R[2, 0])
+        return np.array([0.0, beta, np.arctan2(-R[0, 1], R[1, 1])])
+    return right_two_branches(R)
+
+
+def wrong_clipped_on_one_side(R):
+    """an angle is not a number at gimbal lock"""
+    alpha, _, gamma = right_two_branches(R)
+    with np.errstate(invalid="ignore"):
+        return np.array([alpha, np.arcsin(min(-R[2, 0], 1.0)), gamma])
+
+
+def wrong_divided_by_the_cosine_of_yaw(R):
+    """unnamed"""
+    alpha, beta, gamma = right_two_branches(R)
+    if abs(R[2, 0]) < 0.999:
+        beta = np.arctan2(-R[2, 0], R[0, 0] / np.cos(gamma))
+    return np.array([alpha, beta, gamma])
