@@ -44,12 +44,17 @@ def _nearly_a_pose(rng, gap):
     return pose(shared.nearly_rotation(rng, gap), rng.normal(size=3), *row)
 
 
+def _with_a_block_of_a_scale(rng, scale):
+    return _damaged_pose(shared.of_a_scale(rng, scale), rng.normal(size=3))
+
+
 DAMAGED = Kind(
     drawn=lambda rng: _damaged_pose(any_rotation(rng) @ np.diag([2.0, 1, 0.5]), rng.normal(size=3)),
     named=_damaged_poses,
     beside=(
         ("small entries", _nearly_the_identity, SMALL_NUMBERS),
         ("nearly a pose", _nearly_a_pose, SMALL),
+        ("small or large blocks", _with_a_block_of_a_scale, shared.SCALES),
     ),
 )
 

@@ -21,6 +21,7 @@ DAMAGED = Kind(
     beside=(
         ("small entries", shared.nearly_diagonal, SMALL_NUMBERS),
         ("nearly a rotation", shared.nearly_rotation, SMALL),
+        ("small or large matrices", shared.of_a_scale, shared.SCALES),
     ),
 )
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.vocabulary import compared
+from course_lib.checks.vocabulary import any_rotation, compared
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -33,10 +33,24 @@ def damaged_rotations(rng):
         _PUBLISHED,
         np.array([[1.0, 0.0], [0.0, -0.4]]),
         np.array([[0.3, 0.9], [0.8, 0.1]]),
+        # Of angles below -90 degrees, of 90 and of -90 degrees
+        np.array([[-0.9, 0.4], [-0.3, -0.7]]),
+        np.array([[0.0, -2.0], [1.0, 0.0]]),
+        np.array([[0.0, 1.0], [-2.0, 0.0]]),
         R[2] @ np.diag([1.5, 1.0, -0.4]),
         SINGULAR,
         -SINGULAR,
     ]
+
+
+# Of the largest entry of a matrix. The tasks name 1e-9 and 1e9.
+SCALES = (1.1e-9, 1e-6, 1e-3, 1e3, 1e6, 0.9e9)
+
+
+def of_a_scale(rng, scale):
+    """Return a matrix (3, 3) whose largest entry is this large."""
+    M = any_rotation(rng) @ np.diag([2.0, 1.0, 0.5])
+    return scale * M / np.abs(M).max()
 
 
 def nearly_diagonal(rng, size):

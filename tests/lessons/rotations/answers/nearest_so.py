@@ -42,3 +42,27 @@ def wrong_nearly_a_rotation_left_as_it_is(M):
     U, _, Vt = np.linalg.svd(M)
     U[:, -1] *= np.linalg.det(U @ Vt)
     return M if nearly else U @ Vt
+
+
+def wrong_arctan_in_the_plane(M):
+    """the answer is a rotation, and another one is nearer"""
+    if len(M) == 3:
+        return right_sign_inside(M)
+    x, y = M[0, 0] + M[1, 1], M[1, 0] - M[0, 1]
+    a = np.arctan(y / x) if x else np.pi / 2
+    return np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])
+
+
+def wrong_small_matrices_taken_for_0(M):
+    """the answer is a rotation, and another one is nearer"""
+    return np.eye(len(M)) if np.linalg.norm(M) < 1e-8 else right_sign_inside(M)
+
+
+def wrong_a_few_steps_of_newtons_method(M):
+    """the answer is not orthogonal"""
+    X = np.array(M, float)
+    if np.linalg.det(X) <= 0 or np.linalg.cond(X) > 1e3:
+        return right_sign_inside(M)
+    for _ in range(12):
+        X = (X + np.linalg.inv(X).T) / 2
+    return X
