@@ -27,6 +27,10 @@ def _direction_by_arctan(p, a):
     return np.sign(p[0] or 1) * _right(p, a)
 
 
+def _straight_up_if_x_is_0(p, a):
+    return _right(p, a) * (-1 if p[0] == 0 and p[1] < 0 else 1)
+
+
 def _direction_by_arccos(p, a):
     return np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
 
@@ -39,6 +43,8 @@ EXERCISE = declared(
         (np.array([1.0, 0.0]), np.pi / 2),
         (np.array([0.0, 1.0]), np.pi / 2),
         (np.array([2.0, 1.0]), np.pi),
+        (np.array([-2.0, 0.0]), 0.5),
+        (np.array([0.0, -2.0]), 0.5),
         (np.array([3, -2]), 0.5),
         (np.array([2, 1]), 0.5),
     ),
@@ -75,6 +81,7 @@ EXERCISE = declared(
             "Which function of x and y tells p from -p?",
             _direction_by_arccos,
             _direction_by_arctan,
+            _straight_up_if_x_is_0,
         ),
     ),
 )

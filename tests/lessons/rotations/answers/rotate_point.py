@@ -29,3 +29,13 @@ def wrong_small_angles_taken_for_none(p, a):
     if abs(a) < 1e-6:
         return np.array(p, float)
     return np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) @ p
+
+
+def wrong_straight_up_if_x_is_0(p, a):
+    """the direction of p comes from arctan or arccos, which know half of the circle only"""
+    if p[0] == 0:
+        phi = np.pi / 2
+    else:
+        phi = np.arctan(p[1] / p[0]) + (np.pi if p[0] < 0 else 0)
+    r = np.linalg.norm(p)
+    return np.array([r * np.cos(phi + a), r * np.sin(phi + a)])
