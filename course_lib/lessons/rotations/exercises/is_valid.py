@@ -77,6 +77,7 @@ def _rotations(rng):
         R[:, :2],
         R[:2],
         R[0],
+        R[None],
     ]
     # every entry of R^T R - I is 0.007, all of them together more than 0.01; so it is for R R^T too
     loose = [
@@ -102,7 +103,7 @@ def _poses(rng):
         pose(flat, p[:2], 0.0, 0.0, 0.5),
     ]
     tight += [pose(R, p, 0.0, 0.0, 0.0, last) for last in (2.0, -1.0, NEARLY_ONE)]
-    tight += [np.eye(2), np.eye(5), pose(R, p)[:3], np.eye(3, 4)]
+    tight += [np.eye(2), np.eye(5), pose(R, p)[:3], np.eye(3, 4), pose(R, p)[None]]
     both = [pose(flat, p[:2], 0.004, 0.0, 1.0), pose(R @ np.diag([1.003, 1.0, 1.0]), p)]
     # the mean of the row's errors and its length are within tol, the largest error is not; and the
     # reverse
@@ -131,6 +132,7 @@ def _quaternions(rng):
         q[None, :],
         q.reshape(2, 2),
         np.append(q, 0.0),
+        q[None, :, None],
     ]
     return (
         [*tight, 0.5 * np.eye(4)],

@@ -62,3 +62,12 @@ def right_by_einsum(X, kind, tol):
 def wrong_tolerance_never_zero(X, kind, tol):
     """unnamed"""
     return right_three_helpers(X, kind, max(tol, 1e-12))
+
+
+def wrong_three_indices_not_foreseen(X, kind, tol):
+    """ValueError"""
+    if kind != "quaternion" and X.ndim > 1:
+        rows, columns = X.shape
+        if rows != columns:
+            return False
+    return right_three_helpers(X, kind, tol)
