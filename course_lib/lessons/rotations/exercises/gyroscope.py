@@ -29,8 +29,9 @@ LOG = Kind(
         _ROLL,
         2 * rng.normal(size=(1, 3)),
         np.zeros((0, 3)),
-        # Rates that are whole along the sensor's axes, and not whole along the body's.
-        np.array([[1, -2, 0], [0, 1, 2]]),
+        # Rates that are whole along the sensor's axes, and not whole along the body's. With as many
+        # rows as a drawn log it is asked with whole matrices, too.
+        np.array([[1.0, -2, 0], [0, 1, 2], [2, 0, -1], [1, 1, 0]]),
     ],
     beside=(("a hundred slow samples", _slow_samples, _SLOW),),
     small=True,

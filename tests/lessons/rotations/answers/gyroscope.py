@@ -51,6 +51,13 @@ def wrong_orientations_of_the_type_of_the_first(R_0, log, dt, R_bi):
     return orientations
 
 
+def wrong_orientations_of_the_common_type(R_0, log, dt, R_bi):
+    """digits after the point are cut off"""
+    orientations = np.empty((len(log) + 1, 3, 3), dtype=np.result_type(R_0, log))
+    orientations[:] = right_in_the_bodys_axes(R_0, log, dt, R_bi)
+    return orientations
+
+
 def wrong_second_order_for_slow_samples(R_0, log, dt, R_bi):
     """small rotations are left out, or lose their digits"""
     orientations = [R_0]
