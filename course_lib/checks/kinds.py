@@ -303,7 +303,15 @@ def _poses(rng):
     # Formulas by quaternions divide by 0 there, or by roll, pitch and yaw.
     half = transform(half_turn(leaning_axis(rng)), away_from_zero(rng, 3))
     upright = transform(rot_z(0.7) @ rot_y(-QUARTER) @ rot_x(0.4), away_from_zero(rng, 3))
-    return [*turned, distant, half, upright, pose(np.eye(3), far), pose(rot_z(QUARTER), 0 * far), np.eye(4)]
+    return [
+        *turned,
+        distant,
+        half,
+        upright,
+        pose(np.eye(3), far),
+        pose(rot_z(QUARTER), 0 * far),
+        np.eye(4),
+    ]
 
 
 def _near_identity(rng, size):

@@ -241,13 +241,10 @@ def _with_all_free_arguments_whole(cases, names, free):
     last = cases[-1]
     changed = list(last)
     for k in (names.index(name) for name in free):
-        whole = [
-            case[k]
-            for case in cases
-            if _is_whole(case[k]) and np.shape(case[k]) == np.shape(last[k])
-        ]
-        if whole:
-            changed[k] = np.rint(max(whole, key=lambda array: _variety((array,)))).astype(int)
+        whole = [np.rint(case[k]).astype(int) for case in cases if _is_whole(case[k])]
+        alike = [array for array in whole if array.shape == np.shape(last[k])]
+        if alike:
+            changed[k] = max(alike, key=lambda array: _variety((array,)))
     return [tuple(changed)] if sum(map(_has_integers, changed)) > 1 else []
 
 
