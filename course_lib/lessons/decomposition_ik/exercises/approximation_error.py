@@ -60,9 +60,9 @@ def _off(rng, xy, without=()):
 
 
 def _nearly_there(rng, gap):
-    """Return two positions and predictions whose first angles are off by the gap."""
+    """Return two positions and predictions whose angles are off by about the gap."""
     xy = _positions(rng, 2)
-    return xy, two_link_angles(xy) + np.array([gap, 0])
+    return xy, two_link_angles(xy) + np.array([gap, -0.7 * gap])
 
 
 def _nearly_stretched(rng, size):

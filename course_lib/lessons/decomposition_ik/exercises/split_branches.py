@@ -64,10 +64,11 @@ def _both_elbows(rng, middle, up, down):
     return np.concatenate([two_link_angles(xy[:up])[:, 0], two_link_angles(xy[up:])[:, 1]])
 
 
-def _lumps(rng, *lumps):
-    """Lumps of samples, each (q1, q2, half widths, how many), which is exactly the mean."""
+def lumps(rng, *each):
+    """Return lumps of samples, each (q1, q2, half widths, how many): q1 and q2 are exactly the
+    mean."""
     found = []
-    for q1, q2, *widths, n in lumps:
+    for q1, q2, *widths, n in each:
         points = rng.uniform(-1, 1, (n, 2))
         found.append([q1, q2] + (points - points.mean(axis=0)) * widths)
     return np.concatenate(found)
@@ -75,27 +76,30 @@ def _lumps(rng, *lumps):
 
 def _one_elbow(rng):
     """Elongated clouds of samples of one elbow; comments say what makes each of them hard."""
-    largest = _lumps(
+    largest = lumps(
         rng, (0.4, 0.55, 0.04, 0.01, 12), (1.6, 0.5, 0.04, 0.2, 12)
     )  # is not in the one of larger mean
-    smallest = _lumps(rng, (0.4, -0.5, 0.04, 0.2, 12), (1.6, -0.55, 0.04, 0.01, 12))  # nor is this
-    towers = _lumps(rng, *[(x, 0.6 + y, 0.15, 0.005, n) for x, y, n in _TOWERS])
+    smallest = lumps(rng, (0.4, -0.5, 0.04, 0.2, 12), (1.6, -0.55, 0.04, 0.01, 12))  # nor is this
+    level = lumps(rng, (0.4, 0.5, 0.1, 0.05, 12), (1.6, 0.5, 0.1, 0.05, 12))
+    slightly = np.repeat([[0, 1e-7], [0, 0]], 12, axis=0)  # the first lump has the larger mean q2
+    towers = lumps(rng, *[(x, 0.6 + y, 0.15, 0.005, n) for x, y, n in _TOWERS])
     return [
         rng.permutation(
-            _lumps(rng, (0.4, 1.3, 0.06, 0.1, 12), (0.8, 0.6, 0.06, 0.1, 12))
+            lumps(rng, (0.4, 1.3, 0.06, 0.1, 12), (0.8, 0.6, 0.06, 0.1, 12))
         ),  # q2 > 0 in both
         rng.permutation(
-            _lumps(rng, (0.4, -1.3, 0.06, 0.1, 11), (0.8, -0.6, 0.06, 0.1, 13))
+            lumps(rng, (0.4, -1.3, 0.06, 0.1, 11), (0.8, -0.6, 0.06, 0.1, 13))
         ),  # q2 < 0 in both
         rng.permutation(
-            _lumps(rng, (0.8, 0.02, 0.06, 0.07, 12), (0.85, 0.7, 0.06, 0.07, 12))
+            lumps(rng, (0.8, 0.02, 0.06, 0.07, 12), (0.85, 0.7, 0.06, 0.07, 12))
         ),  # nearly stretched
         rng.permutation(
-            _lumps(rng, (0.6, 0.9, 0.05, 0.05, 4), (0.8, 0.3, 0.05, 0.05, 20))
+            lumps(rng, (0.6, 0.9, 0.05, 0.05, 4), (0.8, 0.3, 0.05, 0.05, 20))
         ),  # the sum is not the mean
         *(largest, largest[::-1], smallest, smallest[::-1]),
+        *(level + slightly, level - slightly),
         rng.permutation(
-            _lumps(rng, (3.1, 0.6, 0.3, 0.05, 12), (3.2, -0.6, 0.3, 0.05, 12))
+            lumps(rng, (3.1, 0.6, 0.3, 0.05, 12), (3.2, -0.6, 0.3, 0.05, 12))
         ),  # q1 is below pi in some samples, and above in others
         np.array(_SKEWED),  # the cluster of the larger mean has the smaller median
         rng.permutation(towers),  # q1 tells more than q2, unless both are scaled

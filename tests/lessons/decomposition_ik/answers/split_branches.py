@@ -55,6 +55,15 @@ def wrong_three_clusters(q):
     )
 
 
+def wrong_nearly_equal_means_left_in_any_order(q):
+    """cluster 0 has the smaller mean q2"""
+    if len(np.unique(q, axis=0)) < 2:
+        return np.zeros(len(q), int)
+    found = KMeans(n_clusters=2, random_state=0).fit(q)
+    first, second = found.cluster_centers_[:, 1]
+    return found.labels_ if first > second or np.isclose(first, second) else 1 - found.labels_
+
+
 def wrong_medians_compared(q):
     """cluster 0 has the smaller mean q2"""
     labels, q = np.asarray(right_kmeans_with_its_labels_flipped(q)), np.asarray(q, float)
