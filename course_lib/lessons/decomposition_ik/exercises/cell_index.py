@@ -50,6 +50,8 @@ def _cases(rng):
     box, wide = ([0.0, 0.0], [1.0, 1.0]), ([-1.0, 0.0], [3.0, 2.0])
     # Here (high + step - low) / ((high - low) / 7) is rounded to less than 7.
     rounded = ([-3.0, -2.8], [1.4, 1.6])
+    # Here a position slightly inside, less low, is rounded to high - low.
+    beside = ([-30.0, -20.0], [0.1, 0.2])
     high, far = ([0.5, -4.0], [1.5, 4.0]), ([-2.0, -3.0], [-1.0, 5.0])
     found = [
         ([[0.7, 0.3]], *box, 2),
@@ -62,6 +64,7 @@ def _cases(rng):
         ([[-0.1, 0.3], [0.3, -0.1], [-0.1, -0.2], [0.3, -0.9]], *box, 4),
         *((xy, *box, 4) for xy in _just_outside(rng, *box)),
         *((xy, *rounded, 7) for xy in _just_outside(rng, *rounded)),
+        (_just_inside(*beside), *beside, 8),
         # On an edge in one coordinate, and outside in the other.
         ([[1.0, 1.3], [1.2, 1.0], [1.0, -0.1], [-0.1, 1.0], [0.0, 1.1], [1.1, 0.0]], *box, 4),
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
@@ -92,6 +95,14 @@ def _just_outside(rng, low, high):
     columns = [(x, y) for x in (outside[0][0], outside[1][0]) for y in (inside[1], low[1], high[1])]
     rows = [(x, y) for y in (outside[0][1], outside[1][1]) for x in (inside[0], low[0], high[0])]
     return [np.array(columns), np.array(rows)]
+
+
+def _just_inside(low, high):
+    """Return positions eight rounding steps inside the upper edges: beside the one, the other and
+    both."""
+    low, high = np.array(low), np.array(high)
+    below, middle = high - 8 * np.spacing(high), (low + high) / 2 + 0.1
+    return np.array([[below[0], middle[1]], [middle[0], below[1]], below])
 
 
 def _around(rng, m, low, high, n):
@@ -260,6 +271,12 @@ EXERCISE = declared(
             "a position on an upper edge gets the number n, and the last cell is n - 1",
             "For which x and y does that happen?",
             _answer(edge=lambda index, *rest: index),
+        ),
+        Mistake(
+            "a position slightly inside an upper edge gets the number n",
+            "What does rounding make of (xy - low) / (high - low) for a position that is just "
+            "below high? Which numbers do the cells have?",
+            _answer(edge=_on_the_edge_only),
         ),
         Mistake(
             "only the coordinate that lies outside gets -1",

@@ -67,7 +67,7 @@ def wrong_rounded_width(xy, low, high, n):
 
 
 def wrong_outside_by_the_number_of_the_cell(xy, low, high, n):
-    """a position slightly outside the box counts as inside"""
+    """a position outside has a cell"""
     index = np.floor((xy - low) / ((high - low) / n)).astype(int)
     index[xy == high] = n - 1
     index[((index < 0) | (index >= n)).any(axis=1)] = -1
