@@ -7,9 +7,16 @@ from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import HALF_THE_DIGITS
-from course_lib.checks.vocabulary import two_link_angles
-from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one
-from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
+from course_lib.checks.vocabulary import two_link_angles, two_link_tip
+from course_lib.lessons.decomposition_ik.exercises.shared import (
+    no_gap,
+    no_number,
+    off,
+    revolved,
+    some_twice,
+    with_one,
+)
+from course_lib.lessons.decomposition_ik.exercises.split_branches import lumps, split_branches
 
 _COUNT = Mistake(
     "the number of models is not `count`",
@@ -20,9 +27,10 @@ _EMPTY = Mistake(
 )
 
 
-def _both(rng, middle, up, down):
+def _both(rng, middle, up, down, half=0.16):
     """Positions and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
 
+    half: half the length of the cell's sides, in metres.
     The first three of each lie near three corners of the cell, so that they determine a plane well.
     """
     corners = np.array([[-1, -1], [1, -0.9], [-0.8, 1]])
@@ -30,7 +38,7 @@ def _both(rng, middle, up, down):
         np.concatenate([corners * rng.uniform(0.9, 1, (3, 1)), rng.uniform(-1, 1, (n, 2))])[:n]
         for n in (up, down)
     ]
-    xy = middle + 0.16 * np.concatenate(xy)
+    xy = middle + half * np.concatenate(xy)
     return xy, two_link_angles(xy)[np.arange(len(xy)), np.repeat([0, 1], [up, down])]
 
 
@@ -41,6 +49,20 @@ def _one_elbow(rng, middle, elbow, n):
     far = np.repeat([-1, 1], [n // 4, n - n // 4])
     xy = middle + 0.16 * far[:, None] * outward + rng.uniform(-0.04, 0.04, (n, 2))
     return xy, two_link_angles(xy)[:, elbow]
+
+
+def _both_signs_in_a_cluster(rng):
+    """Samples of which one cluster is of the nearly stretched arm, with q2 of both signs."""
+    q = lumps(rng, (0.4, 1.6, 0.1, 0.1, 10), (1.0, 0.0, 0.1, 0.3, 14))
+    return two_link_tip(q), q
+
+
+def _revolved(xy, q, *rest):
+    return xy, revolved(q), *rest
+
+
+def _with_some_twice(xy, q, cell, count):
+    return *some_twice(xy, q, cell), count
 
 
 def _mixed(rng, count, **cells):
@@ -85,6 +107,10 @@ def _cases(rng):
             none=_both(rng, (1.1, 1.15), 5, 5),
         ),
         _mixed(rng, 6, **few),
+        _mixed(rng, 1, c0=_both_signs_in_a_cluster(rng)),
+        _mixed(rng, 1, c0=_both(rng, a, 9, 9, half=1e-3)),
+        _with_some_twice(*_mixed(rng, 1, c0=_both(rng, b, 9, 9))),
+        _revolved(*_mixed(rng, 2, c0=_both(rng, c, 9, 7), c1=_both(rng, d, 6, 8))),
     ]
 
 
@@ -261,6 +287,20 @@ def outside_in_the_last_cell(xy, q, cell, count, written):
     first, last = (outside, models[-1]) if written == "before" else (models[-1], outside)
     models[-1] = np.where(np.isnan(last), first, last)
     return models
+
+
+@EXERCISE.mistake(
+    "the samples of a cell are split by the sign of q2",
+    "Which function does the task name for that? Compare its labels with yours in the cell named "
+    "below.",
+    where_it_can=(True, False),
+)
+def split_by_the_sign(*case, where_it_can):
+    def split(q):
+        labels = (q[:, 1] < 0).astype(int)
+        return split_branches(q) if where_it_can and len(set(labels)) < 2 else labels
+
+    return fit_cells(*case, split=split)
 
 
 @EXERCISE.mistake(

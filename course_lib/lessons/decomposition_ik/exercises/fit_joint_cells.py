@@ -9,7 +9,14 @@ from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import two_link_tip
-from course_lib.lessons.decomposition_ik.exercises.shared import no_gap, no_number, off, with_one
+from course_lib.lessons.decomposition_ik.exercises.shared import (
+    no_gap,
+    no_number,
+    off,
+    revolved,
+    some_twice,
+    with_one,
+)
 
 
 def _affine(q, xy):
@@ -52,13 +59,17 @@ def _measured_again(rng, q, xy, cell, count):
     return q[again], xy[again] + 0.01 * rng.normal(size=(len(again), 2)), cell[again], count
 
 
+def _with_some_twice(q, xy, cell, count):
+    return *some_twice(q, xy, cell), count
+
+
+def _revolved(q, *rest):
+    return revolved(q), *rest
+
+
 def _in_whole_numbers():
     q = np.array([[0.0, 0], [1, 0], [0, 1], [1, 2]])
     return q, two_link_tip(q), np.zeros(len(q), int), 1
-
-
-def _beyond_a_revolution(q, *rest):
-    return q + 2 * np.pi * np.array([2, -1]), *rest
 
 
 def _judged(is_wrong, text, name, hint):
@@ -78,7 +89,8 @@ EXERCISE = Exercise(
     arguments=("q", "xy", "cell", "count"),
     cases=lambda rng: [
         *(_case(rng, *sizes) for sizes in ((9,), (12, 7), (5, 0, 3, 2, 8), (1, 6, 4, 0))),
-        _beyond_a_revolution(*_case(rng, 4, 5)),
+        _revolved(*_case(rng, 9)),
+        _with_some_twice(*_case(rng, 4, 5)),
         _measured_again(rng, *_case(rng, 6)),
         _in_whole_numbers(),
     ],

@@ -7,6 +7,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.vocabulary import two_link_tip
+from course_lib.lessons.decomposition_ik.exercises.shared import some_twice
 
 
 def _wrapped(angle):
@@ -60,10 +61,11 @@ def _cases(rng):
         # An arm that rises, so that the other of the two directions is the one beyond 180 degrees.
         _samples(rng, 60, [-0.5, -0.2], 0.001, -2.9, 2.9),
         # An arm that is nearly straight in all samples, so that its two cosines differ little.
-        _samples(rng, 6, drawn[0], 0, bend=0.04),
+        _samples(rng, 12, drawn[0], 0, bend=1e-3),
         # An arm so weak that delta exceeds a right angle: no sample may be left out as too far off.
         _samples(rng, 30, [1.9, 0.6], 0.005),
         _samples(rng, 30, [7e-7, -4e-7], 0),
+        some_twice(*_samples(rng, 6, drawn[1], 0.01)),
         # Joints that have made whole revolutions: one more or less does not wrap these.
         _revolved(*_samples(rng, 30, drawn[0], 0)),
         (np.array([[0, 0], [1, 0], [0, 1], [2, -1]]), np.array([[2, 0], [1, 2], [2, 1], [0, 2]])),

@@ -7,12 +7,14 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
+from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.cells import quadratic_terms
-from course_lib.lessons.decomposition_ik.exercises.shared import with_one
+from course_lib.lessons.decomposition_ik.exercises.shared import some_twice, with_one
 
 _ROUNDING = 1e-14  # of A^T A, relative
+_SMALL_BENDS = (9e-2, 9e-3, 9e-4)  # rad: with smaller ones rounding hides the fit
 _WHOLE_TERMS = np.array([[1, 0, 0], [1, 1, 0], [1, 0, 1], [1, 2, 1], [1, -1, 2], [1, 1, -2]])
 _WHOLE_ANGLES = np.array([[1, 2], [0, 1], [2, -1], [1, 1], [3, 2], [-1, 2]])
 
@@ -41,7 +43,10 @@ def _cases(rng):
         middle = rng.uniform(1.2, 1.5) * np.array([np.cos(a := rng.uniform(0.5, 2.2)), np.sin(a)])
         xy = middle + rng.uniform(-0.3, 0.3, (m, 2))
         found.append(((with_one(xy), quadratic_terms(xy))[k // 2], two_link_angles(xy)[:, k % 2]))
-    return [*found, _without_a_constant(rng), (_WHOLE_TERMS, _WHOLE_ANGLES)]
+    terms, q = found[1]
+    revolved = terms, q + 2 * np.pi * np.array([2, 0])
+    twice = some_twice(terms, q)
+    return [*found, _without_a_constant(rng), revolved, twice, (_WHOLE_TERMS, _WHOLE_ANGLES)]
 
 
 def _without_a_constant(rng):
@@ -49,6 +54,12 @@ def _without_a_constant(rng):
     x, y = rng.uniform(-1, 1, (2, 10))
     terms = np.column_stack([x, y, x**2, x * y, y**2, x**3, y**3])
     return terms, two_link_angles(np.column_stack([0.3 * x, 1.3 + 0.3 * y]))[:, 0]
+
+
+def _nearly_stretched(rng, size):
+    """Return samples whose q2 are small."""
+    terms = with_one(rng.uniform([0.1, 1.6], [0.7, 2.2], (8, 2)))
+    return terms, rng.uniform([0.5, -size], [1.5, size], (8, 2))
 
 
 def _columns(terms, q):
@@ -121,6 +132,7 @@ EXERCISE = declared(
     "q2, and row 0, times the terms and q2, fits q1; the last entry of row 1 is 0",
     found=_found,
     otherwise=_otherwise,
+    sweeps=(Sweep("a nearly stretched arm", _nearly_stretched, _SMALL_BENDS),),
     hints=(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
         "What is A and what is b for row 1? What does a query know when it computes the square of "

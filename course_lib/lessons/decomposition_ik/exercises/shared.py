@@ -1,4 +1,5 @@
-"""What the checks of notebook 6 share: the terms 1, x, y, and arrays with gaps."""
+"""What the checks of notebook 6 share: the terms 1, x, y, samples that are repeated or of several
+revolutions, and arrays with gaps."""
 
 import numpy as np
 
@@ -9,6 +10,19 @@ from course_lib.checks.tolerances import EXACT
 def with_one(xy):
     """Return the rows (m, 3) 1, x, y of positions (m, 2)."""
     return np.column_stack([np.ones(len(xy)), xy])
+
+
+def some_twice(*samples):
+    """Return arrays of samples (m, ...), the first third of which stands there a second time."""
+    m = len(samples[0])
+    again = np.append(np.arange(m), np.arange(m // 3))
+    return tuple(array[again] for array in samples)
+
+
+def revolved(q):
+    """Return joint angles (m, 2) after two revolutions of the first joint, and one back of the
+    other."""
+    return q + 2 * np.pi * np.array([2, -1])
 
 
 def no_number(is_wrong, text, right, tell, mistake=None):

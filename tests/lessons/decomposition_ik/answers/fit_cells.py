@@ -54,6 +54,17 @@ def right_pseudo_inverse_in_lists(xy, q, cell, count):
     return [[model((cell == c) & (labels == k)) for k in (0, 1)] for c in range(count)]
 
 
+def wrong_repeated_samples_dropped(xy, q, cell, count):
+    """a model is not that of its own samples"""
+    _, first = np.unique(np.column_stack([xy, q, cell]), axis=0, return_index=True)
+    return right_linear_regression(xy[first], q[first], cell[first], count)
+
+
+def wrong_wrapped_angles(xy, q, cell, count):
+    """a model is not that of its own samples"""
+    return right_linear_regression(xy, (q + np.pi) % (2 * np.pi) - np.pi, cell, count)
+
+
 def wrong_no_samples_fitted(xy, q, cell, count):
     """ValueError"""
     return _models(xy, q, cell, count, lambda x, t: LinearRegression().fit(x, t).coef_, least=0)

@@ -27,6 +27,18 @@ def right_pinv(terms, q):
     return model
 
 
+def wrong_wrapped_angles(terms, q):
+    """row 0 is not the least-squares fit"""
+    return right_lstsq(terms, (q + np.pi) % (2 * np.pi) - np.pi)
+
+
+def wrong_small_bends_left_out(terms, q):
+    """row 0 is not the least-squares fit"""
+    if np.abs(q[:, 1]).max() > 1e-3:
+        return right_lstsq(terms, q)
+    return np.array([np.append(_solve(terms, q[:, i] ** (i + 1)), 0) for i in (0, 1)])
+
+
 def wrong_no_column(terms, q):
     """the coefficient of q2 has no column"""
     return _solve(terms, np.column_stack([q[:, 0], q[:, 1] ** 2])).T
