@@ -48,9 +48,13 @@ def _wrong_in_quadrant(signs):
     return Version(f"that is wrong only for x {x} and y {y}", wrong)
 
 
-def _generous(xy):
-    """Return both solutions, up to 1e-6 m beyond the edge, where either answer is right."""
-    return two_link_angles(xy) if np.linalg.norm(xy) <= _EITHER else np.full((2, 2), np.nan)
+def _answering_up_to(distance):
+    """Return the version that takes every position up to this distance from the base as reached."""
+    return lambda xy: two_link_angles(xy) if np.linalg.norm(xy) <= distance else closed_form(xy)
+
+
+def _is_off_the_axes(xy):
+    return np.abs(xy).min() > EXACT
 
 
 def _right(kind, ik, example=False):
@@ -70,7 +74,7 @@ EXERCISE = WriteTest(
         "positions in all "
         "four quadrants.",
         "Three kinds of position are left: farther away than 2 m, where all is nan; at 2 m "
-        "exactly, where nothing is "
+        "in any direction, where nothing is "
         "nan; and slightly nearer than 2 m, where both rows lead to xy.",
     ),
     shapes=((2,),),
@@ -83,7 +87,11 @@ EXERCISE = WriteTest(
     versions=(
         _right("that is as in the text", closed_form, example=True),
         _right("whose q1 may differ by a full revolution", _by_circles),
-        _right("that still answers up to a micrometre beyond 2 m", _generous),
+        _right("that still answers up to a micrometre beyond 2 m", _answering_up_to(_EITHER)),
+        _right(
+            "whose q1 at the base is 0.7",
+            _with_q1(lambda q, xy: q[:, 0] if xy.any() else [0.7, 0.7]),
+        ),
         _right("whose last digits differ", _changed(lambda q, xy: q * (1 + 1e-13))),
         _right("that returns a list", _changed(lambda q, xy: q.tolist())),
         Version("that always returns zeros", lambda xy: np.zeros((2, 2)), example=True),
@@ -106,9 +114,18 @@ EXERCISE = WriteTest(
                 else two_link_angles(xy) * [np.nan, 1]
             ),
         ),
+        Version("that answers up to 5 cm beyond 2 m", _answering_up_to(2.05)),
         Version(
-            "that has no answer at exactly 2 m",
-            _changed(lambda q, xy: q if np.linalg.norm(xy) < 2 - 1e-12 else q * np.nan),
+            "that has no answer at 2 m, except on the axes",
+            _changed(
+                lambda q, xy: (
+                    q * np.nan if np.linalg.norm(xy) > 2 - 1e-12 and _is_off_the_axes(xy) else q
+                )
+            ),
+        ),
+        Version(
+            "that is wrong only within 1 m of the base",
+            _changed(lambda q, xy: q[::-1] if np.linalg.norm(xy) < 1 else q),
         ),
         Version(
             "that is wrong only in the last two centimetres before 2 m",
