@@ -376,12 +376,13 @@ LENGTH = Kind(
 
 
 def joint_angles(n, **more):
-    """Return the Kind of the angles (n,) of an arm's joints: of either sign, below and above 90
-    degrees, and several revolutions."""
+    """Return the Kind of the angles (n,) of an arm's joints: of either sign, below and above 90 and
+    180 degrees, and several revolutions."""
 
     def named(rng):
         obtuse = away_from_zero(rng, n, 1.7, 3.0)
-        return [away_from_zero(rng, n), obtuse, np.arange(1.0, n + 1), np.zeros(n)]
+        reflex = away_from_zero(rng, n, 3.3, 6.0)
+        return [away_from_zero(rng, n), obtuse, reflex, np.arange(1.0, n + 1), np.zeros(n)]
 
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),

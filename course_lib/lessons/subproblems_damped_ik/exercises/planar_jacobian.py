@@ -39,7 +39,8 @@ def jacobian(q):
 
 def _cases(rng):
     simple = np.zeros(4), [QUARTER, 0, 0, 0], [0, 0, 0, QUARTER], [0, QUARTER, 0, 0]
-    return [(np.array(q),) for q in simple]
+    # Each angle is less than the 1e-8 of np.allclose, and their sum is not.
+    return [*((np.array(q),) for q in simple), (np.full(4, 9e-9),)]
 
 
 def _of_links(directions, moved_by=_AFTER):

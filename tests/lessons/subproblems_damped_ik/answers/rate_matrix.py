@@ -5,6 +5,7 @@ import math
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from course_lib.lessons.subproblems_damped_ik.exercises.rate_matrix import rates
 from course_lib.rotations import rot_x, rot_y, vee
 
 
@@ -29,3 +30,11 @@ def right_rotations_of_scipy(b):
     first = Rotation.from_euler("y", b[0])
     both = first * Rotation.from_euler("x", b[1])
     return np.array([[0, 1, 0], first.apply([1, 0, 0]), both.apply([0, 1, 0])]).T.astype(complex)
+
+
+def wrong_sine_from_the_root(b):
+    """the third column is not the axis"""
+    A = rates(b)
+    sine = np.sign(b[1]) * np.sqrt(1 - np.cos(b[1]) ** 2)
+    A[::2, 2] = sine * np.sin(b[0]), sine * np.cos(b[0])
+    return A
