@@ -9,14 +9,18 @@ from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
-from course_lib.checks.vocabulary import inside, remembered
+from course_lib.checks.vocabulary import inside, remembered, unit
 from course_lib.rotations import exp_so3
 
 # Where two solutions coincide, half of the digits are lost, and some more in the root.
 TOUCHING = SIX_DIGITS
 
 # Metres, down to 1e-5: a product of two lengths that is below 1e-12 may be taken for 0.
-_LENGTHS = SMALL_NUMBERS[:4]
+SHORT = SMALL_NUMBERS[:4]
+_LONG = 400.0
+# How near to the axis a point comes, as a share of its distance from the origin: just inside round
+# numbers, below which somebody may take it for a point on the axis.
+NEAR_THE_AXIS = (9e-3, 9e-4, 9e-5, 9e-6)
 
 _NOT_ONE = Mistake(
     "nan is returned where there is no solution", "Which number shows that there is no solution?"
@@ -46,6 +50,24 @@ def nearly_along(axis, rng, size):
 def across(k, p):
     """Return the part of p perpendicular to the axis k."""
     return p - (k @ p) * k
+
+
+def off_axis(k, rng):
+    """Return a point that is neither near the axis nor at the height 0."""
+    sideways = np.cross(k, unit(rng))
+    return (
+        rng.uniform(1, 2) * sideways / np.linalg.norm(sideways)
+        + rng.choice([-1, 1]) * rng.uniform(0.5, 1) * k
+    )
+
+
+def by_quarters(k, p):
+    """Return the point p rotated about k by 0, 1, 2 and 3 quarters of a revolution: of whole
+    numbers exactly, so that a sine or a cosine is 0."""
+    points = [p]
+    for _ in range(3):
+        points.append((k @ p) * k + np.cross(k, points[-1]))
+    return points
 
 
 def at_height(k, p, height):
@@ -118,18 +140,44 @@ def in_general_position(rng, reachable):
     ]
 
 
-def near_the_origin(case, *powers):
-    """Return the Sweep of the problem case(rng) in smaller and smaller units of length.
+def of_all_lengths(case, *powers):
+    """Return the Sweep of the problem case(rng) in other units of length, most of them small.
 
     powers: of the unit of length, for each argument: 0 for an axis, 1 for a point.
     """
 
-    def smaller(rng, size):
+    def scaled(rng, size):
         return tuple(
             argument * size**power for argument, power in zip(case(rng), powers, strict=True)
         )
 
-    return Sweep("points near the origin", smaller, _LENGTHS)
+    return Sweep("points far from the origin, or near it", scaled, (_LONG, *SHORT))
+
+
+def one_near(asking, axis=NEAR_THE_AXIS, origin=SHORT):
+    """Return the Sweeps of problems one of whose two points is near the axis, or near the origin.
+
+    asking(k, first, second): a problem with these points.
+    """
+
+    def near_the_axis(k, rng, size):
+        sideways = across(k, off_axis(k, rng))
+        return rng.choice([-1, 1]) * k + size * sideways / np.linalg.norm(sideways)
+
+    def near_the_origin(k, rng, size):
+        return size * off_axis(k, rng)
+
+    def sweep(near, sizes, position):
+        def case(rng, size):
+            k = unit(rng)
+            points = [off_axis(k, rng), off_axis(k, rng)]
+            points[position] = near(k, rng, size)
+            return asking(k, *points)
+
+        return Sweep(f"point {position + 1}: {near.__name__}", case, sizes)
+
+    kinds = (near_the_axis, axis), (near_the_origin, origin)
+    return tuple(sweep(*kind, position) for kind in kinds for position in (0, 1))
 
 
 def extremes(measure, k, p, g):

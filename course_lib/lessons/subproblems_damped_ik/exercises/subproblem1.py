@@ -9,10 +9,13 @@ from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, compared, distance_of_angles, unit
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
+    NEAR_THE_AXIS,
     across,
     angle_about,
-    near_the_origin,
     nearly_along,
+    of_all_lengths,
+    off_axis,
+    one_near,
     rotated,
     single,
 )
@@ -22,15 +25,6 @@ from course_lib.subproblems import subproblem1
 def some_angle(rng, sign):
     """Return a random angle with this sign, neither small nor near pi/2."""
     return sign * rng.uniform(0.3, 1.2)
-
-
-def off_axis(k, rng):
-    """A point that is neither near the axis nor at the height 0."""
-    sideways = np.cross(k, unit(rng))
-    return (
-        rng.uniform(1, 2) * sideways / np.linalg.norm(sideways)
-        + rng.choice([-1, 1]) * rng.uniform(0.5, 1) * k
-    )
 
 
 def _cases(rng):
@@ -86,28 +80,8 @@ def _reached_by(angle):
     return case
 
 
-def _near_the_axis(rng, size):
-    """Points p near the axis, at a height, and g far from the axis."""
-    k = unit(rng)
-    return k, rng.choice([-1, 1]) * k + size * across(k, off_axis(k, rng)), off_axis(k, rng)
-
-
-def _goal_near_the_axis(rng, size):
-    k, p, g = _near_the_axis(rng, size)
-    return k, g, p
-
-
-def _one_near_the_origin(first):
-    """Return a case of points only one of which is near the origin: p if `first`, else g."""
-
-    def case(rng, size):
-        k = unit(rng)
-        near, far = size * off_axis(k, rng), off_axis(k, rng)
-        return (k, near, far) if first else (k, far, near)
-
-    return case
-
-
+# The points of subproblem 1 may be as near to the axis as they like, and as near to the origin.
+_NEAR = (*NEAR_THE_AXIS, 9e-7, 9e-8)
 _TINY = (1e-6, 1e-7, 3e-9)  # below 1e-8, which np.allclose takes for 0
 
 
@@ -155,6 +129,7 @@ EXERCISE = Exercise(
     points=2,
     sets=2,
     arguments=("k", "p", "g"),
+    free=("k", "p", "g"),
     tolerance=HALF_THE_DIGITS,  # an arccos with a sign has no more, near 0 and pi
     cases=_cases,
     returns=_angle,
@@ -165,11 +140,8 @@ EXERCISE = Exercise(
         _rotating_by(0.0),
         _rotating_by(np.pi),
         Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
-        near_the_origin(_reached_by(0.8), 0, 1, 1),
-        Sweep("p near the axis", _near_the_axis, SMALL_NUMBERS[:6]),
-        Sweep("g near the axis", _goal_near_the_axis, SMALL_NUMBERS[:6]),
-        Sweep("p near the origin", _one_near_the_origin(first=True), _TINY),
-        Sweep("g near the origin", _one_near_the_origin(first=False), _TINY),
+        of_all_lengths(_reached_by(0.8), 0, 1, 1),
+        *one_near(lambda k, p, g: (k, p, g), axis=_NEAR, origin=_TINY),
     ),
     properties=(
         Property(

@@ -59,6 +59,22 @@ def _small(rng, size):
     return k1, k2, rotated(k1, -0.7 * size, meet), rotated(k2, 0.8, meet)
 
 
+def _near_its_axis(first):
+    """Circles that meet twice, the first of which is small, or the second one."""
+
+    def case(rng, size):
+        k1, k2, n, _ = _axes(rng, 0.5)
+        k = k1 if first else k2
+        meet = k + size * (0.6 * np.cross(n, k) + 0.8 * n)
+        return k1, k2, rotated(k1, -0.7, meet), rotated(k2, 0.9, meet)
+
+    return Sweep("a point near its axis", case, _SMALL_CIRCLES)
+
+
+# Radii, as shares of the distance from the origin. The last one makes |p1|^2 - |a k1 + b k2|^2
+# 2.6e-10 |p1|^2; the task says that it is above 1e-10 |p1|^2.
+_SMALL_CIRCLES = (*shared.NEAR_THE_AXIS[:3], 2e-5)
+
 # Radians. The task says that axes are not nearer to parallel than the last of these.
 _BETWEEN_AXES = (0.3, 0.1, 0.03, 0.01)
 
@@ -75,10 +91,12 @@ def _cases(rng):
         return sign * rng.uniform(1.9, 2.8)
 
     whole = np.array([3.0, 4, 2])
+    there = np.array([2.0, 1, 2])
     meeting = [
         (Z, X, np.array([1.0, 2, 2]), np.array([2.0, -2, 1])),
         (Z, _ANGLED, np.array([0.0, 5, 2]), rotated(_ANGLED, 1.0, np.array([3.0, 4, 2]))),
         (Z, _ANGLED, rotated(Z, 0.8, rotated(_ANGLED, 1.0, whole)), whole),
+        *zip(4 * [Z], 4 * [X], *(shared.by_quarters(k, there) for k in (Z, X)), strict=True),
         _meeting(rng, 0.0, (small(1), small(-1)), 1.0),
         _meeting(rng, 0.5, (large(1), small(1)), 1.0),
         _meeting(rng, 0.7, (small(-1), large(1)), 2.0),
@@ -159,7 +177,9 @@ EXERCISE = Exercise(
             (0.1, 1e-2, 1e-3, 1e-4),
         ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
-        shared.near_the_origin(lambda rng: _meeting(rng, 0.5, (0.7, -0.9), 1.0), 0, 0, 1, 1),
+        shared.of_all_lengths(lambda rng: _meeting(rng, 0.5, (0.7, -0.9), 1.0), 0, 0, 1, 1),
+        _near_its_axis(first=True),
+        _near_its_axis(first=False),
         Sweep("nearly parallel axes", _nearly_parallel, _BETWEEN_AXES),
     ),
     properties=shared.all_of_them(

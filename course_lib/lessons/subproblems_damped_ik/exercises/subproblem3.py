@@ -13,9 +13,18 @@ from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUM
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
 from course_lib.lessons.subproblems_damped_ik.exercises import shared
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import angle_about, rotated, two
-from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
+    angle_about,
+    off_axis,
+    rotated,
+    two,
+)
 from course_lib.subproblems import subproblem3, subproblem4
+
+
+def _asking(k, p, g, aside=0.8):
+    """The problem with the distance at which p is rotated `aside` beyond the direction of g."""
+    return k, p, g, float(np.linalg.norm(rotated(k, angle_about(k, p, g) + aside, p) - g))
 
 
 def _reachable(rng, aside, middle, size, axis=None):
@@ -25,15 +34,16 @@ def _reachable(rng, aside, middle, size, axis=None):
     p, g = size * off_axis(k, rng), size * off_axis(k, rng)
     g = rotated(k, angle_about(k, g, p) + middle, g)
     g = g if (k @ p) * (k @ g) < 0 else g - 2 * (k @ g) * k  # their heights on both sides of 0
-    angle = angle_about(k, p, g) + aside
-    return k, p, g, float(np.linalg.norm(rotated(k, angle, p) - g))
+    return _asking(k, p, g, aside)
 
 
 def _cases(rng):
     named = [
         (Z, X, X, np.sqrt(2.0)),
         (Z, X, 2 * Y, np.sqrt(3.0)),
+        (Z, X, 2 * Y, np.sqrt(3.0) + 1e-7),  # nearly the same, and answered anew
         (Z, 2 * X + Z, 2 * Y + 3 * Z, np.sqrt(8.0)),
+        *((Z, X, g, 2.5) for g in shared.by_quarters(Z, 2 * X)),
     ]
     generic = shared.in_general_position(rng, _reachable)
     k, p, g, d = generic[1]
@@ -61,7 +71,8 @@ def _whole_points(rng):
     return [(k, p, g, drawn), *((z, up, down, d) for d in (5, 5.0, 4.5))]
 
 
-_NEGATIVE = (0.1, 1e-2, 1e-3, 1e-4)  # without their signs, in metres
+# Without their signs, in metres. Each counts, also for who compares distances to 1e-8.
+_NEGATIVE = (0.1, *(0.9 * size for size in SMALL_NUMBERS[:5]))
 
 
 def _negative(rng, size):
@@ -80,7 +91,7 @@ def _nearly_level(rng, size):
     """Points whose heights along the axis are nearly the same."""
     k, p, g, _ = _reachable(rng, 0.8, 1.1, 1)
     g = shared.at_height(k, g, k @ p + size)
-    return k, p, g, float(np.linalg.norm(rotated(k, angle_about(k, p, g) + 0.8, p) - g))
+    return _asking(k, p, g)
 
 
 def _beyond(side):
@@ -135,6 +146,7 @@ EXERCISE = Exercise(
     name="subproblem3",
     points=2,
     arguments=("k", "p", "g", "d"),
+    free=("k", "p", "g", "d"),
     tolerance=EXACT,
     cases=_cases,
     returns=rows(1, "a list of angles, empty if there is none"),
@@ -149,7 +161,8 @@ EXERCISE = Exercise(
         Sweep("a negative distance, nearly 0", _negative, _NEGATIVE),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep("points nearly at one height", _nearly_level, SMALL_NUMBERS),
-        shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 1),
+        shared.of_all_lengths(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 1),
+        *shared.one_near(_asking),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the distance d from g: |R(k, theta) p - g| = d",

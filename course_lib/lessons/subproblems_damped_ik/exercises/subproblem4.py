@@ -13,11 +13,16 @@ from course_lib.lessons.subproblems_damped_ik.exercises import shared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     across,
     angle_about,
+    off_axis,
     rotated,
     two,
 )
-from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import off_axis
 from course_lib.subproblems import subproblem4
+
+
+def _asking(k, h, p, aside=0.8):
+    """The problem with the height at which p is rotated `aside` beyond the direction of h."""
+    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
 
 
 def _reachable(rng, aside, middle, size, axis=None):
@@ -25,18 +30,19 @@ def _reachable(rng, aside, middle, size, axis=None):
     k = unit(rng) if axis is None else axis
     h, p = size * off_axis(k, rng), off_axis(k, rng)
     h = rotated(k, angle_about(k, h, p) + middle, h)
-    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
+    return _asking(k, h, p, aside)
 
 
 def _cases(rng):
     tilted = (Z, np.array([0.6, 0, 0.8]), np.array([0.0, 2, -1]), -0.2)
     named = [
         (Z, X, X, 0.5),
+        (Z, X, X, 0.5 + 1e-7),  # nearly the same, and answered anew
         (Z, X, Y, 0.0),
         (Z, Y, 2 * X, -1.0),
         (Z, X, 2 * X + Z, 1.0),
         tilted,
-        (Z, 2 * X, X, 1.0),
+        *((Z, h, X, 1.0) for h in shared.by_quarters(Z, 2 * X)),
     ]
     generic = shared.in_general_position(rng, _reachable)
     k, h, p, _ = generic[0]
@@ -64,7 +70,7 @@ def _nearly_level(rng, size):
     """A point whose height along the axis is nearly 0."""
     k, h, p, _ = _reachable(rng, 0.8, 1.1, 1)
     p = shared.at_height(k, p, size)
-    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + 0.8, p))
+    return _asking(k, h, p)
 
 
 def _beyond(side):
@@ -113,6 +119,7 @@ EXERCISE = Exercise(
     name="subproblem4",
     points=2,
     arguments=("k", "h", "p", "d"),
+    free=("k", "h", "p", "d"),
     tolerance=EXACT,
     cases=_cases,
     returns=rows(1, "a list of angles, empty if there is none"),
@@ -126,8 +133,9 @@ EXERCISE = Exercise(
         _within(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep("a point nearly at height 0", _nearly_level, SMALL_NUMBERS),
-        shared.near_the_origin(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 2),
-        shared.near_the_origin(lambda rng: _beyond(1).case(rng, 1e-3), 0, 1, 1, 2),
+        *shared.one_near(_asking),
+        shared.of_all_lengths(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 2),
+        shared.of_all_lengths(lambda rng: _beyond(1).case(rng, 1e-3), 0, 1, 1, 2),
     ),
     properties=shared.all_of_them(
         "each theta brings p to the height d along h: h . R(k, theta) p = d",

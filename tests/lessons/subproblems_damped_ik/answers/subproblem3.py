@@ -91,3 +91,18 @@ def wrong_heights_that_are_nearly_the_same(k, p, g, d):
     apart = k @ (p - g)
     is_level = abs(apart) < 1e-3 * np.linalg.norm(p)
     return right_by_substitution(k, p, g + apart * k if is_level else g, d)
+
+
+def wrong_sign_of_a_cross_product(k, p, g, d):
+    """the list holds something that is no solution"""
+    middle, cosine = _triangle(k, p, g, d)
+    middle = np.sign(k @ np.cross(p, g)) * abs(middle)  # 0 if they lie on opposite sides
+    if d < 0 or abs(cosine) > 1:
+        return []
+    return [middle + s * np.arccos(cosine) for s in (1, -1)]
+
+
+def wrong_points_near_the_axis(k, p, g, d):
+    """the list is empty although there are solutions"""
+    is_on_axis = min(np.linalg.norm(np.cross(k, point)) for point in (p, g)) < 1e-5
+    return [] if is_on_axis else right_by_substitution(k, p, g, d)
