@@ -23,6 +23,19 @@ def _nearest(k1, k2, p1, p2):
     return pairs_by_the_text(k1, k2, p1, p2) or [(0.0, 0.0)]
 
 
+def _nearest_unless_side_by_side(k1, k2, p1, p2):
+    """Clips c^2 at 0 if the angle between the axes is not larger than the sum of the others."""
+    between, first, second = (
+        np.arccos(np.clip(_unit(a) @ _unit(b), -1, 1)) for a, b in ((k1, k2), (k1, p1), (k2, p2))
+    )
+    return [] if between > first + second else _nearest(k1, k2, p1, p2)
+
+
+def _long(k1, k2, p1, p2):
+    """Takes points near the origin for the origin."""
+    return pairs_by_the_text(k1, k2, p1, p2) if p1 @ p1 > 1e-6 else []
+
+
 def _perpendicular(k1, k2, p1, p2):
     return pairs_by_the_text(k1, _unit(k2 - (k1 @ k2) * k1), p1, p2)
 
@@ -43,6 +56,10 @@ def _unit_points(k1, k2, p1, p2):
 
 def _crossed(pairs):
     return np.column_stack([pairs[:, 0], pairs[::-1, 1]])
+
+
+def _a_revolution_apart(pairs):
+    return np.concatenate([pairs[:1], pairs[:1] + np.array([2 * np.pi, 0])])
 
 
 def _quarter(pairs):
@@ -71,8 +88,10 @@ EXERCISE = WriteTest(
         "the given test does. Draw axes and points at random.",
         "A right list contains two different pairs, each brings the points together, and it is "
         "empty if nothing can. "
-        "Test with axes at acute and obtuse angles, and with points that are not of length one.",
-        "For the empty list: two small circles, each about its own axis.",
+        "Test with axes at acute and obtuse angles, and with points of all lengths that the task "
+        "of subproblem2 allows.",
+        "For the empty list: two small circles, each about its own axis. Which of the three "
+        "conditions in the text fails for them? Find circles for which another one fails.",
     ),
     shapes=((3,),) * 4,
     refuses=Mistake(
@@ -98,6 +117,7 @@ EXERCISE = WriteTest(
         Version("that returns a list of lists", _pairs(lambda pairs: pairs.tolist()), right=True),
         Version(_COUNT, _pairs(lambda pairs: pairs[:1])),
         Version(_COUNT, _pairs(lambda pairs: pairs[:1].repeat(2, 0))),
+        Version(_COUNT, _pairs(_a_revolution_apart)),
         Version(_COUNT, lambda *case: [], example=True),
         Version(_SIGN, _pairs(lambda pairs: pairs * [1, -1])),
         Version(_SIGN, _pairs(lambda pairs: pairs * [-1, 1])),
@@ -107,9 +127,14 @@ EXERCISE = WriteTest(
         Version("that is right only for angles up to 90 degrees", _pairs(_quarter)),
         Version("in degrees", _pairs(np.rad2deg)),
         Version("that returns a pair if the circles miss", _nearest),
+        Version(
+            "that returns a pair if the circles miss, unless they lie side by side",
+            _nearest_unless_side_by_side,
+        ),
         Version("that is right only for some angles between the axes", _perpendicular),
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),
+        Version("that is wrong only for points near the origin", _long),
     ),
     given=lambda subproblem2: all(_joins(pair) for pair in subproblem2(*_GIVEN)),
 )

@@ -13,14 +13,21 @@ def unit(v):
 
 def _problems():
     rng = np.random.default_rng(5)
-    for _ in range(12):
-        k1, k2, z = unit(rng.normal(size=3)), unit(rng.normal(size=3)), 3 * rng.normal(size=3)
+    for size in [3, 1e-4] * 6:
+        k1, k2, z = unit(rng.normal(size=3)), unit(rng.normal(size=3)), size * rng.normal(size=3)
         a, b = rng.uniform(-3, 3, 2)
         yield k1, k2, rotate(k1, -a, z), rotate(k2, -b, z)
 
 
 def _solves(pair, k1, k2, p1, p2):
     return np.allclose(rotate(k1, pair[0], p1), rotate(k2, pair[1], p2), atol=1e-8)
+
+
+def _finds_misses(subproblem2):
+    """Small circles about z, and about x on either side."""
+    return not any(
+        len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([side, 0.1, 0]))) for side in (1, -1)
+    )
 
 
 def right_by_the_meeting_point(subproblem2, least_cosine=-1):
@@ -34,7 +41,7 @@ def right_by_the_meeting_point(subproblem2, least_cosine=-1):
             return False
         if len(subproblem2(k1, k2, p1, 2 * p2)) > 0:
             return False
-    return len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
+    return _finds_misses(subproblem2)
 
 
 def right_with_narrow_misses(subproblem2):
@@ -59,7 +66,7 @@ def right_with_asserts(subproblem2):
         assert _solves((c, d), k1, k2, p1, p2)
         assert abs(np.exp(1j * a) - np.exp(1j * c)) > 1e-6
         assert not len(subproblem2(k1, k2, 1.1 * p1, p2))
-    assert not len(subproblem2(ez, ex, np.array([0.1, 0, 1]), np.array([1, 0.1, 0])))
+    assert _finds_misses(subproblem2)
     return True
 
 
@@ -75,6 +82,17 @@ def wrong_exactly_equal(subproblem2):
 def wrong_only_what_is_returned_is_tested(subproblem2):
     """unnamed"""
     return all(_solves(pair, *case) for case in _problems() for pair in subproblem2(*case))
+
+
+def wrong_one_condition_of_three(subproblem2):
+    """unnamed"""
+    for k1, k2, p1, p2 in _problems():
+        pairs = subproblem2(k1, k2, p1, p2)
+        if len(pairs) != 2 or not all(_solves(pair, k1, k2, p1, p2) for pair in pairs):
+            return False
+        if np.allclose(*(rotate(k1, pair[0], p1) for pair in pairs)):
+            return False
+    return len(subproblem2(ez, ex, unit([0.1, 0, 1]), unit([1, 0.1, 0]))) == 0
 
 
 def wrong_no_obtuse_axes(subproblem2):
