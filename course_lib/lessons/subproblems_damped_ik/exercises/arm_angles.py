@@ -9,7 +9,7 @@ from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan, by_quarters
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     BENDS,
     BEYOND,
@@ -33,6 +33,7 @@ def _cases(rng):
     named = [[0.3, 0.4, -0.5], [-1.2, -0.6, 0.7]]
     drawn = [rng.uniform(0.3, 1.2, 3) * rng.choice([-1, 1], 3) for _ in range(3)]
     reached = [(center_of(q),) for q in [*named, *LOW, *drawn]]
+    reached += [(center,) for center in by_quarters(Z, np.array([0.3, 0.0, 0.4]))]
     return [*reached, (np.array([0.5, 0.6, 0.4]),), (SHOULDER + np.array([0.0, 0.01, 0.02]),)]
 
 

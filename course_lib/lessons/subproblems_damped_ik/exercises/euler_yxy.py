@@ -46,6 +46,17 @@ _SECOND = Mistake(
 )
 
 
+def _whole():
+    """Return the 24 rotations by quarters of a revolution, in whole numbers: any angle of them, or
+    its sine or cosine, may be 0."""
+    signed = (
+        np.diag(signs) @ np.eye(3)[list(order)] + 0.0
+        for order in itertools.permutations(range(3))
+        for signs in itertools.product((1.0, -1.0), repeat=3)
+    )
+    return [R for R in signed if np.linalg.det(R) > 0]
+
+
 def _yxy(b1, b2, b3):
     return rot_y(b1) @ rot_x(b2) @ rot_y(b3)
 
@@ -66,7 +77,7 @@ def _cases(rng):
         rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0]),
     ]
     close = [_yxy(a, 1e-3, b), _yxy(b, np.pi - 1e-3, a)]
-    return [(R,) for R in named + quadrants + ends + close]
+    return [(R,) for R in named + quadrants + ends + close + _whole()]
 
 
 def _sine(R):

@@ -36,6 +36,8 @@ def _cases(rng):
     drawn = [rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6) for _ in range(3)]
     low = [[*q, 0.6, 0.7, -0.8] for q in LOW]
     reached = [(ARM.fk(q),) for q in named + low + drawn]
+    T = ARM.fk(named[1])
+    reached.append((transform(rot_y(0.4) @ T[:3, :3], T[:3, 3]),))  # only the orientation differs
     return [*reached, (transform(np.eye(3), [0.6, 0.5, 0.5]),)]
 
 

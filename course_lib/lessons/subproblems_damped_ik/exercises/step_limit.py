@@ -13,7 +13,7 @@ from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
 
 # The eigenvalues of a square J are not its singular values.
-_SHAPES = (3, 6), (2, 2), (3, 3), (2, 4)
+_SHAPES = (3, 6), (2, 2), (3, 3), (2, 4), (1, 4)
 
 
 def _nearly_equal(rng, gap):

@@ -87,3 +87,12 @@ def wrong_nan_used_further(R):
         b1 = np.arctan2(np.sign(b2) * R[0, 1], np.sign(b2) * R[2, 1])
         found.append([b1, b2, _rest(b1, b2, R)])
     return found
+
+
+def wrong_quotient_of_entries(R):
+    """the first triple does not rebuild R"""
+    b1 = np.arctan(R[0, 1] / R[2, 1]) if R[2, 1] != 0 else np.pi / 2
+    b1 += np.pi if R[2, 1] < 0 else 0
+    b2 = np.arctan2(np.hypot(R[0, 1], R[2, 1]), R[1, 1])
+    b3 = _rest(b1, b2, R)
+    return np.array([[b1, b2, b3], [b1 + np.pi, -b2, b3 + np.pi]])
