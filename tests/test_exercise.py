@@ -112,6 +112,22 @@ def test_a_mistake_is_named_whichever_of_two_right_answers_rounding_takes(sign):
     assert verdict.mistake.name == "degrees"
 
 
+def test_a_case_is_shown_with_the_digits_with_which_the_message_is_true():
+    exercise = declared(
+        "one_by",
+        1,
+        {"x": ANGLE.but(named=lambda rng: [np.array([1.0012345678])], beside=())},
+        lambda x: 1 / (x - 1),
+        "the answer is 1 / (x - 1)",
+        hints=(),
+        mistakes=(),
+        cases=((np.array([1.0012345678]),),),
+    )
+    verdict = judge(exercise, LocalFunction(np.zeros_like))
+    assert "The right answer is 810" in describe(verdict)
+    assert verdict.digits == 9  # with six digits it is 813
+
+
 # Find the bug
 
 

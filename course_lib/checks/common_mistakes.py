@@ -404,8 +404,8 @@ USE_FLOAT64 = (
     " otherwise."
 )
 USE_ALL_DIGITS = (
-    "Compute with all digits: no np.round, no small steps in place of a derivative, and pi is "
-    "np.pi."
+    "Compute with all digits. Is there a rounding, a small step in place of a derivative, a short "
+    "number for pi, or something small that is added?"
 )
 
 

@@ -2,6 +2,7 @@
 function runs."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +16,8 @@ from course_lib.checks.reasons import CannotBeRead
 from course_lib.checks.special_cases import InPlace
 from course_lib.checks.verdict import ERROR, RIGHT, UNCHANGED, WRONG, Verdict
 from course_lib.checks.wire import NotPlain, from_json, write
+
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]\d+)?")
 
 
 class LocalFunction:
@@ -167,7 +170,8 @@ def _digits_that_replay(verdict, function, asked):
     """Return with how many digits the numbers of the failing case must be shown for it to fail.
 
     A number just above 2 looks like 2 in six digits, and the answer for 2 may be right. So the
-    student's function is asked again with the numbers that would be shown.
+    student's function is asked again with the numbers that would be shown. It must be wrong for
+    these as the message says: by 1e-8, next to the stretched arm, or at the point that is named.
     """
     exercise, case = verdict.exercise, verdict.case
     forms = {digits: as_shown(case, digits) for digits in SHOWN_DIGITS}
@@ -180,9 +184,28 @@ def _digits_that_replay(verdict, function, asked):
         # A pose with few digits is none any more, and the library then raises an error.
         if "error" in answer or attempt(_passes, exercise, form, answer) is not False:
             continue
+        if not _says_the_same(verdict, exercise.verdict([form], [answer])):
+            continue
         if _is_far_off(verdict, answer["value"]) or attempt(_has_a_right_answer, exercise, form):
             return digits
     return ALL_DIGITS
+
+
+def _says_the_same(verdict, other):
+    """Return whether two verdicts give the same numbers, to two units in the last place that is
+    written; True if their sentences differ in more than numbers."""
+    ours, theirs = str(verdict.reason), str(other.reason)
+    if _NUMBER.sub("", ours) != _NUMBER.sub("", theirs):
+        return True
+    pairs = zip(_NUMBER.findall(ours), _NUMBER.findall(theirs), strict=True)
+    return all(abs(float(a) - float(b)) <= 2.5 * max(_unit(a), _unit(b)) for a, b in pairs)
+
+
+def _unit(written):
+    """Return one unit in the last place of a written number; 0 for a whole number, which counts."""
+    mantissa, _, exponent = written.partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return 10.0 ** (int(exponent or 0) - decimals) if decimals or exponent else 0.0
 
 
 def _is_far_off(verdict, value):

@@ -58,7 +58,8 @@ KEPT_FOR_SIMILAR_INPUT = Mistake(
 KEPT_FOR_THE_NEXT_CALL = Mistake(
     "something is kept from one call to the next",
     "A list or an array outside the function, or a default like products=[], is made once only, "
-    "and each call finds in it what the calls before have left there. Make it inside the function.",
+    "and each call finds in it what the calls before have left there. Which of your names live "
+    "longer than one call?",
 )
 
 WRONG_FOR_SMALL_NUMBERS = Mistake(

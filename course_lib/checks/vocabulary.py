@@ -202,12 +202,13 @@ def wrapped(right):
     Rounding may decide between 0 and 2 pi, so the angles are not compared with the two forms.
     """
     return Mistake(
-        "the angles are brought between -pi and pi, or between 0 and 2 pi",
+        "whole revolutions are taken off the angles, or added",
         "Does the formula in the task change an angle by whole revolutions? What does a joint do "
         "whose angle jumps by one?",
         lambda *case: np.angle(np.exp(1j * right(*case))),
         lambda *case: right(*case) % (2 * np.pi),
-        alike=same_angles,
+        # So fine that an answer whose step is lost is not taken for a wrapped one.
+        alike=functools.partial(same_angles, tolerance=EXACT),
     )
 
 

@@ -5,10 +5,8 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import POSE, half_turns
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import (
     EXACT,
@@ -36,7 +34,8 @@ _LONGER = Mistake(
 )
 _TINY = Mistake(
     "a tiny rotation counts as none, or has lost its digits",
-    "What does arccos of a number slightly below 1 give? rotations.log_so3 handles this case.",
+    "How many digits are left of arccos of a number slightly below 1, or of a sine that is taken "
+    "for its angle? rotations.log_so3 handles this case.",
 )
 _OTHER_ROTATION = Mistake(
     "phi does not take R to R_target",
@@ -139,9 +138,8 @@ def _off(e, *case):
     wanted = pose_error(*case)
     if not near(e[:3], wanted[:3]):
         return "p_target - p is " + compared(wanted[:3], e[:3]) + "."
-    angle, phi = length(wanted[3:]), format_tuple(wanted[3:])
-    yours = f"{format_tuple(e[3:])}, " + off_by(_gap(e, *case))
-    return f"The rotation between them is {angle:.4g} rad, phi = {phi}; your phi is " + yours + "."
+    between = f"The rotation between them is {length(wanted[3:]):.4g} rad, and phi is "
+    return between + compared(wanted[3:], e[3:]) + "."
 
 
 def _alike(e, predicted, *case, up_to_two_pi=False):

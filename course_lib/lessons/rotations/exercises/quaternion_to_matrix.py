@@ -30,7 +30,7 @@ def _combination(two, three):
 
 def _with_the_digits_of_a_root(R, predicted, q):
     """Return whether R is what was predicted, to the digits that a root has: few near w = 0."""
-    rounding = 1e-15 / max(abs(q[0]), 1e-8)
+    rounding = 4e-15 / max(abs(q[0]), 1e-8)
     return difference(R, predicted) <= max(EXACT, rounding)
 
 

@@ -20,7 +20,7 @@ def right_least_squares(q, J, e, eps):
 
 
 def wrong_wrapped(q, J, e, eps):
-    """the angles are brought between"""
+    """whole revolutions are taken off the angles"""
     return (right_least_squares(q, J, e, eps) + np.pi) % (2 * np.pi) - np.pi
 
 
