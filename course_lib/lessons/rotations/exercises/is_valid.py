@@ -107,11 +107,10 @@ def _poses(rng):
     both = [pose(flat, p[:2], 0.004, 0.0, 1.0), pose(R @ np.diag([1.003, 1.0, 1.0]), p)]
     # the mean of the row's errors and its length are within tol, the largest error is not; and the
     # reverse
-    return (
-        tight,
-        [*both, pose(R, p, 0.012, 0.0, 0.0, 1.0), pose(R, p, 0.009, 0.009, 0.009, 1.0)],
-        both,
-    )
+    rows = [pose(R, p, 0.012, 0.0, 0.0, 1.0), pose(R, p, 0.009, 0.009, 0.009, 1.0)]
+    # What is no rotation is no block of a pose either.
+    blocks = [pose(block, p[: len(block)]) for block in _rotations(rng)[1]]
+    return tight, [*both, *rows, *blocks], both
 
 
 def _quaternions(rng):
