@@ -302,7 +302,8 @@ def _poses(rng):
     distant[:3, 3] *= 100
     # Formulas by quaternions divide by 0 there, or by roll, pitch and yaw.
     half = transform(half_turn(leaning_axis(rng)), away_from_zero(rng, 3))
-    upright = transform(rot_z(0.7) @ rot_y(-QUARTER) @ rot_x(0.4), away_from_zero(rng, 3))
+    pitched = np.array([[0.0, 0, -1], [0, 1, 0], [1, 0, 0]])  # by exactly 90 degrees
+    upright = transform(rot_z(0.7) @ pitched, away_from_zero(rng, 3))
     return [
         *turned,
         distant,
