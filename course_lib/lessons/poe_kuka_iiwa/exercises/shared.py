@@ -74,12 +74,13 @@ def arms(rng):
         for n in (1, 3, 4, 6, 7, 8)
     ]
     screws, M, _ = drawn[1]
+    still = [(*drawn[2][:2], np.array([0.7, 0, -1.1, 0]))]
     far = [
         (screws, M, np.array([7.5, -9.25, 40.0])),
         (KUKA, KUKA_HOME, away_from_zero(rng, 7, 3.3, 6.0)),
     ]
     whole = [(WHOLE, at(2, 1, 0), np.array([0.5, 1.2, -0.7])), (WHOLE, at(2, 1, 0), WHOLE_ANGLES)]
-    return [*named, *drawn, *far, *whole, named[2]]
+    return [*named, *drawn, *still, *far, *whole, named[5]]
 
 
 def _nearly_zero(rng, size):
