@@ -52,7 +52,7 @@ def _named(rng):
         *((_STILL, v) for v in (X, np.array([1.0, 2, 3]), _STILL)),
     ]
     whole = [np.array([0, 0, 1, 1, 2, 3]), np.array([-2, 1, 0, 0, 3, 1])]
-    rotating = [_rotating(rng, angle) for angle in (0.5, 2.0, 5.0, 20.0, np.pi)]
+    rotating = [_rotating(rng, angle) for angle in (0.5, 2.0, 5.0, 20.0, 200.0, np.pi)]
     return [*map(np.concatenate, pairs), *rotating, *whole]
 
 

@@ -31,7 +31,9 @@ _CASES = (
     (Y, _HINGE, -_QUARTER),
     (Z, 0 * X, _QUARTER),
 )
-_UNIT_VECTOR = Kind(drawn=unit, named=lambda rng: [Z, X, Y, -Y, np.array([0.6, 0, -0.8])])
+_UNIT_VECTOR = Kind(
+    drawn=unit, named=lambda rng: [Z, X, Y, -Y, np.array([0.6, 0, -0.8])], small=True
+)
 
 
 def _near_half_a_revolution(rng, gap):
