@@ -79,6 +79,17 @@ def _without_limits(rng, *faults):
     return t, q, endless
 
 
+def _whole_in_one():
+    """Return motions of which one array holds whole numbers, and another one would be judged
+    differently without its digits."""
+    t, q, limits = np.array([0.2, 0.6, 1.4]), np.array([[0.5], [0.8], [1.5]]), [[-1.2, 1.2]]
+    return [
+        (np.array([0.0, 1, 2]), q, np.array(limits)),
+        (t, np.array([[0.0], [1], [1]]), np.array(limits)),
+        (t, q, np.array([[-1.0, 1]])),
+    ]
+
+
 def _cases(rng):
     at_the_limit, shifted = _motion(rng, 4), _motion(rng, 5)
     at_the_limit[1][2], at_the_limit[1][3] = at_the_limit[2].T
@@ -95,6 +106,7 @@ def _cases(rng):
         _motion(rng, 1),
         _spoilt(rng, (0, (6, lambda t, limits, row: np.nan)), n=1),
         *(_spoilt(rng, (2, a), (5, b)) for a, b in itertools.permutations(_FAULTS, 2)),
+        *_whole_in_one(),
         (np.array([0, 1, 1]), np.zeros((3, 2), int), np.array([[-1, 1], [-1, 1]])),
     ]
 

@@ -19,8 +19,9 @@ _SLOW = ("a slow twist", lambda rng, size: size * rng.normal(size=6), BESIDE)
 
 
 def _cases(rng):
-    whole = [np.arange(1.0, 7), *np.eye(6), np.array([1, -2, 3, 4, 0, 2]), [0, 0, 1, 5, 6, 7]]
-    return [(twist,) for twist in (*whole, 1e3 * rng.normal(size=6))]
+    whole = [np.arange(1.0, 7), *np.eye(6), np.array([1, -2, 3, 4, 0, 2])]
+    lists = [[0, 0, 1, 5, 6, 7], [0, 0, 1, 0.5, 0.25, -0.75]]
+    return [(twist,) for twist in (*whole, *lists, 1e3 * rng.normal(size=6))]
 
 
 def _relative_error(V, right, part):

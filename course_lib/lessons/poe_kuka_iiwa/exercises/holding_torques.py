@@ -28,7 +28,7 @@ def _cases(rng):
             rng.uniform(1, 5),
             away_from_zero(rng, 3),
         )
-        for n in (2, 5, 7)
+        for n in (1, 2, 5, 7)
     ]
     return [
         (_UPRIGHT, shared.at(2, 0, 0), np.zeros(2), 1.0, np.zeros(3)),
