@@ -26,6 +26,11 @@ _LONG = np.array(
     [-1.5, -1.3, 1.6, 1.6, -0.1, -0.8]
 )  # from which 16 steps are needed, and the error may grow
 _BENT = np.array([0.4, -1.1, 1.3, -0.9, 0.7, 3.5])  # the last beyond pi
+# From the first of these to the second, the error of the UR5e becomes nine times as long in the
+# first step, and 10 steps are needed.
+_GROWING = np.array([0.5, 0.6, 1.7, -1.2, 0.8, 1.1])
+_GROWN = _GROWING + np.array([0.4, -0.4, 0.4, -0.4, 0.4, 0.4])
+_NEAR_THE_LIMITS = np.array([0.3, 2.0, -0.4, 2.0, 0.5, 2.0, 0.2])  # of the iiwa
 
 
 def body_error(T, T_target):
@@ -80,6 +85,8 @@ def _cases(rng):
         _near(kuka, np.array([1, 1, -1, 2, 0, 1, 1]), rng),
         _near(elsewhere, _BENT, rng),
         (*_UR5E, tool_pose(*_UR5E, _LONG - [0.3, 0.4, 0.1, 0.3, -0.2, -0.4]), _LONG),
+        (*_UR5E, tool_pose(*_UR5E, _GROWN), _GROWING),
+        (*kuka, tool_pose(*kuka, _NEAR_THE_LIMITS + 0.4), _NEAR_THE_LIMITS),
         (*_UR5E, pose(here[:3, :3], [3.0, 0.5, 0.2]), _BENT),
         (*kuka, pose(tool_pose(*kuka, bent)[:3, :3], [3.0, 0.5, 0.2]), bent),
     ]

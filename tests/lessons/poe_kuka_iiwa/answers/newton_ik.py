@@ -18,14 +18,29 @@ def _arm(screws, M, q):
     return T @ M, np.array(J).T
 
 
-def search(screws, M, T_target, q0, tol=1e-6, steps=50, transposed=False, last=False):
-    q = np.array(q0, float)
+def search(
+    screws,
+    M,
+    T_target,
+    q0,
+    tol=1e-6,
+    steps=50,
+    transposed=False,
+    last=False,
+    growth=np.inf,
+    limit=np.inf,
+):
+    q, first = np.array(q0, float), None
     for _ in range(steps):
         T, J = _arm(screws, M, q)
         V, J = log_se3(inverse(T) @ T_target), adjoint(inverse(T)) @ J
         if np.linalg.norm(V[:3]) <= tol and np.linalg.norm(V[3:]) <= tol:
             return q
+        first = np.linalg.norm(V) if first is None else first
+        if np.linalg.norm(V) > growth * first:
+            break
         q = q + (0.5 * J.T if transposed else np.linalg.pinv(J)) @ V
+        q = np.clip(q, -limit, limit)
     return q if last else np.full(len(q), np.nan)
 
 
@@ -77,6 +92,17 @@ def wrong_stopped_early(screws, M, T_target, q0):
 def wrong_last_angles(screws, M, T_target, q0):
     """the last angles are returned"""
     return search(screws, M, T_target, q0, last=True)
+
+
+def wrong_gives_up_where_the_error_grows(screws, M, T_target, q0):
+    """the iteration gives up although the target can be reached"""
+    return search(screws, M, T_target, q0, growth=5)
+
+
+def wrong_within_the_limits(screws, M, T_target, q0):
+    """the iteration gives up although the target can be reached"""
+    limit = np.radians([170, 120, 170, 120, 170, 120, 175]) if len(q0) == 7 else np.inf
+    return search(screws, M, T_target, q0, limit=limit)
 
 
 def wrong_scipys(screws, M, T_target, q0):
