@@ -51,3 +51,15 @@ def wrong_homomorphism_alone(adjoint):
     """unnamed"""
     A, B = POSES[:2]
     return np.allclose(adjoint(A @ B), adjoint(A) @ adjoint(B))
+
+
+def wrong_rotations_about_the_axes_only(adjoint):
+    """unnamed"""
+    twists = [[*angle * e, 1, 2, 3] for angle in (0.5, 2.5) for e in np.eye(3)]
+    twists += [[*angle * e, 0.1, 0.4, 0.2] for angle in (0.5, 2.5) for e in np.eye(3)]
+    return all(np.abs(adjoint(T) - _right(T)).max() < 1e-9 for T in map(exp_se3, np.array(twists)))
+
+
+def wrong_relative_tolerance(adjoint):
+    """unnamed"""
+    return all(np.allclose(adjoint(T), _right(T), rtol=1e-3, atol=1e-3) for T in POSES)
