@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from course_lib.checks.mistake import Mistake
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.write_test import Version, WriteTest
 from course_lib.lessons.panda_dh_ik.exercises.shared import pose_error, roll_pitch_yaw
 from course_lib.rigid import inverse, transform
@@ -42,10 +44,23 @@ def _by_largest_entry(R, R_target):
     return right * length(right) / largest if largest > 0 else right
 
 
+def _with_the_other_sign(T, T_target):
+    """Return the error, with the opposite phi at half a revolution, which is right, too."""
+    e = pose_error(T, T_target)
+    return e * np.repeat([1, -1 if length(e[3:]) > _NEARLY_PI else 1], 3)
+
+
+def _divided_by_zero(R, R_target):
+    """Return nan for two equal rotations."""
+    phi = log_so3(R_target @ R.T)
+    return phi if length(phi) > EXACT else phi * np.nan
+
+
 def _scaled(upper, lower):
     return lambda *pair: pose_error(*pair) * np.repeat([upper, lower], 3)
 
 
+_NEARLY_PI = np.pi - SIX_DIGITS  # rad; beyond it phi and -phi are both right
 _OFF = 4e-10 * np.array([1, -1, 1, -1, 1, -1])
 _MOVED = transform(np.eye(3), [0.1, 0.2, 0.3])
 _SIGN = "with a wrong sign"
@@ -65,8 +80,8 @@ EXERCISE = WriteTest(
         "Try several pairs: small angles, large ones, and positions far from the origin.",
         "With e = pose_error(T, T_target): rotations.exp_so3(e[3:]) @ T[:3, :3] must be close to "
         "T_target[:3, :3], "
-        "and the length of e[3:] at most pi. Use angles such as 1e-5, 1 and 3, and np.allclose "
-        "with atol=1e-8.",
+        "and the length of e[3:] at most pi. Use angles such as 0, 1e-5, 1 and 3, and "
+        "np.allclose with rtol=0 and atol=1e-8.",
     ),
     shapes=((4, 4), (4, 4)),
     given=lambda pose_error: np.allclose(pose_error(np.eye(4), _MOVED), [0.1, 0.2, 0.3, 0, 0, 0]),
@@ -75,6 +90,15 @@ EXERCISE = WriteTest(
         Version("that goes by the quaternion", _with_phi(_by_quaternion), right=True),
         # Two right versions may differ by 1e-9, as the task says.
         Version("whose last digits differ", lambda *pair: pose_error(*pair) + _OFF, right=True),
+        Version(
+            "that returns the other sign of phi at half a revolution",
+            _with_the_other_sign,
+            right=True,
+            mistake=Mistake(
+                "your test asks for one sign of phi at half a revolution",
+                "Which sign of phi does the task of pose_error ask for there?",
+            ),
+        ),
         Version("that returns six zeros for every pair", lambda *pair: np.zeros(6), example=True),
         Version(_SIGN, _scaled(-1, -1)),
         Version(_SIGN, _scaled(1, -1)),
@@ -104,6 +128,9 @@ EXERCISE = WriteTest(
         Version(
             "that loses tiny rotations", _stretched(lambda angle: np.where(angle < 3e-5, 0, angle))
         ),
+        Version("that returns nan if the rotations are equal", _with_phi(_divided_by_zero)),
         Version("in degrees", _scaled(1, 180 / np.pi)),
+        # As if from degrees by a rounded factor: off by 4e-7 of the angle.
+        Version("that is off in the seventh digit", _scaled(1, 180 / np.pi / 57.2958)),
     ),
 )
