@@ -14,9 +14,8 @@ from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import T_W0, modified, standard
 from course_lib.rigid import inverse
-from course_lib.rotations import exp_so3
 
-_VISIBLE = tuple(size for size in BESIDE if size > 1e-6)
+_VISIBLE = tuple(size for size in BESIDE if size > 1e-7)
 
 
 def _patterns(table):
@@ -159,9 +158,9 @@ def _first_within(tolerance):
     return answer
 
 
-def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small=False):
-    """Return a table, configurations, and the poses that they have if some joints have the opposite
-    sign.
+def _case(rng, n, m=3, zero=None, noise=0.0, deceives=(), reversed_joints=None, small=False):
+    """Return a table, m configurations, and the poses that they have if some joints have the
+    opposite sign.
 
     The last row has a = 0, so that no position shows the sign of the last joint. deceives: wrong
     answers to the case. reversed_joints: how many joints have the opposite sign, or None for any
@@ -180,13 +179,13 @@ def _case(rng, n, zero=None, noise=0.0, deceives=(), reversed_joints=None, small
         if reversed_joints is not None:
             signs = np.ones(n, int)
             signs[n - reversed_joints :] = -1
-        size = rng.uniform(0.03, 0.1, (2, n)) if small else rng.uniform(0.4, 1.4, (3, n))
+        size = rng.uniform(0.03, 0.1, (2, n)) if small else rng.uniform(0.4, 1.4, (m, n))
         q = np.round(size * rng.choice([-1, 1], size.shape), 3)
         if zero is not None:
             q[zero] = 0  # which fits any pattern
         poses = _ends(table, q, [signs])[0]
         if noise:
-            poses[:, :3, :3] = poses[:, :3, :3] @ exp_so3(noise * rng.normal(size=(3, 3)))
+            poses[:, :3] += rng.uniform(-noise, noise, (m, 3, 4))  # so R is not quite a rotation
         mixed = reversed_joints is not None or (signs > 0).any()
         clear = mixed and np.sort(_gaps(table, q, poses).max((1, 2)))[1] > least
         if clear and not any(np.array_equal(answer(table, q, poses), signs) for answer in deceives):
@@ -197,10 +196,11 @@ def _cases(rng):
     table, q = np.array([[0.5, np.pi / 2, 0.3], [0.4, 0, 0]]), np.array([[0.3, 0.2], [-0.25, 0.3]])
     simple = table, q, _ends(table, q, [[1, -1]])[0]
     drawn = [_case(rng, 3, zero=zero, deceives=[_other_convention]) for zero in (None, 0, -1)]
-    noisy = _case(rng, 4, noise=1e-4, deceives=_JOINT_BY_JOINT[:1])
+    noisy = [_case(rng, 4, noise=noise, deceives=_JOINT_BY_JOINT[:1]) for noise in (1e-4, 9e-4)]
+    drawn.append(_case(rng, 8, m=1))  # more joints than the Panda has
     many = [_case(rng, 4, reversed_joints=3), _case(rng, 4, reversed_joints=4)]
     one = [_one_joint(rng, sign) for sign in (-1, 1)]
-    given = [simple, *drawn, noisy, *many, *one, *_equal_orientations(rng), _one_joint_moves(rng)]
+    given = [simple, *drawn, *noisy, *many, *one, *_equal_orientations(rng), _one_joint_moves(rng)]
     unlucky = _unlucky(rng, [*_JOINT_BY_JOINT, *_SIGNED[:3]], given)
     whole = np.array([[1, 1, 0], [2, 0, 1]]), np.array([[1, 2], [-1, 1], [2, -1]])
     # A constant difference of all poses decides only where the patterns are close.
@@ -209,7 +209,9 @@ def _cases(rng):
         _mirrored(rng),
         *_unlucky(rng, _IN_THE_WORLD, [*given, *unlucky], small=True),
     ]
-    return [*given, (*whole, _ends(*whole, [[-1, 1]])[0])]
+    # A whole table and small angles: the squares of all differences are below 1.
+    lengths = np.array([[1, 1, 0], [1, 0, 1]]), np.array([[0.05, 0.1], [-0.1, 0.05]])
+    return [*given, *((*arm, _ends(*arm, [[-1, 1]])[0]) for arm in (lengths, whole))]
 
 
 def _equal_orientations(rng):
