@@ -16,6 +16,8 @@ from course_lib.rotations import length, log_so3, rot_z
 _MOST_ROWS, _LONGEST, _CLEAR = 500, 6.0, 0.002  # rows, seconds, metres
 _ANGLE = 1e-3  # rad: the task's
 _BOUND = 1.01  # of a share of a bound: 1, and what rounding and the last step of a loop may add
+# Distance of a mug from the axis of joint 1, the angle to the start about it, and the mug's yaw.
+_MUGS = (0.5, 0.75, -0.1), (0.42, -0.7, 1.2), (0.42, 0.7, -0.5)
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake(
@@ -68,18 +70,22 @@ def right(q0, T_grasp):
 
 
 def _cases(rng):
-    """Return three tasks, each rotated as a whole about the axis of joint 1, which makes none of
+    """Return four tasks, each rotated as a whole about the axis of joint 1, which makes none of
     them easier.
 
-    In the second, speed decides; in the last two a straight line in joint space is no way down.
+    In the second, speed decides; in the second and third a straight line in joint space is no way
+    down. The last has the mug of the first, and begins far from it, with joint 6 beyond pi.
     """
     cases = []
-    for radius, aside, yaw in ((0.5, 0.75, -0.1), (0.42, -0.7, 1.2), (0.42, 0.7, -0.5)):
-        start, bearing = _at(radius, aside) @ IN_MUG, rng.uniform(-0.4, 0.4)
+    bearings = rng.uniform(-0.4, 0.4, 3)
+    for bearing, (radius, aside, yaw) in zip(bearings, _MUGS, strict=True):
+        start = _at(radius, aside) @ IN_MUG
         start[2, 3] += 0.04
         q0 = solved(start @ inverse(IN_FLANGE), READY) + bearing * np.eye(7)[0]
         cases.append((q0, _at(radius, bearing) @ IN_MUG @ transform(rot_z(yaw), np.zeros(3))))
-    return cases
+    back = READY.copy()
+    back[[0, 1, 5]] = bearings[0] + 0.3, -1.7, 3.4
+    return [*cases, (back, cases[0][1])]
 
 
 def _at(radius, bearing):

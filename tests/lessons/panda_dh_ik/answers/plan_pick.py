@@ -74,3 +74,10 @@ def wrong_down_in_joint_space(q0, T_grasp):
 def wrong_rows_too_far_apart(q0, T_grasp):
     """two rows are too far apart in time"""
     return np.column_stack([0.3 * np.arange(17), planned(q0, T_grasp)[::5, 1:]])
+
+
+def wrong_one_second_for_each_leg(q0, T_grasp):
+    """a leg takes less time than its speeds need"""
+    x = planned(q0, T_grasp)
+    x[:, 0] = np.linspace(0, 2, len(x))
+    return x
