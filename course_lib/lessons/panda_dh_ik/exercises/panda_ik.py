@@ -77,6 +77,10 @@ _AT_A_LIMIT = np.column_stack(
 _ABOUT_READY = READY + 0.1 * np.array(
     [-1, 1, -1, 1, -1, -1, 1]
 )  # of all such signs, those that take the most steps
+# Of the wrist, from the shoulder, and a configuration in which it is there.
+_REACH = np.hypot(0.316, 0.0825) + np.hypot(0.384, 0.0825)
+_ELBOW = -np.arctan2(0.0825, 0.316) - np.arctan2(0.0825, 0.384)
+_STRETCHED = np.array([0.3, 0.5, 0, _ELBOW, 0, 2.0, 0.4])
 _WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
@@ -131,9 +135,15 @@ def _cases(rng):
         *((READY, q) for q in _HARD),
     ]
     poses = [at_ready @ transform(exp_so3(w), p) for w, p in errors]
-    poses += [shifted, rotated, transform(at_ready[:3, :3], [3.0, 0.13, 0.6])]
+    poses += [shifted, rotated]
     cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
-    cases = cases[:4] + [_moved(rng, T, READY, READY) for T in poses] + cases[4:]
+    out_of_reach = _moved(rng, _just_out_of_reach(), READY, READY)
+    cases = [
+        *cases[:4],
+        *(_moved(rng, T, READY, READY) for T in poses),
+        out_of_reach,
+        *cases[4:],
+    ]
     cases += _two_starts_that_solve(rng)
     return [*cases, (flange(_WHOLE + 0.05 * rng.choice([-1, 1], 7)), _WHOLE)]
 
@@ -145,8 +155,21 @@ def solved(T, q0):
     return found.q if found.success else np.full(7, np.nan)
 
 
+def _just_out_of_reach():
+    """Return a pose of the flange that is farther from the shoulder than the stretched arm reaches,
+    by 0.3 mm."""
+    T, shoulder, wrist = flange(_STRETCHED), *frames(_STRETCHED)[[0, 5], :3, 3]
+    T[:3, 3] += 3e-4 * (wrist - shoulder) / _REACH
+    return T
+
+
 def _reachable(T, q0):
-    return T[0, 3] < 2
+    """Return whether the elbow can stretch far enough for a pose of the flange.
+
+    The wrist is somewhere on a circle about the flange's axis.
+    """
+    x, y, z = T[:3, :3].T @ (T[:3, 3] - frames(READY)[0, :3, 3]) - [0, 0, 0.107]
+    return np.hypot(z, np.hypot(x, y) - 0.088) < _REACH + 1e-4
 
 
 def _gaps(A, B):
