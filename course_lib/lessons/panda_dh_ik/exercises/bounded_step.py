@@ -87,6 +87,7 @@ def _cases(rng):
         (_FLAT, np.array([0.9, 0.4]), 1.0, 4.0),
         (_FLAT, np.array([2.0, 0]), 0.004, 0.1),
         (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02),
+        (away_from_zero(rng, (2, 1)), away_from_zero(rng, 2), 0.2, 0.02),
     ]
     drawn.append(_slow(rng))
     return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]

@@ -7,7 +7,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, joint_angles, number, table
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import off_by
-from course_lib.checks.special_cases import BESIDE, Sweep
+from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_pose, away_from_zero, unit, wrapped
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
@@ -45,6 +45,9 @@ def _cases(rng):
         configuration = np.round(rng.uniform(LOW, HIGH), 2)
         arm = configuration, panda_jacobian(configuration), flange(configuration)
         drawn.append((*arm, any_pose(rng), step))
+    for n in (1, 6):  # joints; of six the Jacobian is square
+        arm = away_from_zero(rng, n), away_from_zero(rng, (6, n)), any_pose(rng)
+        drawn.append((*arm, any_pose(rng), 0.2))
     return [
         (q, _TWO_JOINTS, at, ahead, 0.5),
         (q, _TWO_JOINTS, at, transform(np.eye(3), [1.5, 0.2, 0]), 0.5),
@@ -62,6 +65,14 @@ def _rotated_by(angle):
         return away_from_zero(rng, 4), away_from_zero(rng, (6, 4)), T, T_target, 0.2
 
     return case
+
+
+def _nearly_there(rng, size):
+    """Return the case of a target that is nearly where the arm is."""
+    T = any_pose(rng)
+    R = exp_so3(size * unit(rng)) @ T[:3, :3]
+    T_target = transform(R, T[:3, 3] + size * away_from_zero(rng, 3))
+    return away_from_zero(rng, 4), away_from_zero(rng, (6, 4)), T, T_target, 0.9
 
 
 def _from_the_end_effector(T, T_target):
@@ -114,6 +125,7 @@ EXERCISE = declared(
         "q + step * J.T @ e for this e.",
     ),
     sweeps=(
+        Sweep("nearly at the target", _nearly_there, SMALL),
         Sweep("a small rotation", _rotated_by(lambda size: size), BESIDE),
         # Nearer to half a revolution, rounding decides between phi and -phi.
         Sweep(

@@ -79,6 +79,7 @@ def _cases(rng):
         *((q[1], v[0], 0.1, 2, round(2 * s, 3), most) for most in (1e-5, 1e-7)),  # which count
         (q[1], v[0], 0.1, 2, round(2 * s, 3), 0.6),
         (q[0], 50 * v[1], 0.002, 2, 0.0, 0.01),  # fast joints
+        (q[0], 1e-8 * v[1], 3600.0, 2, 0.0, 0.01),  # slow, and for long
         (q[0], v[1], 0.1, 0, 0.1, 0.01),
         _leaves_the_limits(rng, v[0]),
         (np.array([0, -1, 0, -2, 0, 2, 1]), np.array([1, 0, -1, 0, 1, 0]), 0.1, 2, 0.01, 0.05),

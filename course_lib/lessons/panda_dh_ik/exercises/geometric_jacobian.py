@@ -38,7 +38,9 @@ def _named(rng):
         [here, along_x, transform(rot_x(0.5), [0, 1.0, 0])],  # joint 2 only rotates the flange
     ]
     panda = [shared.frames(q) for q in (np.zeros(7), shared.READY, *away_from_zero(rng, (2, 7)))]
-    return [*map(np.array, simple), *panda]
+    moved = _drawn(rng, 3), _drawn(rng, 3)  # two configurations with one pose of the flange
+    moved[1][-1] = moved[0][-1]
+    return [*map(np.array, simple), *panda, *moved]
 
 
 def _short(rng, size):

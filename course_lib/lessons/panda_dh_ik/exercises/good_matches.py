@@ -129,7 +129,7 @@ def _cases(rng):
     drawn += [_case(rng, 9, [2, 5, 8], "own")]
     # Four good matches, which some random triples hardly find.
     few = [_case(rng, n, n - 4, "own") for n in (9, 9, 9, 16)]
-    scaled = [tuple(factor * part for part in drawn[1]) for factor in (0.02, 50.0)]
+    scaled = [tuple(factor * part for part in drawn[1]) for factor in (0.002, 50.0)]
     given = [*drawn, *scaled, _three_apart(rng), *few]
     given.append(_case(rng, 7, 1, "slight", [by_coordinates]))
     # What a shortcut finds by luck in one case it misses in another, in every set.

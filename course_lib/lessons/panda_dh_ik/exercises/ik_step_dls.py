@@ -28,10 +28,10 @@ def _cases(rng):
         (np.array([1.0, 2]), _SQUARE, [1, 3], 0.5),
         (np.array([8.0, -9]), _SQUARE, [1, 3], 2.0),
     ]
-    shapes = (2, 4), (1, 3), (3, 3), (3, 2), (6, 4)
+    shapes = (2, 4), (1, 3), (3, 3), (3, 2), (2, 1), (6, 4)
     drawn = [
         (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, m), eps)
-        for (m, n), eps in zip(shapes, (0.3, 1.5, 0.05, 0.4, 0.01), strict=True)
+        for (m, n), eps in zip(shapes, (0.3, 1.5, 0.05, 0.4, 0.7, 0.01), strict=True)
     ]
     drawn += [(*panda_step(rng), eps) for eps in (0.3, 4.0, 1e-12)]
     ends = [

@@ -41,13 +41,14 @@ def _cases(rng):
     q, ones = np.array([0.1, 0.2, 0.3]), np.ones(3)
     drawn = [
         (away_from_zero(rng, n), away_from_zero(rng, (m, n)), away_from_zero(rng, n), gain)
-        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (2, 3, 2.5))
+        for m, n, gain in ((2, 4, 0.2), (1, 3, 1.0), (2, 3, 2.5), (1, 1, 0.5))
     ]
     panda, stretched = np.round(rng.uniform(LOW, HIGH), 2), np.array([0.2, 0, 0.4, 0, 0.3, 0, 0.5])
     return [
         (q, FLAT, ones, 0.5),
         *drawn,
         (panda, panda_jacobian(panda), middle, 0.1),
+        (panda, panda_jacobian(panda), panda[::-1], 0.4),
         (panda, panda_jacobian(panda), panda, 0.3),
         (stretched, panda_jacobian(stretched), middle, 0.2),
         (q, _SINGULAR, ones, 0.5),
@@ -67,7 +68,7 @@ def _least_share(J):
     """Return the smallest singular value that is not 0, as a share of the largest; 1 if all are
     0."""
     values = np.linalg.svd(J, compute_uv=False)
-    values = values[values > EXACT]
+    values = values[values > EXACT * values[0]]
     return values[-1] / values[0] if values.size else 1
 
 
@@ -108,7 +109,7 @@ EXERCISE = declared(
     points=2,
     arguments={
         "q": joint_angles(5, small=True),
-        "J": table(3, 5),
+        "J": table(3, 5, small=True),
         "q_middle": joint_angles(5, small=True),
         "gain": number(0.1, 0.9, 0.5, 1.0, 2.5, -0.4, 0.0),
     },

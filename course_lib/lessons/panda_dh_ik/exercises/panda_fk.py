@@ -71,6 +71,7 @@ EXERCISE = declared(
             drawn=lambda rng: np.round(rng.uniform(shared.LOW, shared.HIGH), 2),
             named=_named,
             beside=(("small angles", lambda rng, size: shared.READY + size, SMALL),),
+            small=True,
         )
     },
     tolerance=EXACT,

@@ -79,7 +79,7 @@ EXERCISE = declared(
         "in the world. At which step does your code differ?",
     ),
     sweeps=(
-        Sweep("the number of pixels", _drawn, SIZES),
+        Sweep("the number of pixels", _drawn, (*SIZES, 300)),
         Sweep("nearly on the camera's axis", _on_the_axis, SMALL),
         Sweep("a camera that looks nearly straight down", _nearly_down, SMALL),
     ),

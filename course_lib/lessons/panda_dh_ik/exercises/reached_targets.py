@@ -16,6 +16,7 @@ from course_lib.rotations import exp_so3
 
 _REACHED = 1e-3  # metres and radians
 _WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
+_TWO_WHOLE = np.array([_WHOLE, [0, 0, 0, -2, 0, 2, 0]])
 _BESIDE_THE_BOUND = (0.3, -0.3, 0.1, -0.1, 0.01, -0.01, 1e-4, -1e-4, 1e-6, -1e-6)
 # From here one step with eps = 1e-6 leads to 0.4 mm from the target, the next to 3 mm, and the
 # third to 0.04 mm.
@@ -98,6 +99,8 @@ def _cases(rng):
     # The first step reaches this target, beyond the limit of joint 6, unless it is clipped.
     below = np.where(np.arange(7) == 5, HIGH - 0.004, READY)
     beyond = np.where(np.arange(7) == 5, HIGH + 0.036, READY)
+    aside = PANDA.fk(READY)
+    aside[1, 3] += 1.2 * _REACHED
     return [
         (np.array([near[0], far]), READY, 0.01, 20),
         _case(rng, 10, READY, 0.01, 20, 2.0, limited=True),
@@ -108,6 +111,8 @@ def _cases(rng):
         *((passed, starts, 1e-6, steps) for steps in (1, 2, 3)),
         (PANDA.fk(np.array([_WHOLE, READY])), _WHOLE, 0.01, 15),
         (PANDA.fk(seven), seven, 0.01, 1),  # as many starts as joints
+        (PANDA.fk(_TWO_WHOLE + 0.1), _TWO_WHOLE, 0.03, 20),
+        (aside[None], READY, 10.0, 40),  # all steps are short, and lead there
         (PANDA.fk(beyond[None]), below, 1e-6, 1),
     ]
 
