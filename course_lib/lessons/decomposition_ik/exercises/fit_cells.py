@@ -297,7 +297,7 @@ def outside_in_the_last_cell(xy, q, cell, count, written):
 )
 def split_by_the_sign(*case, where_it_can):
     def split(q):
-        labels = (q[:, 1] < 0).astype(int)
+        labels = np.where(np.sign(q[:, 1]) < 0, 1, 0)
         return split_branches(q) if where_it_can and len(set(labels)) < 2 else labels
 
     return fit_cells(*case, split=split)
