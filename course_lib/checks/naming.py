@@ -147,13 +147,17 @@ class Naming:
         return None
 
     def _is_given_again(self, position):
-        """Return whether an answer is, to the last digit, that to a similar case asked before."""
+        """Return whether an answer is, to the last digit, that to a similar case asked before.
+
+        Whoever takes small numbers for 0 returns again what 0 got: nothing is kept for that.
+        """
         value = attempt(np.asarray, self.values[position], float)
         if value is None or value.size < MIN_NUMBERS or is_whole(value):
             return False  # two inputs may rightly have the same few, or whole, numbers
         return any(
             attempt(np.array_equal, value, self.values[k])
             and _are_similar(self.cases[k], self.cases[position])
+            and not all(map(is_whole, filter(_is_array, self.cases[k])))
             for k in range(position)
         )
 
@@ -452,6 +456,10 @@ def _nudge(case, sign):
         return argument * (1 + sign * _LAST_BITS * rng.choice([-1, 1], np.shape(argument)))
 
     return type(case)(map(nudged, case))
+
+
+def _is_array(argument):
+    return isinstance(argument, np.ndarray)
 
 
 def _are_similar(case, other):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import ANGLE, vector
@@ -35,6 +36,13 @@ def _direction_by_arccos(p, a):
     return np.array([1, np.sign(p[1] or 1)]) * p @ _matrix(a).T
 
 
+def _found(image, p, a):
+    degrees = f"a is {np.rad2deg(a):.4g} degrees"
+    if same(image, _right(p, a), tolerance=1e-3):  # then the direction is not what is wrong
+        return f"{degrees}. The right point is " + compared(_right(p, a), image) + "."
+    return f"{degrees}."
+
+
 EXERCISE = declared(
     "rotate_point",
     points=1,
@@ -51,7 +59,7 @@ EXERCISE = declared(
     tolerance=EXACT,
     library=_right,
     says="the point moves counter-clockwise by the angle a",
-    found=lambda image, p, a: f"a is {np.rad2deg(a):.4g} degrees.",
+    found=_found,
     properties=(
         Property(
             "the distance from the origin does not change",

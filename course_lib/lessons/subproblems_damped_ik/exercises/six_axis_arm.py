@@ -112,7 +112,8 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             where=lambda *case: len(solutions(*case)) > 0,
             mistake=Mistake(
                 "solutions are missing",
-                "Does your function go on with each answer of a subproblem?",
+                "Does your function go on with each answer of a subproblem, and does it keep two "
+                "that are close to each other?",
             ),
         ),
         Property(
