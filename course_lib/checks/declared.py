@@ -20,7 +20,7 @@ from course_lib.checks.vocabulary import compared, first_off
 from course_lib.checks.wire import write
 
 # Below this an error of a thousandth comes near the rounding of numbers near 1.
-_SMALLEST = 0.99e-12
+_SMALLEST = 0.995e-12
 _MAX_REMEMBERED = 2000  # right answers of an exercise: those to a few sets of cases
 _NEARLY = 1000  # times the allowed error: so near, a message speaks of the error
 
