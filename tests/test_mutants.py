@@ -30,6 +30,8 @@ AS_RIGHT = {
     "newton_ik": ["return np.linalg.norm(V[:3]) <= 1e-06 and np.linalg.norm(V[4:]) <= 1e-06"],
     # Of several largest sets it returns the last one. The task does not say which.
     "good_matches": ["if good.sum() >= best.sum():"],
+    # Of several patterns that fit equally well, each is accepted.
+    "find_signs": ["if worst <= least:"],
 }
 ENOUGH = 1000  # passes through loops that a call may make, besides five times those of the solution
 

@@ -1,5 +1,5 @@
-"""No stored output of a notebook holds what rounding decides: other kernels, plainer loops and
-noise in the last bits change none of them."""
+"""No stored output of a notebook holds what rounding decides, and no verdict on an answer: other
+kernels, plainer loops and noise in the last bits change none of them."""
 
 import os
 import re
@@ -12,6 +12,7 @@ import pytest
 
 TESTS = Path(__file__).parent
 NOTEBOOKS = sorted((TESTS.parent / "notebooks").glob("0[1-6]_*.ipynb"))
+LESSONS = sorted(path.name for path in (TESTS / "lessons").iterdir())
 # All at once; `python tests/other_processors.py notebooks/0*.ipynb` tries them one by one.
 ANOTHER_PROCESSOR = {
     **other_processors.VARIANTS["kernels of Nehalem, plain loops and sines, one thread"],
@@ -29,12 +30,28 @@ def test_another_processor_stores_the_same_outputs(path):
     assert not cells, "\n".join(report for _, report in cells)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_another_processor_accepts_and_names_the_same_answers(lesson):
+    bank = ["-q", "-p", "no:cacheprovider", "-k", f"pass_a_set and {lesson}", "tests/test_bank.py"]
+    program = f"""
+import sys
+import pytest
+begin(1)
+sys.exit(pytest.main({bank!r}))"""
+    try:
+        with_noise(program)
+    except subprocess.CalledProcessError as failed:
+        pytest.fail(failed.stdout[-5000:])
+
+
 def with_noise(program):
     """Return what a program prints in which begin(seed) begins the noise."""
     head = "import numpy as np\nfrom rounding_noise import begin\n"
     environment = {**os.environ, "PYTHONPATH": str(TESTS)}
     run = subprocess.run(
         [sys.executable, "-c", head + program],
+        cwd=TESTS.parent,
         env=environment,
         capture_output=True,
         text=True,
