@@ -71,7 +71,7 @@ def _beside_the_time_before(rng, gap):
 
 
 def _without_limits(rng, *faults):
-    """Return a motion with faults of an arm whose joint 4 turns without end."""
+    """Return a motion with faults of an arm whose joint 4 can rotate without end."""
     t, q, limits = _spoilt(rng, *faults)
     endless = limits.copy()
     endless[3] = -np.inf, np.inf
