@@ -28,7 +28,8 @@ def _cases(rng):
     named = [(*points, simple, T_wc) for T_wc in (np.eye(4), hangs) for points in few]
     pixels, _, K, T_wc = _drawn(rng, 3)
     distant = pixels, np.round(rng.uniform(200, 900, 3)), K, T_wc
-    return [*named, _drawn(rng, 4), distant, _drawn(rng, 5)]
+    whole = three, np.array([1.0, 2, 1]), K, T_wc
+    return [*named, _drawn(rng, 4), distant, whole, _drawn(rng, 5)]
 
 
 def _on_the_axis(rng, size):

@@ -10,7 +10,9 @@ from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL
 from course_lib.checks.tolerances import EXACT
 from course_lib.rigid import exp_se2, log_se2
 
-_QUARTER = np.array([[0.0, -1.0, 1.0], [1.0, 0.0, 2.0], [0.0, 0.0, 1.0]])  # whole numbers
+# Whole numbers
+_QUARTER = np.array([[0.0, -1.0, 1.0], [1.0, 0.0, 2.0], [0.0, 0.0, 1.0]])
+_HALF = np.array([[-1.0, 0.0, 2.0], [0.0, -1.0, 1.0], [0.0, 0.0, 1.0]])
 _TWISTS = (
     [np.pi / 2, 1.0, 0.0],
     [0.5, 2.0, 0.0],
@@ -42,7 +44,7 @@ def _beside_quarter(rng, gap):
 
 POSE = Kind(
     drawn=lambda rng: _pose_of_omega(rng, round(rng.uniform(-3, 3), 2)),
-    named=lambda rng: [*map(exp_se2, _TWISTS), _QUARTER],
+    named=lambda rng: [*map(exp_se2, _TWISTS), _QUARTER, _HALF],
     beside=(
         ("omega near 0", _pose_of_omega, ON_BOTH_SIDES),
         ("omega near pi", _beside_half, ON_BOTH_SIDES),

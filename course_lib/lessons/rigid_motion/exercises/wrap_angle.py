@@ -17,7 +17,7 @@ _NEAR_TO_PI = (3.1415, 3.1417, 9.4247, 9.4249)  # on both sides of pi and of 3 p
 _PLAIN = (0.0, 1.0, -2.5, 3.0, 6.0, -6.0, 4, -4, 3.2, -3.2, 8.0, -8.0, 10.0, -10.0)
 _EXACT = (1, -1, 0.5, -0.5, 1.5, -1.5, 0.25, 1.75)  # revolutions
 _LARGEST = 1e6  # rad, as the task says
-_ARRAYS = (np.array([1.0, 4.0, -4.0]), np.array([[4.0, 1.0], [-7.0, 2.0]]))
+_ARRAYS = (np.array([4.0]), np.array([1.0, 4.0, -4.0]), np.array([[4.0, 1.0], [-7.0, 2.0]]))
 
 
 def _drawn(rng):

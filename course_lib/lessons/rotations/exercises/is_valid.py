@@ -103,7 +103,8 @@ def _poses(rng):
         pose(flat, p[:2], 0.0, 0.0, 0.5),
     ]
     tight += [pose(R, p, 0.0, 0.0, 0.0, last) for last in (2.0, -1.0, NEARLY_ONE)]
-    tight += [np.eye(2), np.eye(5), pose(R, p)[:3], np.eye(3, 4), pose(R, p)[None]]
+    tight += [np.eye(2), np.eye(5), np.vstack([pose(R, p), np.eye(4)[3]]), np.eye(4, 5)]
+    tight += [pose(R, p)[:3], np.eye(3, 4), pose(R, p)[None]]
     both = [pose(flat, p[:2], 0.004, 0.0, 1.0), pose(R @ np.diag([1.003, 1.0, 1.0]), p)]
     # the mean of the row's errors and its length are within tol, the largest error is not; and the
     # reverse
