@@ -142,6 +142,7 @@ EXERCISE = Exercise(
     sweeps=(
         _beside(0.0),
         _beside(np.pi),
+        _beside(np.pi / 2),
         Sweep("small b1 and b3", _small, SMALL_NUMBERS),
     ),
     properties=(

@@ -29,6 +29,7 @@ def some_angle(rng, sign):
 
 def _cases(rng):
     plain = [(Z, X, Y), (Z, Y, X), (Z, X, X), (Z, X, 0 - X), (Y, Z, X), (0 - X, Y, Z)]
+    plain += [(0 - Z, X, Y)]
     there = 2 * X + 3 * Y  # |there|^2 / (|there| |there|) comes out above 1
     heights = [(Z, X + 2 * Z, Y + 2 * Z), (Z, there, there)]
     # Points in whole numbers, whose parts across the axis are not whole.
