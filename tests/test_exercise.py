@@ -91,8 +91,8 @@ def test_a_mistake_is_named_whichever_of_two_right_answers_rounding_takes(sign):
         return direction(a) * [180 / np.pi, 1]
 
     def distance(value, right, a):
-        turned = np.angle(np.exp(1j * (value[0] - right[0])))
-        return max(abs(turned), abs(value[1] - right[1]))
+        apart = np.angle(np.exp(1j * (value[0] - right[0])))
+        return max(abs(apart), abs(value[1] - right[1]))
 
     def with_the_other_sign_at_pi(a):
         answer = in_degrees(a)

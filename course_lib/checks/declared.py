@@ -19,7 +19,8 @@ from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, first_off
 from course_lib.checks.wire import write
 
-# Below this an error of a thousandth comes near the rounding of numbers near 1.
+# Just below the 1e-12 that tasks name, so that a case at 1e-12 counts and one at 9.9e-13 does not:
+# there an error of a thousandth comes near the rounding of numbers near 1.
 _SMALLEST = 0.995e-12
 _MAX_REMEMBERED = 2000  # right answers of an exercise: those to a few sets of cases
 _NEARLY = 1000  # times the allowed error: so near, a message speaks of the error

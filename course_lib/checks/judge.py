@@ -17,6 +17,7 @@ from course_lib.checks.special_cases import InPlace
 from course_lib.checks.verdict import ERROR, RIGHT, UNCHANGED, WRONG, Verdict
 from course_lib.checks.wire import NotPlain, from_json, write
 
+_UNITS = 2.5  # two, and a half for the rounding of their difference
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]\d+)?")
 
 
@@ -198,7 +199,7 @@ def _says_the_same(verdict, other):
     if _NUMBER.sub("", ours) != _NUMBER.sub("", theirs):
         return True
     pairs = zip(_NUMBER.findall(ours), _NUMBER.findall(theirs), strict=True)
-    return all(abs(float(a) - float(b)) <= 2.5 * max(_unit(a), _unit(b)) for a, b in pairs)
+    return all(abs(float(a) - float(b)) <= _UNITS * max(_unit(a), _unit(b)) for a, b in pairs)
 
 
 def _unit(written):

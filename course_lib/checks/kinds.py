@@ -145,9 +145,9 @@ def half_turn(axis):
 
 
 def half_turns(rng):
-    """Return rotations by pi: about the axes, in the coordinate planes, also halfway between two
-    axes, about any axis; as exact as they can be, and as they come from a sine of pi, which is
-    1.2e-16."""
+    """Return rotations by pi: about the axes, about axes in the coordinate planes, those halfway
+    between two axes included, and about any axis. They are as exact as they can be, and as they
+    come from a sine of pi, which is 1.2e-16."""
     slope = rng.uniform(0.5, 0.7)
     in_a_plane = np.array([0, np.sin(slope), -np.cos(slope)])
     axes = [*np.eye(3), *(np.roll(in_a_plane, k) for k in range(3)), leaning_axis(rng)]

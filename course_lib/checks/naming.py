@@ -32,7 +32,7 @@ from course_lib.checks.wire import Seed
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
-_LAST_BITS = 1e-15
+_LAST_BITS = 1e-15  # relative: more than the rounding of a product of matrices
 _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 
@@ -425,6 +425,8 @@ class Naming:
         ]
 
     def _predicts_as_asked(self, mistake, answer, position):
+        """Return whether a variant predicts the answer from the case as it is, to the last bit;
+        None if it does not apply there."""
         case, value = self.cases[position], self.values[position]
         predicted = self._predicted(answer, position)
         if predicted is None:

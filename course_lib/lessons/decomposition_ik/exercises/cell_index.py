@@ -98,8 +98,7 @@ def _just_outside(rng, low, high):
 
 
 def _just_inside(low, high):
-    """Return positions eight rounding steps inside the upper edges: beside the one, the other and
-    both."""
+    """Return positions eight rounding steps inside the right edge, the upper edge and both."""
     low, high = np.array(low), np.array(high)
     below, middle = high - 8 * np.spacing(high), (low + high) / 2 + 0.1
     return np.array([[below[0], middle[1]], [middle[0], below[1]], below])

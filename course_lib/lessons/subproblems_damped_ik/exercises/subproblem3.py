@@ -71,7 +71,8 @@ def _whole_points(rng):
     return [(k, p, g, drawn), *((z, up, down, d) for d in (5, 5.0, 4.5))]
 
 
-# Without their signs, in metres. Each counts, also for who compares distances to 1e-8.
+# Without their signs, in metres: all of them clearly above 1e-8, to which somebody may compare
+# distances.
 _NEGATIVE = (0.1, *(0.9 * size for size in SMALL_NUMBERS[:5]))
 
 
