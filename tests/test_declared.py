@@ -83,11 +83,20 @@ def test_a_message_refers_to_a_bound_of_the_task_only_if_it_has_one(stated):
     assert ("The task says how large the error may be." in text) == bool(stated)
 
 
+def test_an_answer_that_is_nearly_right_is_shown_the_entry_that_is_off():
+    found = dict(found=lambda value, w: "It is not 2 w.")
+    nearly = LocalFunction(lambda w: 2 * w + [0, 1e-5, 0])
+    text = describe(review(twice(**found), nearly))
+    assert "It is not 2 w. Entry [1] should be 0; yours is 1e-05." in text
+
+
 def test_a_distance_in_another_measure_is_not_put_beside_numbers():
     nearly = LocalFunction(lambda w: 2 * w + 1e-5)
-    half_as_far = twice(distance=lambda value, right, w: np.abs(value - right).max() / 2)
-    assert "Your answer is off by 1.0e-05." in describe(review(twice(), nearly))
-    assert "off by" not in describe(review(half_as_far, nearly))
+    half_as_far = twice(
+        distance=lambda value, right, w: np.abs(value - right).max() / 2,
+        found=lambda value, w: "It is not 2 w.",
+    )
+    assert "Entry" not in describe(review(half_as_far, nearly))
 
 
 def test_a_small_argument_counts_where_its_scale_is_given():

@@ -366,7 +366,7 @@ MIXED = replace(
     cases=lambda rng: [([1, 2, 4],), *((rng.uniform(1, 2, 3),) for _ in range(3))],
     properties=(
         Property(
-            "x is mixed", lambda y, x: np.allclose(y, _mixed(x)), mistake=lambda y, x: NOT_MIXED
+            "x is mixed", lambda y, x: np.allclose(y, _mixed(x)), otherwise=lambda y, x: NOT_MIXED
         ),
     ),
     library=_mixed,

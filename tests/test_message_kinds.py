@@ -13,6 +13,7 @@ from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.judge import LocalFunction, judge
 from course_lib.checks.messages import describe
 from course_lib.checks.naming import (
+    FIRST_DIGITS_BEYOND_A_REVOLUTION,
     KEPT_FOR_THE_NEXT_CALL,
     WRONG_BEYOND_A_REVOLUTION,
     WRONG_FOR_SMALL_NUMBERS,
@@ -165,7 +166,7 @@ def test_answers_that_lose_revolutions_are_told_so():
         return ROTATE_POINT.library(p, np.fmod(a, 6.2832))
 
     verdict = judged(ROTATE_POINT, LocalFunction(with_rounded_revolutions))
-    assert verdict.mistake is WRONG_BEYOND_A_REVOLUTION
+    assert verdict.mistake is FIRST_DIGITS_BEYOND_A_REVOLUTION
 
 
 def test_answers_wrong_everywhere_are_not_told_what_some_cases_have_in_common():

@@ -224,7 +224,7 @@ def test_few_digits_are_named_before_anything_else(answer, name):
 
 def test_a_difference_hidden_by_rounding_is_printed():
     text = describe(judge(HALF, LocalFunction(lambda x: x / 2 * (1 + 3e-8))))
-    assert re.search(r"Your answer is off by \d\.\de-08\.", text)
+    assert re.search(r"Entry \[0\] should be \S+; yours is \S+, off by \d\.\de-08\.", text)
     text = describe(judge(HALF, LocalFunction(lambda x: x)))
     assert "off by" not in text
 
@@ -286,7 +286,7 @@ def test_an_answer_that_is_found_again_for_a_similar_input_is_named():
     vectors = np.array([[0.3, 0.2, 0.1], [0.3, 0.2, 0.10001], [0.5, 0.1, 0.2]])
     exercise = replace(TINY_ROTATIONS, cases=lambda rng: [(w,) for w in vectors])
     mistake = judge(exercise, LocalFunction(find_again)).mistake
-    assert mistake.name == "the answer to an earlier, similar input is returned again"
+    assert mistake.name == "the answer is the one to an earlier, similar input"
 
 
 def test_an_argument_that_is_kept_from_the_first_call_is_named():

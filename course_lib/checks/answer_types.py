@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.mistake import OTHER_FORM, Mistake
+from course_lib.checks.mistake import OTHER_FORM, Question
 from course_lib.checks.reasons import Fails
 
-NOT_A_NUMBER = Mistake(
+NOT_A_NUMBER = Question(
     "something is divided by zero, a function is asked outside its domain, or nan or inf is "
     "returned as it stands",
     "Print each intermediate value for this input: where does the first nan or inf appear? "
@@ -20,7 +20,7 @@ class Unreadable(ValueError):
     ----------
     holds, found : str
         What should hold of the answer, a sentence without its end, and what was returned.
-    mistake : Mistake
+    mistake : Mistake or Question
     array : ndarray, optional
         The answer, if it is an array of another shape.
     not_a_number : bool, optional

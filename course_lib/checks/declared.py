@@ -15,6 +15,8 @@ from course_lib.checks.comparisons import difference
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.kinds import OWN_CASES, cases_of, sweeps_of
 from course_lib.checks.mistake import Mistakes
+from course_lib.checks.naming import looks_right
+from course_lib.checks.reasons import Finding, first_entry_off
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, first_off
 from course_lib.checks.wire import write
@@ -75,8 +77,8 @@ def declared(
     scale : callable, optional
         scale(*arguments): how large the effect of the arguments is. Where it is small the error may
         be a thousandth of it at most, so that small numbers count.
-    otherwise : Mistake or callable, optional
-        What is said of answers that no mistake explains; as `mistake` of a Property.
+    otherwise : Question or callable, optional
+        What is asked about answers that no mistake explains; as of a Property.
     found : callable, optional
         found(value, *arguments): what was found instead, in words; usually both answers. What
         `compared` and `first_off` return is joined to texts with +, so that it keeps by how much
@@ -130,20 +132,24 @@ def declared(
     def remark(value, *case):
         """Return what was found and, of a nearly right answer, that the task says which error is
         allowed, if it does."""
-        finding = (found or in_words)(value, *case)
+        finding = Finding() + (found or in_words)(value, *case)
         right = right_answer(*case)
-        is_nearly_right = distance(value, right, *case) < _NEARLY * error_of(right, *case)
+        gap = distance(value, right, *case)
+        is_nearly_right = gap < _NEARLY * error_of(right, *case)
+        if looks_right(gap, right) and finding.off_by is None and distance is difference:
+            finding += " " + first_entry_off(value, right, error_of(right, *case))
         if is_stated and is_nearly_right:
             finding += " The task says how large the error may be."
         return finding
 
+    is_the_library_s = Property(says, is_right, remark, otherwise=otherwise, compares=True)
     return Exercise(
         name=name,
         points=points,
         arguments=tuple(arguments),
         cases=all_cases,
         returns=reads or numbers(lambda *case: right_answer(*case).shape),
-        properties=(*properties, Property(says, is_right, remark, mistake=otherwise)),
+        properties=(*properties, is_the_library_s),
         hints=hints,
         library=library,
         tolerance=tolerance,

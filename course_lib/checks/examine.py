@@ -3,13 +3,17 @@ earned all the same."""
 
 from dataclasses import replace
 
+import numpy as np
+
 from course_lib.checks.answer_types import Unreadable
+from course_lib.checks.common_mistakes import MIN_NUMBERS, is_whole
 from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
 from course_lib.checks.mistake import Mistake
-from course_lib.checks.naming import Naming
-from course_lib.checks.reasons import Fails, Finding
+from course_lib.checks.naming import GIVEN_TO_EARLIER_CALL, KEPT_FOR_THE_NEXT_CALL, Naming
+from course_lib.checks.reasons import Fails, Finding, first_entry_off
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Verdict
+from course_lib.checks.wire import write
 
 SHARED_RESULT = Mistake(
     "one array is returned by several calls, and each call writes its result into it",
@@ -73,12 +77,38 @@ def _stopped_by_error(exercise, position, cases, answers):
 
 def _verdict_on_form(exercise, position, cases, answers, other_kind):
     value = answers[position]["value"]
-    mistake = _mistake_of_form(exercise, other_kind, cases[position])
+    mistake = _mistake_of_earlier_form(position, cases, answers)
+    if mistake is None:
+        mistake = _mistake_of_form(exercise, other_kind, cases[position])
     if mistake is None:
         mistake = Naming(exercise, cases, []).of_other_form(position, value) or other_kind.mistake
     credit = _credit(exercise, cases, answers)
     reason = other_kind.reason
     return Verdict(exercise, WRONG, reason, mistake, cases[position], value, credit=credit)
+
+
+def _mistake_of_earlier_form(position, cases, answers):
+    """Return the Mistake of an answer whose form is another one than that of an earlier answer to
+    the same arguments, or that is the answer to an earlier call; else None."""
+    value = answers[position]["value"]
+    for case, answer in zip(cases[:position], answers[:position], strict=True):
+        earlier = answer["value"]
+        is_same_call = write(list(case)) == write(list(cases[position]))
+        if is_same_call and attempt(np.shape, earlier) != attempt(np.shape, value):
+            return KEPT_FOR_THE_NEXT_CALL
+        is_repeated = not is_same_call and attempt(_is_repeated, value, earlier)
+        if is_repeated:
+            return GIVEN_TO_EARLIER_CALL
+    return None
+
+
+def _is_repeated(value, earlier):
+    """Return whether two answers are the same numbers, and so many that this is no accident."""
+    return (
+        np.array_equal(value, earlier)
+        and np.size(value) >= MIN_NUMBERS
+        and not is_whole(np.asarray(value, float))
+    )
 
 
 def _mistake_of_form(exercise, other_kind, case):
@@ -102,30 +132,45 @@ def _wrong(exercise, wanted, cases, answers, values, failing):
     after = exercise.properties[exercise.properties.index(wanted) + 1 :]
     wrong = {*failing}.union(*(other.failing(cases, values) for other in after))
     naming = Naming(exercise, cases, values)
-    # A distance of the exercise's own would contradict numbers that were found in another measure.
-    fits = exercise.distance is difference or not found
-    if naming.looks_right(failing[0]) and found.off_by is None and fits:
-        gap = naming.gap(failing[0])
-        found += Finding(f" Your answer is off by {gap:.1e}.", gap)
+    if not found.text and exercise.distance is difference and naming.looks_right(failing[0]):
+        found += attempt(first_entry_off, np.asarray(value, float), naming.right(failing[0])) or ""
     mistake = _mistake(wanted, naming, failing, sorted(wrong))
-    # A pair is shown as it was returned.
-    shown = answers[failing[0]]["value"] if isinstance(value, tuple) else value
+    # A pair is shown as it was returned, and so are True and False, which are not read as numbers.
+    returned = answers[failing[0]]["value"]
+    is_shown_as_returned = isinstance(value, tuple) or attempt(_holds_booleans, returned)
+    shown = returned if is_shown_as_returned else value
     credit = _credit(exercise, cases, answers)
     return Verdict(exercise, WRONG, Fails(wanted.text, found), mistake, case, shown, credit=credit)
 
 
+def _holds_booleans(value):
+    return np.asarray(value).dtype == bool and np.ndim(value) > 0
+
+
 def _mistake(wanted, naming, failing, wrong):
-    """Return the Mistake of the answers at the positions `wrong`, or None: a known one; what the
-    property sees in the answer; what the cases have in common; what is said of every answer."""
-    mistake = naming.mistake(failing, wrong)
-    if mistake is None and callable(wanted.mistake):
-        first = failing[0]
-        mistake = attempt(wanted.mistake, naming.values[first], *naming.cases[first])
-    if mistake is None:
-        mistake = naming.in_common(wrong)
-    if mistake is None and not callable(wanted.mistake):
-        mistake = wanted.mistake
-    return mistake
+    """Return the Mistake of the answers at the positions `wrong`, or the Question about them, or
+    None.
+
+    First comes a known mistake, then one that the property reads off the answer, and an argument
+    that is returned as it came. An answer that lacks digits is called so, and nothing else. Then
+    comes what the property asks about this answer, where all wrong answers are, and what the
+    property asks about every answer.
+    """
+    first = failing[0]
+    speaks_of_digits = wanted.compares or wanted.otherwise is None
+    of_digits = naming.of_digits(failing, wrong) if speaks_of_digits else None
+    otherwise = wanted.otherwise
+    if callable(otherwise):
+        otherwise = attempt(otherwise, naming.values[first], *naming.cases[first])
+    known = naming.mistake(failing, wrong, of_digits)
+    if known is None and of_digits is None and isinstance(otherwise, Mistake):
+        known = otherwise
+    known = known or naming.returned_argument(wrong) or of_digits
+    if known is not None:
+        return known
+    if callable(wanted.otherwise) and otherwise is not None:
+        return otherwise
+    return naming.in_common(wrong) or otherwise
 
 
 def _credit(exercise, cases, answers):
@@ -170,7 +215,7 @@ def _is_of_exercise(exercise, verdict):
     if verdict.mistake is None or verdict.case is None:
         return False
     value = attempt(exercise.returns, verdict.answer, *verdict.case)
-    by_sight = (wanted.mistake for wanted in exercise.properties if callable(wanted.mistake))
+    by_sight = (wanted.otherwise for wanted in exercise.properties if callable(wanted.otherwise))
     return verdict.mistake in [attempt(see, value, *verdict.case) for see in by_sight]
 
 

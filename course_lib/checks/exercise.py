@@ -9,7 +9,7 @@ import numpy as np
 from course_lib.arguments import read_only
 from course_lib.checks.comparisons import attempt, difference, same
 from course_lib.checks.examine import examine
-from course_lib.checks.mistake import Mistake, Mistakes
+from course_lib.checks.mistake import Mistakes, Question
 from course_lib.checks.special_cases import Sweep, made_cases
 
 # Of the sets of cases in the notebook, which ask for everything that is hard. Grading asks the same
@@ -34,11 +34,14 @@ class Property:
     where : callable, optional
         where(*arguments): whether the property applies to this case.
     across : bool
-    mistake : Mistake or callable, optional
-        The mistake that is named if no mistake of the exercise explains the answers; or
-        mistake(value, *arguments).
+    otherwise : Question or callable, optional
+        What is asked if no mistake explains the answers; or otherwise(value, *arguments), which
+        returns a Question, None, or a Mistake that it has read off the value with certainty.
     points : int
         Partial credit: the points earned if this property holds and another does not.
+    compares : bool
+        Whether it compares the whole answer with the library's, so that an answer in which only
+        later digits are off is told so, and is asked nothing else.
 
     Examples
     --------
@@ -53,8 +56,18 @@ class Property:
     says: Callable | None = None
     where: Callable | None = None
     across: bool = False
-    mistake: Mistake | Callable | None = None
+    otherwise: Question | Callable | None = None
     points: int = 0
+    compares: bool = False
+
+    def __post_init__(self):
+        if self.otherwise is None or isinstance(self.otherwise, Question):
+            return
+        if not callable(self.otherwise):
+            raise TypeError(
+                f"otherwise: a Question, or a function that looks at the answer; "
+                f"{self.otherwise!r} came, which no answer needs to show"
+            )
 
     def failing(self, cases, values):
         """Return the positions of the cases in which the property does not hold."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.comparisons import attempt, predict, same
 from course_lib.checks.format_numbers import SHOWN_DIGITS, digits_of
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG
 
 # A mark and a colour for the rule beside each message. The words say the same; the colours suit
@@ -123,10 +124,13 @@ def _explanation(verdict):
         return "\n".join(lines)
     if verdict.state == ERROR:
         lines.append(str(verdict.reason))
-    if verdict.mistake is not None:
+    is_claimed = isinstance(verdict.mistake, Mistake)
+    if is_claimed:
         lines += [f"It looks as if {verdict.mistake.name}.", verdict.mistake.hint]
     if verdict.state == WRONG:
         lines.append(f"What should hold: {verdict.reason}")
+    if verdict.mistake is not None and not is_claimed:
+        lines.append(verdict.mistake.hint)
     return "\n".join(lines)
 
 
@@ -148,7 +152,8 @@ def _failing_case(verdict):
 
 def _offer_of_hint(verdict):
     """Return how to get a hint if the message contains none, or ""."""
-    named = verdict.mistake is not None or verdict.blames or verdict.state not in (WRONG, ERROR)
+    is_claimed = isinstance(verdict.mistake, Mistake)
+    named = is_claimed or verdict.blames or verdict.state not in (WRONG, ERROR)
     return (
         ""
         if named or not verdict.exercise.hints

@@ -1,14 +1,42 @@
-"""Known mistakes, each once: a name, a hint, and a function as a student would write it."""
+"""What a message says of the cause of a wrong answer: a known mistake, or a question.
+
+A mistake is claimed ("It looks as if ..."), so it must predict the wrong answers, or be read off
+them with certainty. Where no mistake does that, a message asks a question and claims nothing.
+"""
 
 import functools
 import itertools
 
 
+class Question:
+    """What a message asks where no mistake explains the answer.
+
+    Parameters
+    ----------
+    name : str
+        What fails, in a few words, for authors and tests. No message shows it.
+    hint : str
+        A question that is fair to every answer which fails here: it presupposes no cause, and
+        leaves out no part of the task that may be the wrong one.
+
+    Examples
+    --------
+    >>> Question("the answer is not 2 x", "Which factor has each x in your line?")
+    Question('the answer is not 2 x')
+    """
+
+    def __init__(self, name, hint):
+        self.name, self.hint = name, hint
+
+    def __repr__(self):
+        return f"Question({self.name!r})"
+
+
 class Mistake:
     """A known mistake, called by its name.
 
-    What recognises it is one or several of the keywords; without any, it is said where a property
-    or a version of a test names it.
+    What recognises it is one or several of the keywords; without any, it is said where the engine,
+    or a version of a test, has read it off the answers.
 
     Parameters
     ----------

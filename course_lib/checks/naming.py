@@ -25,16 +25,19 @@ from course_lib.checks.comparisons import (
     predict,
     same,
 )
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.wire import Seed
+from course_lib.checks.wire import Seed, write
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
 _LAST_BITS = 1e-15  # relative: more than the rounding of a product of matrices
 _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
+_FEW_DIGITS = 1e-4  # relative: so near another idea does not come by chance
+_TO_ROUNDING = 1e-12
+_MAX_WRONG = 5  # answers that are looked at for this
 
 
 KEPT_FOR_AN_ARRAY = Mistake(
@@ -43,16 +46,37 @@ KEPT_FOR_AN_ARRAY = Mistake(
     "Compute the result from the numbers.",
 )
 
+ONLY_WITH_NEW_NUMBERS = Question(
+    "the answer is wrong only where an array of the call before holds other numbers",
+    "All answers are right but those to an array of the call before, with other numbers in it. "
+    "Called alone with the input below, does your function give this answer? What does it keep "
+    "from one call to the next?",
+)
+
 KEPT_FOR_SOME_ARGUMENTS = Mistake(
     "a result is kept for some of the arguments, and found again when another one has changed",
     "Does your function compute anew when only one of its arguments changes? Compute the result "
     "from all of them.",
 )
 
-KEPT_FOR_SIMILAR_INPUT = Mistake(
-    "the answer to an earlier, similar input is returned again",
-    "Called alone with the input below, does your function give this answer? What does it keep "
-    "from one call to the next, and when does it take two inputs for the same?",
+ONLY_WITH_ONE_CHANGED = Question(
+    "the answer is wrong only where one argument has changed since the call before",
+    "All answers are right but those to a call that differs from the call before in one argument "
+    "only. Called alone with the input below, does your function give this answer? What does it "
+    "keep from one call to the next?",
+)
+
+GIVEN_TO_SIMILAR_INPUT = Mistake(
+    "the answer is the one to an earlier, similar input",
+    "Called alone with the input below, does your function give this answer, too? If it does, "
+    "which line takes the two inputs for the same? If not, what does it keep from one call to the "
+    "next?",
+)
+
+GIVEN_TO_EARLIER_CALL = Mistake(
+    "the answer is the one to an earlier call, with other arguments",
+    "Called alone with the input below, does your function give this answer, too? If not, what "
+    "does it keep from one call to the next?",
 )
 
 KEPT_FOR_THE_NEXT_CALL = Mistake(
@@ -60,6 +84,15 @@ KEPT_FOR_THE_NEXT_CALL = Mistake(
     "A list or an array outside the function, or a default like products=[], is made once only, "
     "and each call finds in it what the calls before have left there. Which of your names live "
     "longer than one call?",
+)
+
+CHANGES_FROM_CALL_TO_CALL = Question(KEPT_FOR_THE_NEXT_CALL.name, KEPT_FOR_THE_NEXT_CALL.hint)
+
+FIRST_DIGITS_HERE = Mistake(
+    "the answer is right to its first digits only, for the input below",
+    "Which line loses digits for this input, or is only nearly right for it, for example because "
+    "something small is added, or left out? Compare each intermediate value with one that you "
+    "compute in another way.",
 )
 
 WRONG_FOR_SMALL_NUMBERS = Mistake(
@@ -72,6 +105,12 @@ WRONG_BEYOND_A_REVOLUTION = Mistake(
     "the answer is wrong for angles beyond one revolution",
     "A joint, or a body, may rotate more than once. Which line changes an angle, or is right for "
     "angles within one revolution only?",
+)
+
+FIRST_DIGITS_BEYOND_A_REVOLUTION = Mistake(
+    "the answer is right to its first digits only, for angles beyond one revolution",
+    "A joint, or a body, may rotate more than once. Which line changes an angle, or loses its last "
+    "digits where the angle is large?",
 )
 
 
@@ -90,12 +129,14 @@ class Naming:
         self.exercise, self.cases, self.values = exercise, cases, values
         self._rights, self._predictions = {}, {}
 
-    def mistake(self, failing, wrong):
+    def mistake(self, failing, wrong, of_digits=None):
         """Return the Mistake that accounts for all wrong answers, those at the positions `wrong`,
         or None.
 
         failing: the positions among them at which the property fails of which the message speaks;
         a mistake that is recognised in the answers, and not predicted, is looked for in these.
+        of_digits: the Mistake of answers that lack digits, if they do; they are blamed for no
+        mistake that is only recognised.
 
         Said first is what can be told from the answers themselves: a result kept for an array that
         is filled again, or for some of the arguments, rounding, float32, and answers wrong for
@@ -105,46 +146,216 @@ class Naming:
         True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
-        if wrong and all(isinstance(self.cases[i], OneChanged) for i in wrong):
-            return KEPT_FOR_SOME_ARGUMENTS
-        if wrong and all(isinstance(self.cases[i], InPlace) for i in wrong):
-            return KEPT_FOR_AN_ARRAY
-        of_digits = self._shortened(wrong)
-        if of_digits is None and self._is_wrong_only_where(_has_integers, wrong):
-            of_digits = self._wrong_for_integers(wrong)
-        if of_digits is not None:
-            return of_digits
+        from_before = self._kept_from_the_call_before(wrong)
+        if from_before is not None:
+            return from_before
+        shortened = self._shortened(wrong)
+        if shortened is None and self._is_wrong_only_where(_has_integers, wrong):
+            shortened = self._wrong_for_integers(wrong)
+        if shortened is not None:
+            return shortened
+        recognised_in = failing if of_digits is None else ()
         for known in own:
             if self._predicts_all(known, wrong):
                 return known
-        of_digits = self._few_digits(wrong)
-        if of_digits is not None:
-            return of_digits
+        few_digits = self._few_digits(wrong)
+        if few_digits is not None:
+            return few_digits
         for known in own:
-            if self._explains(known, failing, wrong, everywhere=True):
+            if self._explains(known, recognised_in, wrong, everywhere=True):
                 return known
         for known in common_mistakes(self):
             if self._explains_enough(known, failing, wrong):
                 return known
         if wrong and all(map(self._is_given_again, wrong)):
-            return KEPT_FOR_SIMILAR_INPUT
+            return GIVEN_TO_SIMILAR_INPUT
         # What draws random numbers may differ without keeping anything.
         draws = any(isinstance(argument, Seed) for argument in self.cases[0])
         if not draws and attempt(first_otherwise, self.values, self.cases) in wrong:
             return KEPT_FOR_THE_NEXT_CALL
+        earlier = None if draws else self._of_an_earlier_call(wrong)
+        if earlier is not None:
+            return earlier
         for known in () if self.has_few_values() else own:
-            if self._explains(known, failing, wrong):
+            if self._explains(known, recognised_in, wrong):
                 return known
         return None
 
     def in_common(self, wrong):
-        """Return the Mistake that says what all cases with wrong answers, and no others, have in
-        common; or None."""
+        """Return the Mistake that says where all wrong answers are, and only these; or None."""
         if self._is_wrong_only_where(lambda case: isinstance(case, SmallNumbers), wrong):
             return WRONG_FOR_SMALL_NUMBERS
         if self._is_wrong_only_where(self._has_an_angle_beyond_a_revolution, wrong):
             return WRONG_BEYOND_A_REVOLUTION
         return None
+
+    def of_digits(self, failing, wrong):
+        """Return the Mistake of answers that are right to their first digits only, or None.
+
+        An answer may come near the right one by chance, so all wrong ones must, or the one that is
+        shown must come very near.
+        """
+        if not self._lacks_digits(failing[0]):
+            return None
+        is_chance = not self._lacks_digits(failing[0], _FEW_DIGITS)
+        if is_chance and not all(map(self._lacks_digits, wrong)):
+            return None
+        where = self.in_common(wrong)
+        if where is WRONG_BEYOND_A_REVOLUTION:
+            return FIRST_DIGITS_BEYOND_A_REVOLUTION
+        return where or FIRST_DIGITS_HERE
+
+    def _lacks_digits(self, position, share=_FIRST_DIGITS):
+        """Return whether an answer differs from the right one in later digits of its entries
+        only."""
+        right = self.right(position)
+        value = attempt(np.asarray, self.values[position], float)
+        if isinstance(self.values[position], bool) or right is None or value is None:
+            return False
+        if value.shape != right.shape or not np.isfinite(right).all() or is_whole(value):
+            return False
+        size = self._size(position)
+        gaps, sizes = np.abs(value - right), np.abs(right)
+        # What is rounding in the right answer, as the cosine of pi/2, may be other rounding.
+        is_zero = sizes <= _TO_ROUNDING * size
+        for argument in self.cases[position]:
+            if np.shape(argument) == right.shape and _is_array(argument):
+                # The answer may be a step from this argument, which must have its first digits.
+                changes = np.abs(right - argument)
+                sizes = np.where(changes > 0, np.minimum(sizes, changes), sizes)
+        near = np.where(is_zero, gaps <= EXACT * size, gaps <= share * sizes)
+        return bool(near.all()) and self.distance(position) > 0
+
+    def _kept_from_the_call_before(self, wrong):
+        """Return what is said of answers that are wrong only for the arrays of the call before, or
+        None.
+
+        It is a Mistake only if each is the answer to the call before.
+        """
+        if not wrong or not all(isinstance(self.cases[i], InPlace) for i in wrong):
+            return None
+        is_repeated = all(attempt(self._equals_answer, i, i - 1) for i in wrong)
+        if all(isinstance(self.cases[i], OneChanged) for i in wrong):
+            return KEPT_FOR_SOME_ARGUMENTS if is_repeated else ONLY_WITH_ONE_CHANGED
+        return KEPT_FOR_AN_ARRAY if is_repeated else ONLY_WITH_NEW_NUMBERS
+
+    def _equals_answer(self, position, earlier):
+        value, before = self.values[position], self.values[earlier]
+        return difference(value, before) <= EXACT * max(1, largest_gap(before, 0))
+
+    def returned_argument(self, wrong):
+        """Return the Mistake of wrong answers that are an argument as it came, to the last bit, or
+        None."""
+        if not wrong:
+            return None
+        arrays = [attempt(np.asarray, self.values[i], float) for i in wrong]
+        if any(array is None or array.size < MIN_NUMBERS - 1 for array in arrays):
+            return None
+        if all(map(is_whole, arrays)):
+            return None
+        for k, argument in enumerate(self.exercise.arguments):
+            given = [attempt(np.asarray, self.cases[i][k], float) for i in wrong]
+            if all(attempt(np.array_equal, *pair) for pair in zip(arrays, given, strict=True)):
+                return Mistake(
+                    f"{argument} is returned as it came, for the input below",
+                    f"Which line of yours leaves {argument} as it is for this input? Does the task "
+                    "ask for a change here, even for a small one?",
+                )
+        return None
+
+    def _of_an_earlier_call(self, wrong):
+        """Return the Mistake of wrong answers that are right for an earlier call, or for some of
+        its arguments; or None."""
+        positions = wrong[:_MAX_WRONG]
+        if not positions or not all(map(self._is_clearly_another, positions)):
+            return None
+        earlier = [self._call_answered_instead(i) for i in positions]
+        if all(k is not None for k in earlier):
+            differing = [
+                {
+                    n
+                    for n, pair in enumerate(zip(self.cases[i], self.cases[k], strict=True))
+                    if write(list(pair[:1])) != write(list(pair[1:]))
+                }
+                for i, k in zip(positions, earlier, strict=True)
+            ]
+            return self._answered_instead(set().union(*differing))
+        if len(positions) == 1 or not self.exercise.tries_arguments:
+            return None  # one answer with numbers from a case with round ones may fit by chance
+        kept = self._kept_arguments(positions)
+        return None if kept is None else self._answered_instead(kept)
+
+    def _answered_instead(self, kept):
+        """Return the Mistake of answers to an earlier call, for some of its arguments.
+
+        It is None if these are single numbers: a bound may have made them of those that are given.
+        """
+        if not any(_is_array(self.cases[0][k]) for k in kept):
+            return None
+        names = [self.exercise.arguments[k] for k in sorted(kept)]
+        *others, last = names
+        listed = f"{', '.join(others)} and {last}" if others else last
+        return Mistake(
+            f"the answer is the right one for {listed} of an earlier call",
+            "Called alone with the input below, does your function give this answer, too? If it "
+            "does, what does it compute from the arguments that have changed? If not, what does "
+            "it keep from one call to the next?",
+        )
+
+    def _is_clearly_another(self, position):
+        """Return whether an answer holds numbers enough to be recognised, and is far from the right
+        one."""
+        value = attempt(np.asarray, self.values[position], float)
+        right = self.right(position)
+        if value is None or right is None or value.shape != right.shape:
+            return False
+        is_far = np.isfinite(value).all() and self.distance(position) > _CLEARLY_OFF * max(
+            1, self._size(position)
+        )
+        return value.size >= MIN_NUMBERS and is_far and not self.has_few_values()
+
+    def _call_answered_instead(self, position):
+        """Return the position of the last earlier case to which the library gives this answer, or
+        None."""
+        value, case = np.asarray(self.values[position], float), self.cases[position]
+        for k in reversed(range(position)):
+            right = self.right(k)
+            is_special = all(map(is_whole, filter(_is_array, self.cases[k])))
+            if is_special or _are_similar(*map(_within_a_revolution, (self.cases[k], case))):
+                continue  # one input may be taken for the other, and nothing is kept
+            if (
+                right is not None
+                and right.shape == value.shape
+                and self._is_to_the_last(value, right)
+            ):
+                return k
+        return None
+
+    def _is_to_the_last(self, value, right):
+        return largest_gap(value, right) <= EXACT * max(1, largest_gap(right, 0))
+
+    def _kept_arguments(self, positions):
+        """Return the numbers of the arguments that answers take from the call before; None if there
+        are no such."""
+        number = len(self.exercise.arguments)
+        single = [{k} for k in range(number)] if number > 1 else []
+        all_but_one = [set(range(number)) - one for one in single] if number > 2 else []
+        kept_in_all = (
+            kept
+            for kept in (*single, *all_but_one)
+            if all(i and self._is_mixed(i, i - 1, kept) for i in positions)
+        )
+        return next(kept_in_all, None)
+
+    def _is_mixed(self, position, earlier, kept):
+        """Return whether an answer is right if these arguments are those of an earlier call."""
+        case, before = self.cases[position], self.cases[earlier]
+        mixed = tuple(before[k] if k in kept else case[k] for k in range(len(case)))
+        predicted = attempt(np.asarray, predict(self.exercise.library, mixed), float)
+        value = np.asarray(self.values[position], float)
+        if predicted is None or predicted.shape != value.shape:
+            return False
+        return self._is_to_the_last(value, predicted)
 
     def _is_given_again(self, position):
         """Return whether an answer is, to the last digit, that to a similar case asked before.
@@ -206,22 +417,16 @@ class Naming:
         gap = attempt(self.exercise.distance, value, right, *self.cases[position])
         return np.inf if gap is None or np.isnan(gap) else float(gap)
 
-    def gap(self, position):
-        """Return by how much an answer is off in its entries, as messages say it; a distance that
-        is smaller, as one up to the sign, takes its place."""
-        distance = self.distance(position)
-        in_entries = attempt(difference, self.values[position], self.right(position))
-        return distance if in_entries is None else min(distance, in_entries)
-
     def looks_right(self, position):
         """Return whether an answer differs from the library's in later digits only."""
-        return bool(0 < self.distance(position) <= _FIRST_DIGITS * max(1, self._size(position)))
+        right = self.right(position)
+        return right is not None and looks_right(self.distance(position), right)
 
     def _size(self, position):
         """Return the largest entry of the library's answer, without its sign; 0 if there is
         none."""
         right = self.right(position)
-        return 0.0 if right is None else np.nan_to_num(np.abs(right), posinf=0).max(initial=0)
+        return 0.0 if right is None else largest_gap(right, 0)
 
     def _shortened(self, wrong):
         """Return the Mistake of answers of float32, of rounded ones that are nearly right, or of
@@ -305,10 +510,12 @@ class Naming:
             )
         return self._rights[position]
 
-    def _explains(self, mistake, failing, wrong, everywhere=False):
-        if mistake.seen is not None and all(
-            attempt(mistake.seen, self.values[i], *self.cases[i]) for i in failing
-        ):
+    def _explains(self, mistake, recognised_in, wrong, everywhere=False):
+        is_recognised = [
+            mistake.seen is not None and attempt(mistake.seen, self.values[i], *self.cases[i])
+            for i in recognised_in
+        ]
+        if is_recognised and all(is_recognised):
             return True
         return any(
             self._accounts_for(mistake, answer, wrong, everywhere) for answer in mistake.answers
@@ -442,8 +649,13 @@ class Naming:
         between = largest_gap(predicted, right)
         rounding = 1e-13 * max(1, largest_gap(right, 0))
         if between <= rounding:
-            return True if difference(value, predicted) <= rounding else None
+            return True if difference(value, predicted) <= 0.1 * between else None
         return same(value, predicted) and bool(difference(value, predicted) <= 0.1 * between)
+
+
+def looks_right(distance, right):
+    """Return whether an answer at a distance from the right one is off in later digits only."""
+    return bool(0 < distance <= _FIRST_DIGITS * max(1, largest_gap(right, 0)))
 
 
 def _nudge(case, sign):
@@ -462,6 +674,15 @@ def _nudge(case, sign):
 
 def _is_array(argument):
     return isinstance(argument, np.ndarray)
+
+
+def _within_a_revolution(case):
+    """Return a case with the numbers in its arrays as angles between -pi and pi."""
+
+    def wrapped(argument):
+        return np.angle(np.exp(1j * argument)) if _is_array(argument) else argument
+
+    return [wrapped(argument) for argument in case]
 
 
 def _are_similar(case, other):

@@ -10,9 +10,14 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from course_lib.checks import call_student
+from course_lib.checks.format_numbers import format_tuple
 
 MAX_KINDS = 4  # of versions, which a message lists all
+_ROUNDING = 1e-12  # below which an entry is shown as 0
+_DIGITS = (4, 7, 10, 13, 17)  # tried in turn, until two numbers look different
 
 
 @dataclass(frozen=True)
@@ -25,7 +30,7 @@ class Finding:
     ----------
     text : str
     off_by : float, optional
-        Only if the text says it.
+        Only if the text says it, or shows the two numbers whose difference it is.
 
     Examples
     --------
@@ -53,6 +58,32 @@ class Finding:
 def off_by(gap):
     """Return the Finding that an answer is off by a gap, with two digits."""
     return Finding(f"off by {gap:.2g}", float(gap))
+
+
+def compared(expected, answer, verb="is"):
+    """Return the Finding what is wanted and what came, with the digits in which they differ, and by
+    how much it is off if four digits do not show that.
+
+    verb: "are" where the numbers are spoken of, and not a column or a point.
+    """
+    right, yours = format_tuple(expected), format_tuple(answer)
+    gap = float(np.abs(answer - expected).max())
+    if right != yours:
+        return Finding(f"{right}; yours {verb} {yours}", gap)
+    rounding = min(_ROUNDING, gap / 100)  # so that the entry that is off is not shown as 0
+    for digits in _DIGITS:
+        right, yours = (format_tuple(numbers, rounding, digits) for numbers in (expected, answer))
+        if right != yours:
+            break
+    return f"{right}; yours {verb} {yours}, " + off_by(gap)
+
+
+def first_entry_off(value, right, allowed=0.0):
+    """Return the Finding which entry of an answer is the first that is off by more than allowed."""
+    off = np.abs(value - right)
+    index = tuple(int(k) for k in np.argwhere(off > min(allowed, off.max() / 2))[0])
+    which = f"Entry {list(index)}" if index else "The answer"
+    return f"{which} should be " + compared(right[index], value[index]) + "."
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from course_lib.checks.format_numbers import SHOWN_DIGITS
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 
 RIGHT, WRONG, ERROR, NOT_ATTEMPTED = "right", "wrong", "error in your code", "not attempted yet"
 UNCHANGED = "the bug is still there"  # what is returned is what the given code returns
@@ -20,7 +20,8 @@ class Verdict:
         RIGHT, WRONG, ERROR, NOT_ATTEMPTED or UNCHANGED.
     reason : str or one of reasons.py
         What should hold, or what happened. str(reason) is its sentence.
-    mistake : Mistake, optional
+    mistake : Mistake or Question, optional
+        What the message claims, or asks where it claims nothing.
     case, answer : optional
         The simplest failing case and the answer given in it.
     digits : int
@@ -39,7 +40,7 @@ class Verdict:
     exercise: object
     state: str
     reason: object = ""
-    mistake: Mistake | None = None
+    mistake: Mistake | Question | None = None
     case: tuple | None = None
     answer: object = None
     digits: int = SHOWN_DIGITS[0]

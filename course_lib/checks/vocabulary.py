@@ -7,16 +7,14 @@ import numpy as np
 
 from course_lib.checks.comparisons import difference, first_otherwise, same
 from course_lib.checks.exercise import Property
-from course_lib.checks.format_numbers import ORDINALS, format_array, format_tuple
-from course_lib.checks.mistake import Mistake
-from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
-from course_lib.checks.reasons import Finding, off_by
+from course_lib.checks.format_numbers import ORDINALS
+from course_lib.checks.mistake import Mistake, Question
+from course_lib.checks.naming import CHANGES_FROM_CALL_TO_CALL
+from course_lib.checks.reasons import compared
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.rotations import exp_so3
 
 X, Y, Z = np.eye(3)
-_ROUNDING = 1e-12  # below which an entry is shown as 0
-_DIGITS = (4, 7, 10, 13, 17)  # tried in turn, until two numbers look different
 COLUMNS = [(slice(0, 3), k) for k in range(4)]  # of a pose: its three axes and its position
 SOLVERS = tuple(
     f"scipy.optimize.{name}" for name in ("fsolve", "least_squares", "minimize", "root")
@@ -116,8 +114,12 @@ _Q1 = Mistake(
 )
 _Q2 = Mistake(
     "the angle of the elbow is another one",
-    "Which cosine follows from the squared distance of the tip? From which angle to which angle "
-    "does your inverse function go?",
+    "What does your code compute the angle of the elbow from, and which line gives another angle "
+    "for this position?",
+)
+_NEARLY_THERE = Question(
+    "the angles lead nearly to the tip",
+    "Which line loses digits for this position, or is only nearly right for it?",
 )
 _OTHER_SIDE = Mistake(
     "the two angles of a row belong to different elbows",
@@ -126,7 +128,7 @@ _OTHER_SIDE = Mistake(
 )
 _NONE = Mistake(
     "a position within reach has no answer",
-    "What makes it nan: a range, a division, or a comparison?",
+    "Which line makes it nan for this position?",
 )
 
 
@@ -137,7 +139,8 @@ _FOLDED = Mistake(
 
 
 def other_bend(angles, tip):
-    """Return the Mistake of two pairs of joint angles (2, 2) that do not lead to the tip (2,)."""
+    """Return the Mistake that two pairs of joint angles (2, 2) show which do not lead to the tip
+    (2,)."""
     if np.isnan(angles).any():
         return _NONE
     bend = np.abs(np.angle(np.exp(1j * angles[:, 1])))
@@ -145,6 +148,8 @@ def other_bend(angles, tip):
         return _FOLDED
     leads_there = np.linalg.norm(two_link_tip(angles) - tip, axis=-1) < PREDICTED
     bent_back = np.linalg.norm(two_link_tip(angles * [1, -1]) - tip, axis=-1) < PREDICTED
+    if leads_there.all():
+        return _NEARLY_THERE
     if (leads_there | bent_back).all():
         return _OTHER_SIDE
     return (
@@ -201,14 +206,32 @@ def wrapped(right):
 
     Rounding may decide between 0 and 2 pi, so the angles are not compared with the two forms.
     """
+
+    def other_revolution(wrap):
+        def answer(*case):
+            angles = right(*case)
+            other = wrap(angles)
+            return other if np.abs(other - angles).max() > np.pi else None
+
+        return answer
+
+    def is_off_by_revolutions(value, *case):
+        # So fine that an answer whose step is lost is not taken for a wrapped one.
+        angles = right(*case)
+        is_another = np.abs(value - angles).max() > np.pi
+        return is_another and same_angles(value, angles, tolerance=EXACT)
+
+    def is_wrapped(value, predicted, *case):
+        return is_off_by_revolutions(value, *case)
+
     return Mistake(
         "whole revolutions are taken off the angles, or added",
         "Does the formula in the task change an angle by whole revolutions? What does a joint do "
         "whose angle jumps by one?",
-        lambda *case: np.angle(np.exp(1j * right(*case))),
-        lambda *case: right(*case) % (2 * np.pi),
-        # So fine that an answer whose step is lost is not taken for a wrapped one.
-        alike=functools.partial(same_angles, tolerance=EXACT),
+        other_revolution(lambda angles: np.angle(np.exp(1j * angles))),
+        other_revolution(lambda angles: angles % (2 * np.pi)),
+        seen=is_off_by_revolutions,
+        alike=is_wrapped,
     )
 
 
@@ -264,37 +287,48 @@ def no_rotation(R):
 
 
 def rotation(
-    block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1", mistake=None
+    block=lambda answer: answer, text="R is a rotation: R^T R = I and det R = 1", otherwise=None
 ):
-    """Return the Property that block(answer) is a rotation; mistake: as of a Property."""
+    """Return the Property that block(answer) is a rotation; otherwise: as of a Property."""
     return Property(
         text,
         lambda answer, *case: is_rotation(block(answer)),
         says=lambda answer, *case: no_rotation(block(answer)),
-        mistake=mistake,
+        otherwise=otherwise,
     )
 
 
-ENTRY_BY_ENTRY = Mistake(
+ENTRY_BY_ENTRY = Question(
     "the answer is not a product of rotations",
-    "In numpy the product of matrices is @; * works entry by entry.",
+    "Which matrices does each line of yours combine, and by which operation? In numpy the product "
+    "of matrices is @; * works entry by entry.",
 )
+
+
+def _first_last_row_off(T):
+    """Return the Finding which last row is the first that is off, of a pose or of an array of
+    them."""
+    expected = np.eye(T.shape[-1])[-1]
+    rows = T[..., -1, :].reshape(-1, len(expected))
+    return compared(expected, next(row for row in rows if not near(row, expected)))
+
 
 LAST_ROW = Property(  # of a pose, or of each in an array of them
     "the last row is (0, ..., 0, 1)",
     lambda T, *case: near(T[..., -1, :], np.eye(T.shape[-1])[-1]),
-    says=lambda T, *case: f"Your last row is {format_array(T[..., -1, :])}.",
-    mistake=Mistake(
-        "the last row is not that of a pose", "What becomes of the 1 at the end of a point?"
+    says=lambda T, *case: "The last row should be " + _first_last_row_off(T) + ".",
+    otherwise=Question(
+        "the last row is not that of a pose",
+        "Which line of yours writes the last row? What becomes of the 1 at the end of a point?",
     ),
 )
 
 
-def part_is(text, right, part, mistake=None, what="The {} column"):
+def part_is(text, right, part, otherwise=None, what="The {} column"):
     """Return the Property that a part of the answer, given by its index, is that of
     right(*arguments).
 
-    mistake: as of a Property. what: a column of the part, if it is a matrix; see first_off.
+    otherwise: as of a Property. what: a column of the part, if it is a matrix; see first_off.
     """
 
     def wanted(*case):
@@ -309,7 +343,7 @@ def part_is(text, right, part, mistake=None, what="The {} column"):
         return first_off(yours, expected, what)
 
     return Property(
-        text, lambda answer, *case: near(answer[part], wanted(*case)), says, mistake=mistake
+        text, lambda answer, *case: near(answer[part], wanted(*case)), says, otherwise=otherwise
     )
 
 
@@ -327,27 +361,9 @@ def first_off(answer, expected, what="The {} column"):
     return f"{column} should be " + compared(expected[:, i], answer[:, i]) + "."
 
 
-def compared(expected, answer, verb="is"):
-    """Return the Finding what is wanted and what came, with the digits in which they differ, and by
-    how much it is off if four digits do not show that.
-
-    verb: "are" where the numbers are spoken of, and not a column or a point.
-    """
-    right, yours = format_tuple(expected), format_tuple(answer)
-    if right != yours:
-        return Finding(f"{right}; yours {verb} {yours}")
-    gap = np.abs(answer - expected).max()
-    rounding = min(_ROUNDING, gap / 100)  # so that the entry that is off is not shown as 0
-    for digits in _DIGITS:
-        right, yours = (format_tuple(numbers, rounding, digits) for numbers in (expected, answer))
-        if right != yours:
-            break
-    return f"{right}; yours {verb} {yours}, " + off_by(gap)
-
-
 SAME_TWICE = Property(
     "called a second time with the same arguments, the function gives the same result",
     first_otherwise,
     across=True,
-    mistake=KEPT_FOR_THE_NEXT_CALL,
+    otherwise=CHANGES_FROM_CALL_TO_CALL,
 )

@@ -43,6 +43,12 @@ ALWAYS_FALSE = Mistake(
     "of your comparisons do their answers fail, and by how much?",
 )
 
+REJECTS_SOME = Mistake(
+    "your test rejects right versions",
+    "A right version must pass, whatever the form of its answers. The message below says what is "
+    "special about one. Which of your comparisons do its answers fail, and by how much?",
+)
+
 
 @dataclass(frozen=True)
 class Version:
@@ -152,7 +158,7 @@ class WriteTest(Exercise):
         reason = Misjudges(rejected, let_pass, n_right, n_wrong)
         always = ALWAYS_TRUE if len(missed) == n_wrong and not refused else None
         if refused and not missed:
-            always = self._too_strict(len(refused) == n_right)
+            always = self.refuses if len(refused) == n_right else REJECTS_SOME
         accepted = [version.kind for version, accepted in judged if version.right and accepted]
         overlooked = [version.mistake for version in refused]
         always = next(
@@ -169,12 +175,6 @@ class WriteTest(Exercise):
         nothing = refused or failed_example
         credit = 0 if nothing else min(int(share * self.points + 1e-9), self.points - 1)
         return Verdict(self, WRONG, reason, always, credit=credit)
-
-    def _too_strict(self, rejects_all):
-        """Return the Mistake of a test that rejects every wrong version, and right ones too."""
-        if rejects_all:
-            return self.refuses
-        return Mistake("your test rejects right versions", self.refuses.hint)
 
     def _consultant(self, order):
         """Return a function that answers a call of a candidate; a student controls its argument.

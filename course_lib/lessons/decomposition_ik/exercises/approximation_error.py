@@ -6,10 +6,10 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import compared, two_link_angles, two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import first_wrong
 
 
@@ -76,15 +76,16 @@ def _found(errors, xy, angles):
         return f"Prediction {k} for xy[{i}] is nan. Your distance is {errors[i, k]:.4g}."
     tip = format_tuple(np.round(two_link_tip(angles[i, k]), 9))
     return (
-        f"Prediction {k} takes the tip to {tip}, {right[i, k]:.4g} m from xy[{i}]. Your distance "
-        f"is {errors[i, k]:.4g}."
+        f"Prediction {k} takes the tip to {tip}. Its distance (m) from xy[{i}] is "
+        + compared(right[i, k], errors[i, k])
+        + "."
     )
 
 
-_OTHER_DISTANCE = Mistake(
+_OTHER_DISTANCE = Question(
     "an error is not |f(q) - xy|",
-    "Compute one of these tips by hand, from its two angles. How far is it from the position of "
-    "the same query?",
+    "Compute this tip by hand, from its two angles, and its distance from the position of the same "
+    "query. Which of the numbers on the way does your code compute otherwise?",
 )
 _A_NUMBER_FOR_NAN = Mistake(
     "a number is returned for a prediction that is nan",

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES
 from course_lib.checks.vocabulary import two_link_angles
 from course_lib.lessons.decomposition_ik.exercises.split_branches import split_branches
@@ -90,9 +90,9 @@ EXERCISE = declared(
     says="the label of a sample is 0 if its q2 >= 0, and 1 if its q2 < 0, whatever the other "
     "samples are",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "a sample does not have the label that its own q2 gives",
-        "Which comparison gives the label of the sample named below?",
+        "Which line gives this sample its label, and which numbers does that line look at?",
     ),
     hints=(
         "Run the broken code on samples that all have q2 > 0. How many branches does it report?",

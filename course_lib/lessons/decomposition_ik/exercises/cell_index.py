@@ -7,7 +7,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
 
@@ -155,7 +155,8 @@ def _first_wrong(index, *case):
 
 def _found(index, xy, low, high, n):
     k = _first_wrong(index, xy, low, high, n)
-    yours = f"Your answer for this position is {index[k].tolist()}."
+    right = _right(xy, low, high, n)[k].astype(int)
+    yours = f"The answer for this position is {right.tolist()}; yours is {index[k].tolist()}."
     beyond = np.concatenate([low - xy[k], xy[k] - high]).max()
     if beyond > 0:
         return (
@@ -166,19 +167,20 @@ def _found(index, xy, low, high, n):
     return f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. {yours}"
 
 
-_NOT_ITS_OWN = Mistake(
+_NOT_ITS_OWN = Question(
     "a position is not put into its own cell",
-    "Count from 0 at low. How wide is a cell along x, and how wide along y?",
+    "Where does your code begin to count, how wide is a cell along x and along y, and what becomes "
+    "of a number between two whole ones?",
 )
-_NOT_THE_LAST = Mistake(
+_NOT_THE_LAST = Question(
     "a position on an upper edge is not in the last cell along that edge",
-    "Which number does such a position get from the rounding, and where do you correct it: for x "
-    "alone, for y alone, and for both?",
+    "This position lies on an upper edge. Which cell does the task name for it, and which line of "
+    "yours decides that: for x alone, for y alone, and for both?",
 )
-_NOT_OUTSIDE = Mistake(
+_NOT_OUTSIDE = Question(
     "a position outside has a cell",
-    "Compare with low and high themselves. A position beyond them is outside, however small the "
-    "distance is.",
+    "A position beyond low or high is outside, however small the distance is. Which line of yours "
+    "decides that, and what does the answer get for such a position?",
 )
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import ANGLE, LENGTH
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import LAST_ROW
 from course_lib.rigid import transform
@@ -68,14 +68,15 @@ def _symbolic(a, alpha, d, theta):
     )
 
 
-_COLUMN = Mistake(
+_COLUMN = Question(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
-    "Multiply the four matrices on paper, and compare the column named below with yours, entry by "
+    "Multiply the four matrices on paper, and compare the column named above with yours, entry by "
     "entry.",
 )
-_ROUNDED = Mistake(
+_ROUNDED = Question(
     "the numbers in the matrix are rounded, or replaced by simple fractions",
-    "Numbers must stay as they are. Which line of your code changes them?",
+    "The column is nearly right. Numbers must stay as they are: which line of your code changes "
+    "one, or computes with fewer digits?",
 )
 
 

@@ -5,9 +5,9 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import HALF_THE_DIGITS
-from course_lib.checks.vocabulary import two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import compared, two_link_angles, two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import (
     no_gap,
     no_number,
@@ -159,9 +159,12 @@ def _tell_fit(index, models, xy, q, cell, count):
     yours, least = (
         np.sum((A @ row - q[chosen, j]) ** 2) for row in (models[c, k, j], least_squares)
     )
+    count_of_samples = "1 sample" if len(chosen) == 1 else f"{len(chosen)} samples"
     return (
-        f"{_tell(index, models, xy, q, cell, count)} The sum of the squares of its residuals is "
-        f"{yours - least:.3g} larger than the least one, {least:.3g}."
+        f"Cluster {k} in cell {c} has {count_of_samples}. The row for q{j + 1} there is "
+        + compared(least_squares, models[c, k, j])
+        + f". The sum of the squares of the residuals of your row is {yours - least:.3g} larger "
+        f"than the least one, {least:.3g}."
     )
 
 
@@ -186,10 +189,10 @@ EXERCISE = Exercise(
             "a cluster with fewer than 3 samples has no model: all 6 numbers are nan",
             fit_cells,
             _tell,
-            Mistake(
+            Question(
                 "a cluster of too few samples has a model",
-                "Which samples does your code count and fit there? The message below names the "
-                "cluster.",
+                "Where does your code count the samples of a cluster, and what does it put into "
+                "the row of a cluster with too few?",
             ),
         ),
         no_number(
@@ -197,10 +200,10 @@ EXERCISE = Exercise(
             "a cluster with 3 samples or more has a model",
             fit_cells,
             _tell,
-            Mistake(
+            Question(
                 "a cluster with enough samples has no model",
-                "What does your code do with the cluster named below, and with the clusters and "
-                "cells before it?",
+                "What does your code do with this cluster, and with the clusters and cells before "
+                "it?",
             ),
         ),
         no_number(
@@ -208,11 +211,10 @@ EXERCISE = Exercise(
             "A_j1 x + A_j2 y + b_j is the least-squares fit to q_j of the samples",
             fit_cells,
             _tell_fit,
-            Mistake(
+            Question(
                 "a model is not that of its own samples",
-                "Which samples are fitted for the cluster named below, and which numbers stand "
-                "in its "
-                "row?",
+                "Which samples, columns and angles does your fit of this row use, and what does "
+                "your code do with the coefficients afterwards?",
             ),
         ),
     ),

@@ -5,10 +5,10 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
-from course_lib.checks.vocabulary import two_link_tip
+from course_lib.checks.vocabulary import compared, two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import (
     no_gap,
     no_number,
@@ -72,15 +72,25 @@ def _in_whole_numbers():
     return q, two_link_tip(q), np.zeros(len(q), int), 1
 
 
-def _judged(is_wrong, text, name, hint):
-    return no_number(is_wrong, text, fit_joint_cells, _tell, Mistake(name, hint))
+def _judged(is_wrong, text, name, hint, tell):
+    return no_number(is_wrong, text, fit_joint_cells, tell, Question(name, hint))
+
+
+def _samples(c, cell):
+    n = np.sum(cell == c)
+    return f"Cell {c} has 1 sample." if n == 1 else f"Cell {c} has {n} samples."
 
 
 def _tell(index, models, q, xy, cell, count):
     c, i, _ = index
-    n = np.sum(cell == c)
-    samples = "1 sample" if n == 1 else f"{n} samples"
-    return f"Cell {c} has {samples}. Your row for {'xy'[i]} there is {format_tuple(models[c, i])}."
+    return f"{_samples(c, cell)} Your row for {'xy'[i]} there is {format_tuple(models[c, i])}."
+
+
+def _tell_fit(index, models, q, xy, cell, count):
+    c, i, _ = index
+    right = fit_joint_cells(q, xy, cell, count)[c, i]
+    row = f"{_samples(c, cell)} The row for {'xy'[i]} there is "
+    return row + compared(right, models[c, i]) + "."
 
 
 EXERCISE = Exercise(
@@ -103,20 +113,24 @@ EXERCISE = Exercise(
             no_gap,
             "a cell with fewer than 3 samples has no model: all 6 numbers are nan",
             "a cell of too few samples has a model",
-            "How many samples does each cell have, and where does your code count them?",
+            "Where does your code count the samples of a cell, and what does it put into the rows "
+            "of a cell with too few?",
+            _tell,
         ),
         _judged(
             lambda a, b: no_gap(b, a),
             "a cell with 3 samples or more has a model",
             "a cell with enough samples has no model",
-            "What does your code do with the cell named below, and with the cells before it?",
+            "What does your code do with this cell, and with the cells before it?",
+            _tell,
         ),
         _judged(
             lambda a, b: off(a, b, HALF_THE_DIGITS),
             "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit",
             "a model is not that of its own samples",
-            "Which samples are fitted for the cell named below, and which numbers stand in its "
-            "row?",
+            "Which samples does your fit of this row use, what does it fit by what, and what does "
+            "your code do with the coefficients afterwards?",
+            _tell_fit,
         ),
     ),
     hints=(

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.vocabulary import two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import some_twice
 
@@ -80,10 +80,11 @@ def _revolved(q, xy):
 
 def _otherwise(answer, q, xy):
     largest = np.abs(_wrapped(_gap(q, xy))).max()
-    return Mistake(
+    return Question(
         "delta, one of its two columns, or their fit is not that of the text",
         f"Print the largest |delta| over all samples, which is {largest:.2g} here. Then compare "
-        "your two columns with cos q1 and cos(q1 + q2).",
+        "your two columns with cos q1 and cos(q1 + q2). If both are right, which samples does your "
+        "fit use, and what else?",
     )
 
 

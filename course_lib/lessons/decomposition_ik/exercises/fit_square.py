@@ -3,13 +3,12 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import two_link_angles
+from course_lib.checks.vocabulary import compared, two_link_angles
 from course_lib.lessons.decomposition_ik.cells import quadratic_terms
 from course_lib.lessons.decomposition_ik.exercises.shared import some_twice, with_one
 
@@ -84,15 +83,15 @@ def _distance(model, right, terms, q):
 def _found(model, terms, q):
     j = 1 if _misfits(model, terms, q)[1] > EXACT else 0
     right = _right(terms, q)[j]
-    rows = f"Row {j} should be {format_tuple(right)}; yours is {format_tuple(model[j])}"
+    rows = f"Row {j} should be " + compared(right, model[j])
     at_samples = off_by(_off(model, terms, q)[j])
-    return rows + ". Times the terms, your row is " + at_samples + " at one of the samples."
+    return rows + ". Times the terms, your row is " + str(at_samples) + " at one of the samples."
 
 
-_OTHER_ROW_0 = Mistake(
+_OTHER_ROW_0 = Question(
     "row 0 is not the least-squares fit of q1 by the terms and q2 together",
-    "Print the sum of squares of A @ row - q1, with A made of the terms and of q2. Which of your "
-    "coefficients is not found by this fit?",
+    "Print the sum of squares of A @ row - q1 for your row and for the right one, with A made of "
+    "the terms and of q2. Which of your coefficients come from another fit, or are changed?",
 )
 
 

@@ -7,7 +7,7 @@ from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import QUARTER, joint_angles
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, two_link_tip
@@ -19,10 +19,10 @@ _FIRST_ROWS = (
     "Along which axis do the two angles of a pair lie? The dots in q[..., 0] stand for all axes "
     "before it.",
 )
-_NOT_FROM_THE_ELBOW = Mistake(
+_NOT_FROM_THE_ELBOW = Question(
     "the tip is not 1 m from the elbow",
-    "Print the elbow, (cos q1, sin q1), and your tip for the angles named below. Which angle "
-    "stands in each cosine and each sine?",
+    "Print the elbow, (cos q1, sin q1), and your tip for these angles. Which angle stands in each "
+    "cosine and each sine, and how long is each link in your code?",
 )
 
 
@@ -80,8 +80,9 @@ def _found(found, q):
     if abs(gaps[k]) < _SHOWN:
         distance = f"differs from 1 m by {gaps[k]:.2g} m"
     return (
-        f"For q = {format_tuple(pairs[k])} your tip is at {format_tuple(tips[k])}, and its "
-        f"distance from the elbow {distance}."
+        f"For q = {format_tuple(pairs[k])} the tip is at "
+        + compared(right[k], tips[k])
+        + f". The distance of your tip from the elbow {distance}."
     )
 
 

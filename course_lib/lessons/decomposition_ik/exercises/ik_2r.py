@@ -6,7 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
 from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip
@@ -143,7 +143,7 @@ EXERCISE = Exercise(
             _reaches,
             _tell_tip,
             where=_inside,
-            mistake=other_bend,
+            otherwise=other_bend,
         ),
         Property(
             "the first row has q2 >= 0, the second q2 <= 0",
@@ -160,9 +160,10 @@ EXERCISE = Exercise(
             lambda q, xy: _reaches(q, xy) and _in_order(q, xy),
             _tell_tip,
             where=_at_edge,
-            mistake=Mistake(
+            otherwise=Question(
                 "a position near the edge of the workspace gets the answer of the stretched arm",
-                "By which angle is the elbow bent at the position named below?",
+                "By which angle is the elbow bent at this position, and which of your lines "
+                "computes that angle?",
             ),
         ),
         Property(
@@ -170,9 +171,10 @@ EXERCISE = Exercise(
             lambda q, xy: np.isnan(q).all(),
             lambda q, xy: f"This position lies {np.linalg.norm(xy) - 2:.3g} m beyond 2 m.",
             where=_outside,
-            mistake=Mistake(
+            otherwise=Question(
                 "a position out of reach has an answer",
-                "How far beyond 2 m may rounding take a position, according to the task?",
+                "How far beyond 2 m may rounding take a position, according to the task? Which "
+                "line of yours decides what a position beyond that gets?",
             ),
         ),
     ),
@@ -208,7 +210,8 @@ def edge_out_of_reach(q, xy):
 
 @EXERCISE.mistake(
     "a position near the edge of the workspace gets the answer of the stretched arm",
-    "By which angle is the elbow bent at the position named below?",
+    "By which angle is the elbow bent at this position, and which of your lines computes "
+    "that angle?",
     recognises=True,
 )
 def stretched_too_early(q, xy):

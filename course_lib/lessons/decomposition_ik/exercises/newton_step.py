@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import joint_angles, vector
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import two_link_angles, two_link_tip, wrapped
@@ -122,10 +122,10 @@ EXERCISE = declared(
     tolerance=EXACT,
     library=_right,
     says="J times the change of q is p - f(q)",
-    otherwise=Mistake(
+    otherwise=Question(
         "the step is not J^-1 (p - f(q))",
         "Compare the columns of your J with differences of f for small changes of q1 and q2, and "
-        "compare J times your step with p - f(q).",
+        "compare J times your step with p - f(q). What becomes of the step afterwards?",
     ),
     sweeps=(
         Sweep("nearly at the position", _nearly_there),

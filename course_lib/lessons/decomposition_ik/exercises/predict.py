@@ -6,8 +6,9 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
+from course_lib.checks.vocabulary import compared
 from course_lib.lessons.decomposition_ik.exercises.shared import first_wrong
 
 
@@ -78,16 +79,18 @@ def _small(rng, size):
 def _found(angles, models, cell, xy):
     i, k, j = first_wrong(angles, _right(models, cell, xy))
     row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
-    return (
+    model = (
         f"Query {i} is at {format_tuple(xy[i])} in cell {cell[i]}. The row of its model for "
-        f"q{j + 1} in cluster {k} is {row}. Your angle is {angles[i, k, j]:.4g}."
+        f"q{j + 1} in cluster {k} is {row}."
     )
+    right = _right(models, cell, xy)[i, k, j]
+    return f"{model} The angle is " + compared(right, angles[i, k, j]) + "."
 
 
-_NOT_ITS_OWN = Mistake(
+_NOT_ITS_OWN = Question(
     "a prediction is not that of its own model",
-    "models[c, k, j] belongs to cell c, cluster k and angle j. Compute the angle named below by "
-    "hand.",
+    "Compute this angle by hand, from the row that is named. Where does your code take another row "
+    "or another number, or change the result?",
 )
 _A_NUMBER_FOR_NAN = Mistake(
     "a number is returned where the model or the cell is missing",

@@ -25,10 +25,10 @@ def revolved(q):
     return q + 2 * np.pi * np.array([2, -1])
 
 
-def no_number(is_wrong, text, right, tell, mistake=None):
+def no_number(is_wrong, text, right, tell, otherwise=None):
     """Return the Property that no number of an answer is_wrong(numbers, those of right(*case)).
 
-    tell(index, answer, *case) says what is wrong at the first one; mistake: as of a Property.
+    tell(index, answer, *case) says what is wrong at the first one; otherwise: as of a Property.
     """
 
     def wrong(answer, *case):
@@ -37,7 +37,7 @@ def no_number(is_wrong, text, right, tell, mistake=None):
     def says(*case):
         return tell(wrong(*case)[0], *case)
 
-    return Property(text, lambda *case: not wrong(*case).size, says, mistake=mistake)
+    return Property(text, lambda *case: not wrong(*case).size, says, otherwise=otherwise)
 
 
 def first_wrong(answer, right):

@@ -8,7 +8,7 @@ from threadpoolctl import ThreadpoolController
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import FOUR_DIGITS
 from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
 
@@ -180,25 +180,31 @@ EXERCISE = Exercise(
             says=lambda labels, q: (
                 f"One of your labels is {labels[~np.isin(labels, (0, 1))][0]:.4g}."
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "there are other labels than 0 and 1",
-                "By which numbers does the task call the two clusters?",
+                "By which numbers does the task call the two clusters, and what do yours stand "
+                "for?",
             ),
         ),
         Property(
             "with fewer than two different samples there is nothing to split: all labels are 0",
             lambda labels, q: not labels.any(),
             where=lambda q: not several(q),
-            mistake=_ONE_SAMPLE,
+            otherwise=Question(
+                _ONE_SAMPLE.name,
+                "How many different samples are there? What does the task ask for if there are "
+                "fewer than two, and which line of yours sees to it?",
+            ),
         ),
         SAME_TWICE,
         Property(
             "both labels occur, wherever there are two different samples",
             lambda labels, q: labels.any() and not labels.all(),
             where=several,
-            mistake=Mistake(
+            otherwise=Question(
                 "all samples have the same label",
-                "Which labels did k-means give, and which lines of yours change them?",
+                "Which labels does k-means give for these samples, and what does your code do with "
+                "them?",
             ),
         ),
         Property(
@@ -218,7 +224,7 @@ EXERCISE = Exercise(
             lambda labels, q: np.array_equal(labels, labelled(q)),
             says=_means,
             where=several,
-            mistake=Mistake(
+            otherwise=Question(
                 "cluster 0 has the smaller mean q2",
                 "Which numbers does your code compare to decide which cluster is 0?",
             ),

@@ -107,7 +107,7 @@ EXERCISE = WriteTest(
         Version("that is right to four digits only", _changed(lambda q, xy: np.round(q, 4))),
         Version("that answers beyond 2 m", two_link_angles),
         Version(
-            "that answers beyond 2 m",
+            "that answers beyond 2 m with NaN for q1 alone",
             lambda xy: (
                 closed_form(xy)
                 if np.linalg.norm(xy) < _REACH

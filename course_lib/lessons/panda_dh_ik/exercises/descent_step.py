@@ -5,14 +5,14 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, joint_angles, number, table
-from course_lib.checks.mistake import Mistake
-from course_lib.checks.reasons import off_by
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_pose, away_from_zero, unit, wrapped
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
     HIGH,
     LOW,
+    changed,
     flange,
     panda_jacobian,
     pose_error,
@@ -116,13 +116,11 @@ EXERCISE = declared(
     reads=numbers(lambda q, *rest: (len(q),)),
     broken=lambda q, J, T, T_target, step: q - step * J.T @ _of_the_world(T, T_target),
     says="the answer is q + step J^T e, with the error e that belongs to the geometric Jacobian",
-    found=lambda answer, *case: (
-        "The change of q in your answer is " + off_by(np.abs(answer - _right(*case)).max()) + "."
-    ),
-    otherwise=Mistake(
+    found=lambda answer, q, *rest: changed(answer, _right(q, *rest), q),
+    otherwise=Question(
         "the step is not step J^T e with the error that belongs to J",
         "Compare both halves of your e with those of pose_error(T, T_target), and your answer with "
-        "q + step * J.T @ e for this e.",
+        "q + step * J.T @ e for this e. What becomes of the result afterwards?",
     ),
     sweeps=(
         Sweep("nearly at the target", _nearly_there, SMALL),

@@ -116,7 +116,7 @@ EXERCISE = declared(
         ),
         Mistake(
             "small entries are set to 0, or rounded",
-            "How far does an angle of 0.0005 rad move the end of an arm of 1 m?",
+            "How far does an angle of a millionth of a radian move the end of an arm of 1 m?",
             seen=_small_entries_lost,
         ),
     ),

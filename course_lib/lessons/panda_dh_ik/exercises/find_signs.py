@@ -9,7 +9,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import T_W0, modified, standard
@@ -278,7 +278,11 @@ def _is_wrong(shortcut, case):
 
 def _found(answer, table, q, poses):
     k = int((_patterns(table) == answer).all(1).argmax())
-    return f"With your signs the poses differ by up to {_gaps(table, q, poses)[k].max():.2g}."
+    gaps = _gaps(table, q, poses).reshape(len(_patterns(table)), -1).max(1)
+    return (
+        f"With your signs the poses differ by up to {gaps[k]:.2g}, and with another pattern by "
+        f"{gaps.min():.2g} at most."
+    )
 
 
 EXERCISE = declared(
@@ -293,15 +297,16 @@ EXERCISE = declared(
         Property(
             "the answer holds 1 and -1 only",
             lambda answer, *case: np.isin(answer, [1, -1]).all(),
-            mistake=Mistake(
+            otherwise=Question(
                 "something other than signs is returned",
-                "Return the best pattern itself, which holds 1 and -1.",
+                "Which pattern is the best, and what does your code return for it? A pattern "
+                "holds 1 and -1.",
             ),
         ),
     ),
     says="with the signs applied to its angles, the table gives the poses that were measured",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "another pattern fits better",
         "For the case below, print the largest difference between your poses and the measured "
         "poses for each of the 2^n patterns. Is the pattern that you return the one with the least "

@@ -5,10 +5,10 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import remembered
+from course_lib.checks.vocabulary import compared, remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, READY, damped, panda_jacobian
 
 _OUT = np.array([0.25, 0, 0, 0, 0, 0])  # m/s, away from the base
@@ -106,7 +106,8 @@ def _beyond(near, most):
 
 def _found(path, *case):
     k = int(np.argmax(np.abs(path - _right(*case)).max(1) > SOLVED))
-    return f"Configuration {k} is the first that differs."
+    both = compared(_right(*case)[k], path[k])
+    return f"Configuration {k} is the first that differs. It should be " + both + "."
 
 
 def _with_damping(eps_of):
@@ -123,9 +124,9 @@ EXERCISE = declared(
     says="each step is dt q_dot, with q_dot = J^T (J J^T + eps I)^-1 v at the configuration before "
     "it, eps = most (1 - (s / near)^2) if s < near, and 0 otherwise",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "a step is not dt q_dot, with q_dot of the configuration before the step",
-        "Compute the step to the configuration named below by hand, from the configuration before "
+        "Compute the step to this configuration by hand, from the configuration before "
         "it: J, its smallest singular value, eps, q_dot and dt q_dot. What differs in your code?",
     ),
     sweeps=(

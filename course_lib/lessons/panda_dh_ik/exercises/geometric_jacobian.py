@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import QUARTER, Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
+from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.special_cases import SIZES, SMALL
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import (
@@ -109,20 +110,20 @@ EXERCISE = declared(
             "the lower half of each column is the angular velocity if its joint rotates at 1 rad/s",
             _right,
             slice(3, 6),
-            Mistake(
+            Question(
                 "an axis is not that of its joint",
-                "Which column of which frame is the axis of the joint named below, along the "
-                "world's axes?",
+                "Which column of which frame is the axis of this joint, along the world's axes, "
+                "and what does your code put there?",
             ),
             "The lower half of the column of joint {number}",
         ),
     ),
     says="the upper half of each column is the velocity of the flange's origin if its joint "
     "rotates at 1 rad/s",
-    otherwise=Mistake(
+    otherwise=Question(
         "the velocity is not z x (p - o) of its joint",
-        "From which point to which point does p - o lead for the joint whose column is named "
-        "below?",
+        "Compute z, o, p and z x (p - o) for the joint whose column is named. Which of them is "
+        "another one in your code?",
     ),
     hints=(
         "The last frame is the flange's; all others belong to joints, one each.",
@@ -138,7 +139,7 @@ EXERCISE = declared(
             "Which frames belong to joints, and which frame does no joint move?",
             form=_counts_the_flange,
         ),
-        Mistake(SAME_TWICE.mistake.name, SAME_TWICE.mistake.hint, form=_has_grown),
+        Mistake(KEPT_FOR_THE_NEXT_CALL.name, KEPT_FOR_THE_NEXT_CALL.hint, form=_has_grown),
         Mistake(
             "the arm is taken to have seven joints",
             "How many joints does an arm with these frames have?",

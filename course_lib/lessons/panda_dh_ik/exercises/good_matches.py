@@ -7,7 +7,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.naming import attempt
 from course_lib.checks.vocabulary import any_pose, remembered, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
@@ -18,12 +18,12 @@ _INDICES = Mistake(
     "the indices of some matches are returned",
     "The answer is True or False for each of the n matches.",
 )
-_TOO_MANY = Mistake(
+_TOO_MANY = Question(
     "matches count as good that are farther than tol from where the pose takes them",
-    "Print the n distances for one triple: are they in metres, or squared, or rounded? Compare "
-    "them with tol by eye.",
+    "Print the n distances for one triple, and compare them with tol by eye. Which matches does "
+    "your code count as good?",
 )
-_NOT_LARGEST = Mistake(
+_NOT_LARGEST = Question(
     "the set that is returned is not the largest one",
     "Print, for each triple, how many of the n distances are below tol. Which triple has the "
     "largest number, and which set do you return?",
@@ -188,16 +188,16 @@ EXERCISE = Exercise(
         Property(
             "the answer is True or False for each match",
             lambda good, *case: np.isin(good, [0, 1]).all(),
-            mistake=Mistake(
+            otherwise=Question(
                 "something other than True or False is returned",
-                "Which comparison with tol gives True or False?",
+                "Which comparison with tol gives True or False, and what does your code return?",
             ),
         ),
         Property(
             "if all matches are within tol of one pose, all are good",
             lambda good, *case: good.all(),
             where=lambda *case: right(*case).all(),
-            mistake=Mistake(
+            otherwise=Question(
                 "good matches are left out",
                 "Which distances does your code compare with tol for the case below, and how "
                 "many of "
@@ -208,10 +208,10 @@ EXERCISE = Exercise(
             "the good matches are the largest set within tol of one triple's pose",
             lambda good, *case: (good == right(*case)).all(),
             says=lambda good, *case: (
-                f"Here the largest set has {int(right(*case).sum())} matches; yours has "
-                f"{int(good.sum())}."
+                f"The number of matches in the largest set is {int(right(*case).sum())}, and in "
+                f"yours {int(good.sum())}."
             ),
-            mistake=lambda good, *case: (
+            otherwise=lambda good, *case: (
                 _TOO_MANY if good.sum() > right(*case).sum() else _NOT_LARGEST
             ),
         ),

@@ -5,12 +5,13 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import joint_angles, number, table, vector
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import away_from_zero, wrapped
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
     FLAT,
+    changed,
     damped,
     panda_jacobian,
     panda_step,
@@ -63,11 +64,7 @@ def _alike(answer, predicted, q, J, e, eps):
 
 
 def _found(answer, q, *rest):
-    wanted, changed = damped(q, *rest) - q, answer - q
-    j = int(np.argmax(np.abs(changed - wanted)))
-    return (
-        f"q[{j}] should change by {wanted[j]:.5g}; in your answer it changes by {changed[j]:.5g}."
-    )
+    return changed(answer, damped(q, *rest), q)
 
 
 def _with_eps(number):
@@ -98,7 +95,7 @@ EXERCISE = declared(
     alike=_alike,
     says="the answer is q + J^T (J J^T + eps I)^-1 e",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "the step differs from the damped step",
         "Compute J^T (J J^T + eps I)^-1 e for the case below in single steps. Where does your code "
         "differ?",

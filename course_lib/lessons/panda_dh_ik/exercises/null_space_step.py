@@ -6,11 +6,11 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import joint_angles, number, table
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import away_from_zero, wrapped
-from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, panda_jacobian
+from course_lib.lessons.panda_dh_ik.exercises.shared import FLAT, HIGH, LOW, changed, panda_jacobian
 
 _ROUNDING = 1e-14  # of J J^T, relative: what it does to J^+ is divided by the square of the least s
 _SINGULAR = np.array([[1.0, 2, 0], [2, 4, 0]])
@@ -82,15 +82,16 @@ def _found(answer, q, J, *rest):
     moved = np.abs(J @ (answer - q)).max()
     if moved > EXACT:
         return f"J times the change in your answer has an entry of {moved:.3g}, and not 0."
-    return "J times the change in your answer is 0, and another change is closer."
+    closer = changed(answer, _right(q, J, *rest), q)
+    return "J times the change in your answer is 0, and another change is closer. " + closer
 
 
-_MOVES = Mistake(
+_MOVES = Question(
     "the step still moves the end-effector",
-    "Print J times your matrix in place of I - J^+ J. Which of your steps makes it differ from 0: "
-    "the inverse, a damping, or a cut-off of singular values?",
+    "Print J times your change of q, and J times your matrix in place of I - J^+ J. Which line of "
+    "your code makes it differ from 0?",
 )
-_OTHER_STEP = Mistake(
+_OTHER_STEP = Question(
     "the step is not gain (I - J^+ J)(q_middle - q)",
     "Compare your change of q with this product for the case below, factor by factor.",
 )

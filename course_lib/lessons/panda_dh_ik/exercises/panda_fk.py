@@ -4,7 +4,8 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import joint_angles
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
+from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.special_cases import SMALL
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, SAME_TWICE, compared, near, products
@@ -79,9 +80,9 @@ EXERCISE = declared(
     properties=(SAME_TWICE, LAST_ROW),
     says="the pose of frame i in the world is T_w0 T_1 ... T_i",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "a pose is not the previous pose times its own step",
-        "Multiply the previous pose by the step of the pose named below, and compare the product "
+        "Multiply the previous pose by the step of this pose, and compare the product "
         "with your pose. For frame 1 the previous pose is T_w0, and for the flange the step is the "
         "pose `flange`.",
     ),
@@ -110,7 +111,7 @@ EXERCISE = declared(
             "Each of the eight is a pose of shape (4, 4).",
             form=(8, 3),
         ),
-        Mistake(SAME_TWICE.mistake.name, SAME_TWICE.mistake.hint, form=_has_grown),
+        Mistake(KEPT_FOR_THE_NEXT_CALL.name, KEPT_FOR_THE_NEXT_CALL.hint, form=_has_grown),
         Mistake(
             "the base is left out, so that the poses are seen from the base",
             "Where is the base in the world?",

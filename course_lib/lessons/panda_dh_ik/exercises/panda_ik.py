@@ -8,10 +8,10 @@ import numpy as np
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.call_student import TOGETHER
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
+from course_lib.checks.reasons import Finding
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
-from course_lib.checks.vocabulary import SOLVERS, remembered
+from course_lib.checks.vocabulary import SOLVERS, compared, remembered
 from course_lib.ik import solve
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
     HIGH,
@@ -212,10 +212,10 @@ def _outside(q, T, q0):
 
 def _off(q, T, q0):
     p, (metres, angle) = flange(q)[:3, 3], _gaps(flange(q), T)
-    return (
-        f"With your angles the flange is at {format_tuple(p)}, {metres:.3g} m and {angle:.3g} rad "
-        f"from the target at {format_tuple(T[:3, 3])}."
-    )
+    text = f"With your angles the flange is {metres:.3g} m and {angle:.3g} rad from the target"
+    if metres <= _REACHED:
+        return Finding(f"{text}.", metres)
+    return f"{text}. Its position should be " + compared(T[:3, 3], p) + "."
 
 
 def _elsewhere(q, T, q0):
@@ -223,26 +223,28 @@ def _elsewhere(q, T, q0):
     return f"Joint {j + 1} changes by {q[j] - q0[j]:.2g} rad, although q0 is a solution."
 
 
-_NOT_CONVERGING = Mistake(
+_NOT_CONVERGING = Question(
     "the steps do not converge to a target close by",
     "Print the length of the error before the first step and after each step. The first length is "
-    "at most 0.15 here. Then compare the order and the axes of e with those of the rows of J, and "
-    "look for values that are not computed again for each q.",
+    "at most 0.15 here. After which step does it not become smaller, and what is e, J and q there?",
 )
-_STUCK = Mistake(
+_STUCK = Question(
     "no start leads to this target, because there are no restarts or because too few of them "
     "converge",
-    "A descent gets stuck in a local minimum or at a limit. Count how many starts your code makes "
-    "for this target, and how many different ones they are.",
+    "A descent may get stuck in a local minimum or at a limit. How many starts does your code make "
+    "for this target, how many of them are different, and with which error does each end?",
 )
 _START = Mistake(
     "q0 is returned unchanged",
     "q0 may lie outside the limits. What do the given lines do with q0 first?",
 )
-_IGNORED = Mistake("the limits are ignored", "Can a step lead beyond the limits?")
-_LAST = Mistake(
+_IGNORED = Question(
+    "the limits are ignored",
+    "Which line keeps this joint within its limits: at a start, after a step, and in the answer?",
+)
+_LAST = Question(
     "the last angles are returned, although they do not reach T_target",
-    "Which test of the error stands before your return?",
+    "Which test of the error stands before your return, and of which q is this error?",
 )
 
 EXERCISE = Exercise(
@@ -259,27 +261,27 @@ EXERCISE = Exercise(
         Property(
             "the answer is seven numbers, or seven NaN",
             lambda q, *case: _found(q) or np.isnan(q).all(),
-            mistake=NOT_A_NUMBER,
+            otherwise=NOT_A_NUMBER,
         ),
         Property(
             "every joint is inside its limits",
             _inside,
             _outside,
             where=_reachable,
-            mistake=lambda q, T, q0: _START if np.abs(q - q0).max() < SIX_DIGITS else _IGNORED,
+            otherwise=lambda q, T, q0: _START if np.abs(q - q0).max() < SIX_DIGITS else _IGNORED,
         ),
         Property(
             "the flange is within 1e-6 m and 1e-6 rad of T_target, in the world",
             lambda q, T, q0: not _found(q) or _gaps(flange(q), T).max() <= _REACHED,
             _off,
             where=_reachable,
-            mistake=_LAST,
+            otherwise=_LAST,
         ),
         Property(
             "the iteration begins at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, T, q0: not _found(q) or np.abs(q - q0).max() < SIX_DIGITS,
             _elsewhere,
-            mistake=Mistake(
+            otherwise=Question(
                 "the iteration does not begin at q0, or makes a step without a test before it",
                 "What is q before the first step, and where is the error tested for the first "
                 "time?",
@@ -290,14 +292,14 @@ EXERCISE = Exercise(
             "a target close by is reached: seven numbers are returned, not NaN",
             _found,
             where=_near,
-            mistake=_NOT_CONVERGING,
+            otherwise=_NOT_CONVERGING,
         ),
         Property(
             "a target that some joint angles inside the limits reach is found: seven numbers are "
             "returned, not NaN",
             _found,
             where=_reachable,
-            mistake=_STUCK,
+            otherwise=_STUCK,
         ),
         Property(
             "for a target out of reach seven NaN are returned",
@@ -306,9 +308,9 @@ EXERCISE = Exercise(
                 f"The target is {np.linalg.norm(T[:3, 3] - T_W0[:3, 3]):.3g} m from the arm's base."
             ),
             where=lambda *case: not _reachable(*case),
-            mistake=Mistake(
+            otherwise=Question(
                 "angles are returned for a target out of reach",
-                "What is returned if no start converges?",
+                "What does your code return if no start converges, and how does it know that?",
             ),
         ),
         Property("each target close by is reached", _solved, where=_near, points=2),
@@ -356,8 +358,9 @@ EXERCISE.mistake(
 
 
 @EXERCISE.mistake(
-    "the iteration stops too early, or the angles are rounded",
-    "How close to the target does the task ask you to come, and how large is your damping there?",
+    "the flange comes near T_target, but not as near as the task asks",
+    "By which numbers does the task bound the two lengths of the error, and what does your code "
+    "compare with them? Are the angles that it has tested those that it returns?",
     recognises=True,
 )
 def stopped_too_early(q, T, q0):

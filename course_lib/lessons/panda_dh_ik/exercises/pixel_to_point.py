@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, SMALL, Sweep
 from course_lib.checks.vocabulary import any_pose, away_from_zero, first_off
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
@@ -74,9 +74,9 @@ EXERCISE = declared(
     says="T_wc takes each point to the world from the camera's frame, where its z is its depth, "
     "u = f_x x / z + c_x and v = f_y y / z + c_y",
     found=lambda points, *case: first_off(points.T, _right(*case).T, "The {} point"),
-    otherwise=Mistake(
+    otherwise=Question(
         "a pixel, a depth, or a number in K or T_wc is not used as it is given",
-        "Compute the point named below in two steps: in the camera's frame from u, v and z, then "
+        "Compute this point in two steps: in the camera's frame from u, v and z, then "
         "in the world. At which step does your code differ?",
     ),
     sweeps=(

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT, FOUR_DIGITS, SIX_DIGITS
 from course_lib.lessons.panda_dh_ik.exercises.panda_ik import solved
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY, T_W0
@@ -23,15 +23,15 @@ _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake(
     "the times are missing", "In each row the time stands in front of the seven angles."
 )
-_TWICE = Mistake(
+_TWICE = Question(
     "the time does not increase between two rows",
-    "Print the times of the two rows named below. At which time does the second leg start, and "
-    "which "
-    "row of it repeats the last row of the first leg?",
+    "Print the times of these two rows. At which time does the second leg start, and which row of "
+    "it, if any, repeats the last row of the first leg?",
 )
-_JERKS = Mistake(
+_JERKS = Question(
     "a leg is not at rest at its ends, or its rows do not have the times that `timed` gives them",
-    "Which of u and s is the time, and which is the share of the path?",
+    "Print the times and angles of the rows around this one. Do the angles go on from those of the "
+    "row before, is each leg at rest at its ends, and are the times those that `timed` gives?",
 )
 _SWAPPED = Mistake(
     "rows and columns have changed places", "One row for each time makes the shape (n, 8)."
@@ -179,7 +179,7 @@ _JUMPS = Mistake(
     "Neighbouring poses may have solutions that are far apart. From which configuration does each "
     "search begin?",
 )
-_TOO_SHORT = Mistake(
+_TOO_SHORT = Question(
     "a leg takes less time than its speeds need",
     "Which times does `timed` give the rows of a leg, and which times do your rows have?",
 )
@@ -204,20 +204,21 @@ EXERCISE = Exercise(
             "the times increase from row to row",
             lambda x, *case: np.diff(x[:, 0]).min() > 0,
             _steps(lambda steps: int((steps <= 0).argmax())),
-            mistake=_TWICE,
+            otherwise=_TWICE,
         ),
         Property(
             "the first row is the time 0 and q0",
             lambda x, *case: abs(x[0, 0]) < EXACT and _begins(x, *case),
-            mistake=Mistake(
-                "the plan does not begin at time 0 and q0", "Where is the arm before the first leg?"
+            otherwise=Question(
+                "the plan does not begin at time 0 and q0",
+                "Where is the arm before the first leg, and what stands in your first row?",
             ),
         ),
         Property(
             "at the end the gripper is at T_grasp, to 0.1 mm and 0.001 rad",
             _ends,
             _end_off,
-            mistake=Mistake(
+            otherwise=Question(
                 "the plan ends elsewhere than at T_grasp",
                 "Which pose of the flange brings the gripper to T_grasp, and is it the last of "
                 "`poses`?",
@@ -235,7 +236,7 @@ EXERCISE = Exercise(
             "no joint is too fast",
             lambda x, *case: shares(x)[0].max() < _BOUND,
             _too_much(0, "speed"),
-            mistake=_too_fast,
+            otherwise=_too_fast,
         ),
         Property(
             "no joint accelerates more than its bound, including the start and the end, because "
@@ -243,13 +244,13 @@ EXERCISE = Exercise(
             "arm rests before and after",
             lambda x, *case: shares(x)[1].max() < _BOUND,
             _too_much(1, "acceleration"),
-            mistake=_JERKS,
+            otherwise=_JERKS,
         ),
         Property(
             f"it takes at most {_LONGEST:.0f} s",
             lambda x, *case: x[-1, 0] <= _LONGEST,
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
-            mistake=Mistake(
+            otherwise=Question(
                 "the plan is slower than necessary",
                 "By which factor may all times shrink until a speed or an acceleration reaches its "
                 "bound?",
@@ -259,8 +260,9 @@ EXERCISE = Exercise(
             "each row is at most 0.2 s after the previous row",
             lambda x, *case: np.diff(x[:, 0]).max() < 0.201,
             _steps(np.argmax),
-            mistake=Mistake(
-                "two rows are too far apart in time", "How many rows does each leg have?"
+            otherwise=Question(
+                "two rows are too far apart in time",
+                "How many rows does each leg have, and how much time passes between two of them?",
             ),
         ),
         Property(

@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, half_turns
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import (
     EXACT,
@@ -32,12 +32,12 @@ _LONGER = Mistake(
     "the longer rotation is taken",
     "Which smaller angle, about the opposite axis, gives the same rotation?",
 )
-_TINY = Mistake(
+_TINY = Question(
     "a tiny rotation counts as none, or has lost its digits",
-    "How many digits are left of arccos of a number slightly below 1, or of a sine that is taken "
-    "for its angle? rotations.log_so3 handles this case.",
+    "How many digits of your phi are right? For so small an angle some formulas lose digits, and "
+    "others are only nearly right. rotations.log_so3 handles this case.",
 )
-_OTHER_ROTATION = Mistake(
+_OTHER_ROTATION = Question(
     "phi does not take R to R_target",
     "Compute exp([phi]) R for your phi, and compare it with R_target. By which angle do the two "
     "differ for small and for large rotations?",

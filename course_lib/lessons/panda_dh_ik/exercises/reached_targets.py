@@ -8,7 +8,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import remembered
 from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, PANDA, READY
@@ -139,6 +139,15 @@ def _one_half(k):
     return lambda *case: _sizes(_descended(*case)[-1])[:, k] < _REACHED
 
 
+def _found(found, *case):
+    """Return in words which target is the first that counts otherwise."""
+    right = _right(*case)
+    k = int(np.argmax(found != right))
+    counts = ("does not count", "counts")
+    reached, yours = counts[int(right[k])], counts[int(found[k])]
+    return f"targets[{k}] {reached} as reached; in your answer it {yours}."
+
+
 EXERCISE = declared(
     "reached_targets",
     points=3,
@@ -152,22 +161,20 @@ EXERCISE = declared(
         Property(
             "the answer is True or False for each target",
             lambda found, *case: np.isin(found, [0, 1]).all(),
-            mistake=Mistake(
+            otherwise=Question(
                 "something other than True or False is returned",
-                "With which number does the task compare both errors?",
+                "Which comparison gives True or False, and what does your code return?",
             ),
         ),
     ),
     says="a target is reached if after the last of the damped steps, each clipped to the limits, "
     "both halves of its error are below 1e-3",
-    found=lambda found, *case: (
-        f"Of {len(found)} targets, {int(_right(*case).sum())} should count as reached; in your "
-        f"answer {int(found.sum())} do."
-    ),
-    otherwise=Mistake(
+    found=_found,
+    otherwise=Question(
         "the steps, or the test after them, differ from the task's",
-        "Take one target of the case below, and compare the first step and the last test of your "
-        "code with the task, number by number.",
+        "Follow this target through your function. At which row of q0 does it start, what changes "
+        "q before, in and after each of the steps, how many steps are there, and which errors are "
+        "compared with which bound at the end?",
     ),
     sweeps=tuple(
         Sweep(f"{half} next to the bound", _beside_the_bound(half), _BESIDE_THE_BOUND)

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.comparisons import same
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
@@ -141,11 +141,10 @@ def _broken(src, dst, weights):
 _POSITION = Mistake(
     "R is right, and p is not", "To which point must T take the weighted centroid of src?"
 )
-_WITHOUT_NOISE = Mistake(
+_WITHOUT_NOISE = Question(
     "T is wrong even without noise",
-    "Compare your two centroids and the sum of the w_i b_i a_i^T with the text, for the case "
-    "below. "
-    "Which factor of each product comes from dst?",
+    "Compute the two centroids, the sum of the w_i b_i a_i^T, U V^T and p for the case below, as "
+    "in the text. Which of them is another one in your code?",
 )
 
 EXERCISE = Exercise(
@@ -162,7 +161,7 @@ EXERCISE = Exercise(
             lambda T, src, dst, weights: near(moved(T, src), dst),
             _off,
             where=_exact,
-            mistake=lambda T, *case: (
+            otherwise=lambda T, *case: (
                 _POSITION if close(T[:3, :3], registered(*case)[:3, :3]) else _WITHOUT_NOISE
             ),
         ),
@@ -171,11 +170,11 @@ EXERCISE = Exercise(
             "changes nothing",
             lambda T, *case: close(T, registered(*case)),
             _off,
-            mistake=Mistake(
+            otherwise=Question(
                 "the weights do not count as in the sum that the task names",
-                "How often, and as which power, does each w_i stand in the sums of the two "
-                "centroids, "
-                "and in the sum of the products?",
+                "Compute the two centroids, the sum of the w_i b_i a_i^T, U V^T with its "
+                "determinant, and p for the case below, as in the text. How often does each w_i "
+                "count, where is a reflection repaired, and what differs in your code?",
             ),
         ),
     ),

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib import ik
 from course_lib.arms import PANDA_ROWS, panda
-from course_lib.checks.vocabulary import remembered
+from course_lib.checks.vocabulary import compared, remembered
 from course_lib.rigid import transform
 
 T_W0 = transform(np.eye(3), [-0.2, 0.13, 0.6])
@@ -78,3 +78,9 @@ def panda_step(rng):
     """Return joint angles of the Panda, their Jacobian and an error."""
     q = np.round(rng.uniform(LOW, HIGH), 2)
     return q, panda_jacobian(q), np.round(rng.uniform(0.2, 0.9, 6) * rng.choice([-1, 1], 6), 2)
+
+
+def changed(answer, right, q):
+    """Return the Finding by how much an answer changes the joint angle q[j] that is off most."""
+    j = int(np.argmax(np.abs(answer - right)))
+    return f"The change of q[{j}] should be " + compared(right[j] - q[j], answer[j] - q[j]) + "."

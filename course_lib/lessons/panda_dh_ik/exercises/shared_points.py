@@ -6,7 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, numbers
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered
@@ -181,9 +181,10 @@ IS_A_POSE = (
         says=lambda T, *case: (
             f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}."
         ),
-        mistake=Mistake(
+        otherwise=Question(
             "the block is not a rotation",
-            "Which factor of the singular value decomposition changes lengths?",
+            "In U S V^T only S changes lengths. Which factors does your R have, and what becomes "
+            "of it afterwards?",
         ),
     ),
     Property("R is no reflection: det R = +1", lambda T, *case: np.linalg.det(T[:3, :3]) > 0),

@@ -7,7 +7,7 @@ from course_lib.checks.kinds import Kind
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, SMALL
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import away_from_zero
+from course_lib.checks.vocabulary import away_from_zero, compared
 from course_lib.lessons.panda_dh_ik.exercises.shared import TABLE
 
 
@@ -43,7 +43,8 @@ def _converted(table):
 
 def _found(answer, table):
     i = int(np.argmax(np.abs(answer - _converted(table)).max(1) > EXACT))
-    return f"Row {i}, counted from 0, is the first that differs from the row of the standard table."
+    both = compared(_converted(table)[i], answer[i])
+    return f"Row {i}, counted from 0, is the first that differs. It should be " + both + "."
 
 
 def _moved(*shifts, around=True):

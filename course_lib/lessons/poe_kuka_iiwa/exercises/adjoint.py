@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import POSE
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import part_is
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, in_blocks
@@ -31,14 +31,15 @@ EXERCISE = declared(
             "the upper left 3x3 block is R: an angular velocity is rotated from frame b to frame a",
             adjoint,
             (_UPPER, _UPPER),
-            Mistake("the upper left block is not R", "How does frame a see the omega of frame b?"),
+            Question("the upper left block is not R", "How does frame a see the omega of frame b?"),
             "The {} column of the block",
         ),
         Property(
             "the upper right 3x3 block is zero: the angular velocity does not depend on v",
             lambda A, T: np.abs(A[_UPPER, _LOWER]).max() <= EXACT,
-            mistake=Mistake(
-                "the upper right block is not zero", "Does omega depend on v, or v on omega?"
+            otherwise=Question(
+                "the upper right block is not zero",
+                "Which line of yours fills this block? Does omega depend on v, or v on omega?",
             ),
         ),
     ),

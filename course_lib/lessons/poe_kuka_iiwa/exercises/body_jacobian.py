@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import SAME_TWICE, near, products, remembered
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
@@ -19,17 +19,17 @@ def _right(screws, M, q):
 def _otherwise(J, *case):
     right = _right(*case)
     if not near(J[:, -1], right[:, -1]):
-        return Mistake(
+        return Question(
             "the last column is not B_n",
-            "Which joints lie between the last axis and the end-effector? Along whose axes does "
-            "this Jacobian see the last axis?",
+            "Compare your last column with B_n = Ad(M^-1) S_n. Along whose axes does this Jacobian "
+            "see the last axis, and which joints lie between it and the end-effector?",
         )
     if near(J[:3], right[:3]):
         return None
-    return Mistake(
+    return Question(
         "an axis is not moved by all joints between it and the end-effector, each by its own angle",
         "Which exponentials, in which order and by which angles, stand in Ad(...) before the body "
-        "screw of the column named below?",
+        "screw of the column that is named?",
     )
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import Kind, nearly_unit_omega
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import (
@@ -113,7 +113,7 @@ def _otherwise(T, twist):
         return None
     if not _is_across(twist) and _p_across_is_right(T, twist):
         return _PART_ALONG
-    return Mistake(
+    return Question(
         "p is not where the origin arrives",
         "What does your formula give for twists along the same line, from a short omega to the one "
         "below? From which length on does p go wrong, and which term of p is it?",
@@ -192,7 +192,7 @@ EXERCISE = declared(
             lambda T, twist: _off(T, twist) <= 10 * EXACT * max(1.0, np.abs(twist[3:]).max()),
             says=_found,
             where=_is_across,
-            mistake=_otherwise,
+            otherwise=_otherwise,
             points=1,
         ),
     ),

@@ -6,7 +6,7 @@ from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.vocabulary import (
     LAST_ROW,
     SAME_TWICE,
@@ -76,9 +76,10 @@ EXERCISE = declared(
             "with all angles 0 the end-effector is at home: T = M",
             lambda T, screws, M, q: near(T, M),
             where=lambda screws, M, q: not q.any(),
-            mistake=Mistake(
+            otherwise=Question(
                 "with all angles 0 the product is not M",
-                "Which 4 x 4 matrix is exp([S] 0)? Multiply n of these matrices by @, and M once.",
+                "Which 4 x 4 matrix is exp([S] 0) in your code, and which product does it make of "
+                "n of these matrices and M?",
             ),
         ),
         LAST_ROW,
@@ -133,7 +134,7 @@ EXERCISE = declared(
         ),
         Mistake(
             "small angles are left out",
-            "How far does an angle of 0.0005 rad move the end of an arm of 1 m?",
+            "How far does an angle of a millionth of a radian move the end of an arm of 1 m?",
             seen=_lacks_small_angles,
         ),
         Mistake(

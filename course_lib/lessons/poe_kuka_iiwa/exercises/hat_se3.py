@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.kinds import TWIST
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE
 from course_lib.checks.tolerances import EXACT
@@ -45,20 +45,21 @@ def _found(V, twist):
 def _otherwise(V, twist):
     right = hat_se3(twist)
     if _relative_error(V, right, BLOCK) > EXACT:
-        return Mistake(
+        return Question(
             "the block is not [omega]",
             "Write down hat(omega) for the omega below, and compare it with your block, entry by "
             "entry.",
         )
     if _relative_error(V, right, COLUMN) > EXACT:
-        return Mistake(
+        return Question(
             "v does not stand in the last column",
             "Which three entries of the twist are v? Compare the last column with them, entry by "
             "entry, for the twist below. Which line of yours writes it for this twist?",
         )
-    return Mistake(
+    return Question(
         "the last row is not zero",
-        "A twist is a velocity, and the 1 at the end of a point does not change with time.",
+        "A twist is a velocity, and the 1 at the end of a point does not change with time. Which "
+        "line of yours writes the last row?",
     )
 
 

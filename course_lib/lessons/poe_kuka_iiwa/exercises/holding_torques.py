@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, Kind, joint_angles, number, vector
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.vocabulary import any_pose, away_from_zero
 from course_lib.lessons.poe_kuka_iiwa.exercises import shared
@@ -92,7 +92,7 @@ EXERCISE = declared(
     cases=_cases,
     library=_torques(),
     says="the torques hold the load: their work in a small motion is the energy that it gains",
-    otherwise=Mistake(
+    otherwise=Question(
         "these torques do not hold the load",
         "How large is the weight of the load, in which direction does it pull, and where is its "
         "center of mass at these angles, all seen from the base? Which matrix takes a wrench to "

@@ -9,9 +9,9 @@ import numpy as np
 from course_lib.arms import ur5e
 from course_lib.checks.answer_types import NOT_A_NUMBER, numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
-from course_lib.checks.vocabulary import SOLVERS, any_pose, away_from_zero, pose
+from course_lib.checks.vocabulary import SOLVERS, any_pose, away_from_zero, compared, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import KUKA, KUKA_HOME, jacobian, tool_pose
 from course_lib.rigid import adjoint, exp_se3, inverse, log_se3
 
@@ -133,16 +133,17 @@ EXERCISE = Exercise(
         Property(
             "the answer is n numbers, or n times nan",
             lambda q, *case: _found(q) or np.isnan(q).all(),
-            mistake=NOT_A_NUMBER,
+            otherwise=NOT_A_NUMBER,
         ),
         Property(
             "a target close by is reached: numbers are returned, not nan",
             _found,
             where=lambda *case: not _out_of_reach(*case),
-            mistake=Mistake(
+            otherwise=Question(
                 "the iteration gives up although the target can be reached",
-                "How many steps may a target need, and does your loop make so many? The error may "
-                "grow in a step. Print q and the error in each step.",
+                "Print q and the error in each step for this target; the error may grow in a step. "
+                "How many steps may it need according to the task, and what ends your loop before "
+                "that?",
             ),
         ),
         Property(
@@ -150,28 +151,36 @@ EXERCISE = Exercise(
             lambda q, *case: _gaps(q, *case).max() <= _REACHED,
             _off,
             where=lambda *case: not _out_of_reach(*case),
-            mistake=Mistake(
+            otherwise=Question(
                 "the steps end before the target is reached",
-                "Where in your loop is `short` asked, and about which error?",
+                "Print the error of the q that you return. Where in your loop is `short` asked, "
+                "and about the error of which q?",
             ),
             points=1,
         ),
         Property(
             "the steps begin at q0: if q0 reaches T_target already, the answer is q0",
             lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < 0.1,
+            lambda q, screws, M, T_target, q0: "The answer should be " + compared(q0, q) + ".",
             where=lambda screws, M, T_target, q0: (
                 np.abs(T_target - tool_pose(screws, M, q0)).max() < 1e-5
+            ),
+            otherwise=Question(
+                "the steps do not begin at q0",
+                "With which q does your loop begin in this call, and what is the error of this q?",
             ),
         ),
         Property(
             "a q0 that has converged is returned unchanged",
             lambda q, screws, M, T_target, q0: np.abs(q - q0).max() < _UNCHANGED,
+            lambda q, screws, M, T_target, q0: "The answer should be " + compared(q0, q) + ".",
             where=lambda screws, M, T_target, q0: (
                 np.abs(T_target - tool_pose(screws, M, q0)).max() < EXACT
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "a step is made without a test before it",
-                "At which place of your loop is the error tested for the first time?",
+                "With which q does your loop begin in this call, and where is the error tested for "
+                "the first time?",
             ),
         ),
         Property(
@@ -181,9 +190,10 @@ EXERCISE = Exercise(
                 f"The target is {np.linalg.norm(T_target[:3, 3]):.3g} m from the arm's base."
             ),
             where=_out_of_reach,
-            mistake=Mistake(
+            otherwise=Question(
                 "the last angles are returned, although they do not reach the target",
-                "Which value does the task ask for after the last step?",
+                "Which value does the task ask for if no step reaches the target, and which line "
+                "of yours returns it?",
             ),
         ),
     ),

@@ -6,7 +6,7 @@ from course_lib.arms import ur5e
 from course_lib.checks.answer_types import Unreadable, numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import orthogonality_error, pose
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import BLOCK, COLUMN, axes
@@ -42,13 +42,13 @@ def _first_direction_off(read):
 
 def _direction_mistake(read):
     if _first_direction_off(read)[1]:
-        return Mistake(
+        return Question(
             "the omega of an axis does not have length one",
             "How long is the omega of a screw axis whose joint rotates at 1 rad/s?",
         )
-    return Mistake(
+    return Question(
         "an axis does not have the direction of its arrow",
-        "Compare the row of the joint named below with its arrow in each view.",
+        "Compare the row of the joint that is named with its arrow in each view.",
     )
 
 
@@ -87,18 +87,17 @@ EXERCISE = Exercise(
             "the axes have the directions of the arrows in the drawing, of length one",
             lambda read: np.allclose(read[0][:, :3], _OMEGA, atol=SIX_DIGITS),
             says=_direction_off,
-            mistake=_direction_mistake,
+            otherwise=_direction_mistake,
             points=1,
         ),
         Property(
             "v is the velocity of the point at the base's origin when the joint rotates at 1 rad/s",
             lambda read: (np.abs(read[0][:, 3:] - _V) <= _TOLERANCE).all(),
             says=_velocity_off,
-            mistake=Mistake(
+            otherwise=Question(
                 "an axis does not pass where it is drawn",
-                "Through which point does the arrow of the joint named below pass? Add up the "
-                "lengths "
-                "from the base, with signs, to 0.1 mm.",
+                "Through which point does the arrow of this joint pass, to 0.1 mm and with signs? "
+                "What does your code compute from this point and from omega, and in which order?",
             ),
             points=1,
         ),
@@ -112,9 +111,10 @@ EXERCISE = Exercise(
             says=lambda read: (
                 f"det R is {np.linalg.det(read[1][BLOCK]):.3g}, the last row {read[1][3]}."
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "M's rotation is not right-handed",
-                "Its columns are the flange's x, y and z = x x y.",
+                "The columns of R are the flange's x, y and z = x x y, each of length one. Which "
+                "column, or which entry of the last row, is another one in your M?",
             ),
         ),
         Property(
@@ -131,7 +131,7 @@ EXERCISE = Exercise(
                 f"Yours is {format_tuple(read[1][COLUMN])}: look at {_axes(read[1][COLUMN] - _P)} "
                 "again."
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "the flange is not where it is drawn",
                 "Go from axis 6 to the flange in each view. Which lengths lead there, and along "
                 "which "

@@ -5,8 +5,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import ANGLE, Kind, vector
-from course_lib.checks.mistake import Mistake
-from course_lib.checks.reasons import off_by
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
     LAST_ROW,
@@ -14,6 +13,7 @@ from course_lib.checks.vocabulary import (
     Y,
     Z,
     away_from_zero,
+    compared,
     is_rotation,
     near,
     pose,
@@ -54,12 +54,10 @@ def _found(T, omega, point, theta):
     R = exp_so3(theta * omega)
     if not near(T[_R], R):
         e = np.eye(3)[np.argmin(np.abs(omega))]
-        right, yours = format_tuple(R @ e), format_tuple(T[_R] @ e)
-        return f"The direction {format_tuple(e)} should become {right}; your R makes it {yours}."
+        return f"R {format_tuple(e)} should be " + compared(R @ e, T[_R] @ e) + "."
     moved = T[_R] @ point + T[_P]
     if not near(moved, point):
-        off = np.abs(moved - point).max()
-        return f"Your first matrix takes this point to {format_tuple(moved)}, " + off_by(off) + "."
+        return "The first matrix takes `point` to " + compared(point, moved) + "."
     back = (T[1] @ T[0])[:3, 3]
     return (
         f"The product of your second matrix and the first takes the origin to {format_tuple(back)}."
@@ -69,12 +67,12 @@ def _found(T, omega, point, theta):
 def _otherwise(T, omega, point, theta):
     """Return the Mistake of the last rows, or of a block R that is not the right one; else None."""
     if not near(T[:, 3], np.eye(4)[3]):
-        return LAST_ROW.mistake
+        return LAST_ROW.otherwise
     R = T[_R]
     if near(R, exp_so3(theta * omega)):
         return None
     if not (is_rotation(R) and near(R @ omega, omega)):
-        return Mistake(
+        return Question(
             "R is not what Rodrigues' formula gives",
             "Compute the three terms of Rodrigues' formula for the omega and the theta below. "
             "Which of them differs from yours?",
@@ -85,7 +83,7 @@ def _otherwise(T, omega, point, theta):
         differs = f"theta is {theta:.4g} rad, but your R rotates by {angle:.4g} rad."
     else:
         differs = f"The angle by which your R rotates differs from theta by {off:.2g} rad."
-    return Mistake(
+    return Question(
         "R rotates about omega, but its angle is not theta",
         f"{differs} What does your code do with theta before it takes the sine and the cosine?",
     )
@@ -168,7 +166,7 @@ EXERCISE = declared(
         ),
         Mistake(
             "a small rotation counts as none",
-            "How far does a rotation by 0.0005 rad move a point 1 m from the axis?",
+            "How far does a rotation by a millionth of a radian move a point 1 m from the axis?",
             seen=lambda T, omega, point, theta: (
                 0 < abs(theta) < 0.1 and np.array_equal(T[_R], np.eye(3))
             ),

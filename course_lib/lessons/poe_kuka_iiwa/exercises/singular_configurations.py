@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.arms import iiwa14
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 
 _ARM = iiwa14()
@@ -80,9 +80,10 @@ EXERCISE = Exercise(
             "all angles are within the joint limits",
             lambda rows: ((rows >= _ARM.limits[:, 0]) & (rows <= _ARM.limits[:, 1])).all(),
             says=_outside,
-            mistake=Mistake(
+            otherwise=Question(
                 "an angle is beyond its limit",
-                "arm.limits holds the limits in radians, one row per joint.",
+                "arm.limits holds the limits in radians, one row per joint. Which of your angles "
+                "are compared with them, and in which unit?",
             ),
         ),
         Property(
@@ -92,7 +93,7 @@ EXERCISE = Exercise(
                 f"The ranks of your three are "
                 f"{', '.join(str(6 - _rank_loss(row)) for row in rows)}."
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "a configuration is not singular",
                 "Print the singular values of its Jacobian. The last of them must be 0.",
             ),
@@ -103,9 +104,9 @@ EXERCISE = Exercise(
             "wrist (joints 5 and 6)",
             lambda rows: all(_leads_out(k, row) for k, row in enumerate(rows)),
             says=_families,
-            mistake=Mistake(
+            otherwise=Question(
                 "it is not the family of its row alone that makes a row singular",
-                "Move the joints of the row named below by 0.3 rad, one after the other. Which "
+                "Move the joints of the row that is named by 0.3 rad, one after the other. Which "
                 "of them "
                 "change the smallest singular value?",
             ),

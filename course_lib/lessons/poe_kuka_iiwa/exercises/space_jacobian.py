@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import SAME_TWICE, near, products
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
@@ -33,17 +33,17 @@ def _without_home(sweep):
 def _otherwise(J, screws, q):
     right = jacobian(screws, q)
     if not near(J[:, 0], right[:, 0]):
-        return Mistake(
+        return Question(
             "the first axis is moved, or changed",
-            "Which joints stand before joint 1? Column 1 is S1.",
+            "No joint stands before joint 1, so column 1 is S1 at all angles. What does your code "
+            "put there, and what does it do to it afterwards?",
         )
     if not near(J[:3], right[:3]):
-        return Mistake(
+        return Question(
             "an axis is not rotated by all joints before it, each by its own angle",
-            "Which exponentials, in which order and by which angles, move the axis of the column "
-            "named below?",
+            "Which exponentials, in which order and by which angles, move the axis of this column?",
         )
-    return Mistake(
+    return Question(
         "the directions of the axes are right for the angles below, and a v is not",
         "Take a point of this axis: where is it after the joints before it have moved it? Which "
         "6 x 6 matrix of a pose transforms both halves of a screw axis, and is it used for these "

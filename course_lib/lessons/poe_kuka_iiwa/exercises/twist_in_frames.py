@@ -7,7 +7,7 @@ from numpy.linalg import matrix_power
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, TWIST
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, compared, first_off, near
 from course_lib.lessons.poe_kuka_iiwa.exercises.shared import WHOLE_HOME, at, nearly_identity
@@ -67,15 +67,16 @@ def _found(value, *case):
 def _otherwise(value, *case):
     right = _right(*case)
     if not near(value[2], right[2]):
-        return Mistake(
+        return Question(
             "the third row is not (omega, velocity of the end-effector's origin) along the base's "
             "axes",
             "Which half comes first, and how fast does omega move the point p of T?",
         )
     if not near(value[1], right[1]):
-        return Mistake(
+        return Question(
             "the second row is not Ad(T^-1) V_s",
-            "From which frame to which does T^-1 take a twist?",
+            "From which frame to which does T^-1 take a twist, and what does your code multiply by "
+            "its adjoint?",
         )
     return None
 

@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import Kind, number
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared
@@ -114,9 +114,10 @@ EXERCISE = declared(
             "s is a polynomial in t of degree three",
             _is_cubic,
             where=lambda t, *case: np.size(t) > 4,
-            mistake=Mistake(
+            otherwise=Question(
                 "s is not a cubic polynomial",
-                "With velocities at its ends a cubic may leave the range from s0 to s1.",
+                "Which function of t does your code compute, and which line changes its value for "
+                "some t? With velocities at its ends a cubic may leave the range from s0 to s1.",
             ),
         ),
     ),

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import LAST_ROW, near
@@ -45,13 +45,13 @@ TWIST = Kind(
 def _otherwise(T, twist):
     right = exp_se2(twist)
     if not near(T[2], right[2]):
-        return LAST_ROW.mistake
+        return LAST_ROW.otherwise
     if not near(T[:2, :2], right[:2, :2]):
         return None
-    return Mistake(
+    return Question(
         "the position is not the integral of R(omega t) v from t = 0 to 1",
         "Integrate the cosine and the sine of omega t by t, from 0 to 1. Which of the two results "
-        "differs from your formula, for the omega of this case?",
+        "differs from your formula, or has more digits, for the omega of this case?",
     )
 
 

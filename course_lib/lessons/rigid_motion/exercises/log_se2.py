@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL
 from course_lib.checks.tolerances import EXACT
 from course_lib.rigid import exp_se2, log_se2
@@ -87,13 +87,14 @@ def _otherwise(twist, T):
     if np.abs(twist - right)[0] > EXACT and not _at_half(T):
         return None
     if _distance(twist, right, T) < 1e-3 * np.abs(right).max():
-        return Mistake(
+        return Question(
             "v has lost digits for this angle",
-            "Which of your formulas does this angle take, and how many digits has it there?",
+            "Which of your formulas does this angle take, and how many of its digits are right "
+            "there?",
         )
-    return Mistake(
+    return Question(
         "v does not lead to the position of T",
-        "In exp_se2 the position is A v. Which equation does v solve here?",
+        "In exp_se2 the position is A v. Which equation does your v solve here, and with which A?",
     )
 
 

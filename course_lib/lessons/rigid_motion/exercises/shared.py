@@ -8,7 +8,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED
 from course_lib.checks.vocabulary import compared
@@ -283,17 +283,17 @@ def _number_of_rows(rows, start, plan, dt):
                 f"int({duration:.6g} / {dt:.6g}) is {number}. How many entries has "
                 f"step_lengths({duration:.6g}, {dt:.6g})?"
             )
-            return Mistake("a step has no row", hint)
+            return Question("a step has no row", hint)
     name = "a step has no row" if too_few else "there are more rows than steps"
     if len(plan) > 1:  # the wrong pair need not be the first
         numbers = ", ".join(str(len(lengths(duration, dt))) for _, duration in plan)
-        return Mistake(
+        return Question(
             name,
             f"For the pairs of this plan, step_lengths returns {numbers} entries, in this order. "
             "How many rows does your code append for each pair?",
         )
     duration = plan[0][1]
-    return Mistake(
+    return Question(
         name,
         f"How many entries has step_lengths({duration:.6g}, {dt:.6g}), and how many rows does your "
         "code append for this pair?",
@@ -308,10 +308,14 @@ def form(angles):
             "the first row is start",
             lambda rows, start, plan, dt: near(rows[:1], [start], angles, EXACT),
             says=lambda rows, *case: (
-                f"Yours is {format_tuple(rows[0])}." if len(rows) else "Yours has no row."
+                "It should be " + compared(np.asarray(case[0], float), rows[0]) + "."
+                if len(rows)
+                else "Yours has no row."
             ),
-            mistake=Mistake(
-                "start is not the first row", "The list begins with start, before any step is made."
+            otherwise=Question(
+                "start is not the first row",
+                "The list begins with start, before any step is made. Which line of yours writes "
+                "its first row?",
             ),
         ),
         Property(
@@ -322,7 +326,7 @@ def form(angles):
                 f"{1 + len(steps(plan, dt)[1])} rows. "
                 f"Yours has {len(rows)}."
             ),
-            mistake=_number_of_rows,
+            otherwise=_number_of_rows,
         ),
     )
 

@@ -8,7 +8,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
@@ -94,17 +94,17 @@ EXERCISE = Exercise(
             "with the angles of either row the arm's tip is at `tip`",
             lambda angles, tip: _off(angles, tip).max() < HALF_THE_DIGITS,
             says=_where_the_rows_lead,
-            mistake=other_bend,
+            otherwise=other_bend,
             points=1,
         ),
         Property(
             "the two rows are different solutions: the elbow is bent to one side and to the other",
             lambda angles, tip: angle_gap(*angles) > angle_gap(*two_link_angles(tip)) / 2,
             where=lambda tip: not _straight(tip),
-            mistake=Mistake(
+            otherwise=Question(
                 "the same elbow is returned twice",
-                "The cosine does not tell the sign of theta2. Close to the edge of the reach, too, "
-                "there are two solutions.",
+                "For this tip there are two solutions, with theta2 of either sign, as everywhere "
+                "within the reach. Which line gives the theta2 of each row its sign and size?",
             ),
         ),
     ),

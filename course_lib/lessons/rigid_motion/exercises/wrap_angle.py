@@ -91,7 +91,8 @@ _LEFT = Mistake(
 def _otherwise(value, angle):
     if np.all(np.abs(angle) < np.pi - 1e-9):
         return _CHANGED
-    return _LEFT if np.abs(value).max() > np.pi + 1e-3 else None
+    is_same_direction = np.abs(wrap_angle(value - angle)).max() < 1e-3
+    return _LEFT if is_same_direction and np.abs(value).max() > np.pi + 1e-3 else None
 
 
 def _each(formula):

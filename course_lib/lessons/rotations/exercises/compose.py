@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import FACTOR, one_of
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.rotations import rot_x, rot_y, rot_z
 
@@ -35,10 +35,11 @@ EXERCISE = declared(
     library=_right,
     says='with frame = "world", step rotates every point of the body about the world\'s axes; with '
     'frame = "body", about the body\'s own axes, where R has taken them',
-    otherwise=Mistake(
+    otherwise=Question(
         "the answer is not the product of R and step for this frame",
-        "Which two matrices does your line multiply, is each of them as it came, and which of "
-        "them acts first on a point of the body?",
+        "Which two matrices does your code multiply here, is each of them as it came, and which of "
+        "them acts first on a point of the body? How does it decide about frame, and would it "
+        "decide so for an equal word that another line has made?",
     ),
     hints=(
         "Let p be a point of the body, in the body's coordinates. In the world's coordinates it is "
@@ -55,7 +56,9 @@ EXERCISE = declared(
         ),
         Mistake(
             "the frame makes no difference",
-            "Compare both orders for rotations by 90 degrees about z and about x.",
+            "Compare both orders for rotations by 90 degrees about z and about x. Which line of "
+            "yours decides about frame, and would it decide so for an equal word that another "
+            "line has made?",
             lambda R, step, frame: R @ step,
             lambda R, step, frame: step @ R,
         ),

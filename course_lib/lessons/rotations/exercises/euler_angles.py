@@ -8,7 +8,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import ROTATION
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import SIX_DIGITS
 from course_lib.checks.vocabulary import any_rotation, same_angles
@@ -138,15 +138,15 @@ def _is_off_by_the_cosine(angles, R):
 def _otherwise(angles, R):
     """Return the Mistake of angles at gimbal lock."""
     if not np.isfinite(angles).all():
-        return Mistake(
+        return Question(
             "an angle is not a number at gimbal lock",
-            "Which function, or which division, gives the first nan for this R? How far may "
-            "rounding take an entry of R beyond 1 or -1?",
+            "Which line gives the first nan or inf for this R? How far may rounding take an entry "
+            "of R beyond 1 or -1?",
         )
-    return Mistake(
+    return Question(
         "gimbal lock is not recognised here, or its formula is not right for both signs of beta",
-        "Put alpha = 0 into the product, with beta = pi/2 and with -pi/2: which entries depend on "
-        "gamma?",
+        "Which of your lines does this R take? Put its beta, pi/2 or -pi/2, and the alpha of your "
+        "answer into the product: which entries depend on gamma then?",
     )
 
 
@@ -171,10 +171,10 @@ EXERCISE = declared(
         Property(
             "beta lies between -pi/2 and pi/2",
             lambda angles, R: not abs(angles[1]) > np.pi / 2 + SIX_DIGITS,
-            mistake=Mistake(
+            otherwise=Question(
                 "the other triple of angles is returned, with beta beyond pi/2",
-                "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign of cos(beta) "
-                "does the task ask for?",
+                "(alpha + pi, pi - beta, gamma + pi) is the same rotation. Which sign does "
+                "cos(beta) have for the triple that the task asks for, and for yours?",
             ),
         ),
     ),

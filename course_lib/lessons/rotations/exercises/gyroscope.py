@@ -8,7 +8,7 @@ from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import FACTOR, ROTATION, Kind, number
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error, unit
 from course_lib.rotations import exp_so3, hat, rot_z
@@ -85,10 +85,10 @@ def _otherwise(R, *case):
     """Return the Mistake of orientations that are nearly right; None of others."""
     if difference(R, _right(*case)) > _NEARLY:
         return None
-    return Mistake(
+    return Question(
         "small rotations are left out, or lose their digits",
-        "By how much does the first sample below change the orientation? Which lines of yours "
-        "treat a small rotation, or a small change, otherwise than a large one?",
+        "The orientations are nearly right. Which lines of yours treat a small rotation, that of a "
+        "sample or R_bi, otherwise than a large one, and which lose digits?",
     )
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import boolean
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.vocabulary import orthogonality_error, pose, unit
 from course_lib.rotations import exp_so3, nearest_quaternion, random_rotations
@@ -222,7 +222,7 @@ _SHAPE_IGNORED = Mistake(
 
 
 def _other_shape(ok, X, kind, tol):
-    return Mistake(
+    return Question(
         f"the shape of a {kind} is not tested, or not all of it",
         f"X has the shape {X.shape}. Which shapes does the task allow for a {kind}?",
     )
@@ -241,7 +241,7 @@ EXERCISE = Exercise(
             "for an array of another shape the answer is False",
             lambda ok, X, kind, tol: not ok,
             where=lambda X, kind, tol: not has_form(X, kind),
-            mistake=_other_shape,
+            otherwise=_other_shape,
         ),
         _says(
             "rotation",

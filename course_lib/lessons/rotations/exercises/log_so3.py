@@ -9,7 +9,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import ROTATION
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import FOUR_DIGITS, SIX_DIGITS
 from course_lib.rotations import exp_so3, log_so3
@@ -71,15 +71,16 @@ def _otherwise(w, R):
             "R is not the identity here. Which line of your code gives 0 for this R?",
         )
     if abs(length - angle) > 1e-3 * angle:
-        return Mistake(
+        return Question(
             "a small angle loses its digits",
             f"|w| of your answer is {length:.3g} rad. From which entries of R does your code "
-            "compute the angle, and how many digits of them does a rotation by so little change?",
+            "compute the angle, how many digits of them does a rotation by so little change, and "
+            "what becomes of the angle afterwards?",
         )
-    return Mistake(
+    return Question(
         "a small angle is right, and its axis is not",
         "Which entries of R still differ from those of the identity, and what does your code "
-        "divide them by?",
+        "compute from them?",
     )
 
 

@@ -60,7 +60,7 @@ EXERCISE = declared(
     tolerance=EXACT,
     library=_product(*_RIGHT),
     says="the columns are the mug's axes in the coordinates of the base",
-    properties=(rotation(mistake=ENTRY_BY_ENTRY),),
+    properties=(rotation(otherwise=ENTRY_BY_ENTRY),),
     hints=(
         "Write down the letters of what you look for and of what you have. Which frames lie "
         "between the base and the mug?",

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import (
@@ -70,12 +70,15 @@ def _found(X, T):
 
 def _otherwise(X, T):
     if not near(X[-1], np.eye(len(T))[-1]):
-        return LAST_ROW.mistake
+        return LAST_ROW.otherwise
     if not near(X[:-1, -1], T[:-1, -1]):
-        return Mistake("the translation is changed", "Only the block and the last row need repair.")
+        return Question(
+            "the translation is changed",
+            "Only the block and the last row need repair. Which line writes the last column?",
+        )
     if is_rotation(X[:-1, :-1]):
         return shared.NOT_NEAREST
-    return Mistake(
+    return Question(
         "the block is not a rotation",
         "Which line should make a rotation of the block? Print each factor that it multiplies, for "
         "this T.",

@@ -7,7 +7,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import Kind
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation, no_rotation, orthogonality_error
@@ -37,15 +37,16 @@ def _found(R, M):
 
 def _otherwise(R, M):
     if orthogonality_error(R) > EXACT:
-        return Mistake(
+        return Question(
             "the answer is not orthogonal",
-            "Which part of M = U S V^T stretches? Does your function take that part out of every "
-            "M, and what does it do with the M below?",
+            "In M = U S V^T only S stretches. Which factors does your answer have for the M below, "
+            "and which of them is not orthogonal?",
         )
     if np.linalg.det(R) < 0:
-        return Mistake(
+        return Question(
             "the answer is a reflection",
-            "U V^T is a reflection if det(U V^T) = -1: which sign has to change then?",
+            "U V^T is a reflection if det(U V^T) = -1, and one sign has to change then. What does "
+            "your function do with the M below?",
         )
     return NOT_NEAREST
 

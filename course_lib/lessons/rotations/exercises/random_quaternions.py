@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rotations.exercises import sampling
 from course_lib.rotations import quaternion_to_matrix, random_quaternions
@@ -51,7 +51,7 @@ EXERCISE = Exercise(
             says=lambda q, n, rng: "Their lengths lie between {0[0]:.9g} and {0[1]:.9g}.".format(
                 _extremes(q)
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "the quaternions do not have length one",
                 "Each has a length of its own: by which number is each of them divided?",
             ),
@@ -65,7 +65,7 @@ EXERCISE = Exercise(
             ),  # five standard deviations
             says=_tell_signs,
             where=sampling.many,
-            mistake=_other_signs,
+            otherwise=_other_signs,
         ),
         *sampling.uniform_rotations(quaternion_to_matrix),
     ),

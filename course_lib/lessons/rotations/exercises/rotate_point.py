@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import ANGLE, vector
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared
 
@@ -37,10 +36,8 @@ def _direction_by_arccos(p, a):
 
 
 def _found(image, p, a):
-    degrees = f"a is {np.rad2deg(a):.4g} degrees"
-    if same(image, _right(p, a), tolerance=1e-3):  # then the direction is not what is wrong
-        return f"{degrees}. The right point is " + compared(_right(p, a), image) + "."
-    return f"{degrees}."
+    point = f"a is {np.rad2deg(a):.4g} degrees. The right point is "
+    return point + compared(_right(p, a), image) + "."
 
 
 EXERCISE = declared(
@@ -67,9 +64,10 @@ EXERCISE = declared(
             says=lambda image, p, a: (
                 "The right distance is " + compared(np.linalg.norm(p), np.linalg.norm(image)) + "."
             ),
-            mistake=Mistake(
+            otherwise=Question(
                 "the point comes nearer to the origin, or moves away",
-                "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go?",
+                "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go in "
+                "your code?",
             ),
         ),
     ),

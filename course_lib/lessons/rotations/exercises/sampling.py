@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.comparisons import attempt
 from course_lib.checks.exercise import Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import no_rotation
 from course_lib.checks.wire import Seed
@@ -47,25 +47,26 @@ DRAWS = (
         "the same seed draws the same again",
         lambda values, cases: None if np.array_equal(values[0], values[1]) else 1,
         across=True,
-        mistake=Mistake(
+        otherwise=Question(
             "the numbers do not come from rng",
-            "Neither numpy.random nor a new generator knows the seed: every number comes from the "
-            "rng passed in.",
+            "Which of your numbers do not come from the rng passed in, or stay from the call "
+            "before? Neither numpy.random nor a new generator knows the seed.",
         ),
     ),
     Property(
         "another seed draws something else",
         lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
         across=True,
-        mistake=Mistake(
-            "a generator is made inside the function", "Use the rng that is passed in."
+        otherwise=Question(
+            "a generator is made inside the function",
+            "Which of your numbers come from the rng that is passed in?",
         ),
     ),
     Property(
         "with another seed each of the n draws is another one",
         _has_a_common_draw,
         across=True,
-        mistake=Mistake(
+        otherwise=Question(
             "a draw is the same for every seed",
             "Which of the n is it? Each of them needs numbers from the rng that is passed in.",
         ),
@@ -73,7 +74,10 @@ DRAWS = (
     Property(
         "n draws are n different ones",
         lambda value, n, rng: n < 2 or not np.allclose(value[0], value[1]),
-        mistake=Mistake("one draw is repeated n times", "Each of the n needs numbers of its own."),
+        otherwise=Question(
+            "one draw is repeated n times",
+            "Each of the n needs numbers of its own. How many does your code draw, and when?",
+        ),
     ),
 )
 
@@ -88,10 +92,10 @@ ROTATIONS = Property(
     "every matrix is a rotation",
     lambda R, n, rng: _are_rotations(R).all(),
     says=lambda R, n, rng: no_rotation(R[np.argmin(_are_rotations(R))]),
-    mistake=Mistake(
+    otherwise=Question(
         "the matrices are not orthogonal",
-        "Matrix products of rotations are rotations; their sums, and products entry by entry (*), "
-        "are not.",
+        "From which matrices does your code make each one, and by which operation? Matrix products "
+        "of rotations are rotations; their sums, and products entry by entry (*), are not.",
     ),
 )
 
@@ -232,7 +236,7 @@ def arvo(R):
     return z, phi, np.arctan2(image[:, 1], image[:, 0])
 
 
-_CROWDED = Mistake(
+_CROWDED = Question(
     "the rotations crowd in some directions, or leave some out",
     "Draw where the axes land. Does each random number cover its whole range, is it drawn anew "
     "for each of the n, and is it independent of the others?",
@@ -267,7 +271,7 @@ def uniform_rotations(matrices):
             lambda value, n, rng: angle_p_value(matrices(value)) > LEVEL,
             says=lambda value, n, rng: _tell_angles(matrices(value)),
             where=many,
-            mistake=lambda value, n, rng: _other_angles(matrices(value)),
+            otherwise=lambda value, n, rng: _other_angles(matrices(value)),
         ),
         *(
             Property(
@@ -275,7 +279,7 @@ def uniform_rotations(matrices):
                 lambda value, n, rng, axis=axis: axis_p_value(matrices(value), axis) > LEVEL,
                 says=lambda value, n, rng, axis=axis: _tell_images(matrices(value), axis),
                 where=many,
-                mistake=_CROWDED,
+                otherwise=_CROWDED,
             )
             for axis, name in enumerate("xyz")
         ),
@@ -294,7 +298,7 @@ def uniform_rotations(matrices):
             "draws of two seeds are independent",
             _depends_on_the_other_seed(matrices),
             across=True,
-            mistake=Mistake(
+            otherwise=Question(
                 "some of the numbers do not come from rng",
                 "Does another generator, or a number that is always the same, decide a part of "
                 "each rotation? Every random number comes from the rng passed in.",

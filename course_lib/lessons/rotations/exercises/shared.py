@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.vocabulary import any_rotation, compared
 from course_lib.rotations import nearest_so, random_rotations
 
@@ -89,10 +89,10 @@ def ones(M):
     return [1.0] * (len(M) - 1)
 
 
-NOT_NEAREST = Mistake(
+NOT_NEAREST = Question(
     "the answer is a rotation, and another one is nearer",
-    "U V^T is nearest if its determinant is 1. Else one sign changes between U and V^T: where is M "
-    "weakest?",
+    "What are U V^T and its determinant here? If it is 1, U V^T is nearest. Else one sign changes "
+    "between U and V^T: where is M weakest?",
 )
 
 

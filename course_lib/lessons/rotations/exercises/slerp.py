@@ -7,10 +7,10 @@ from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import QUATERNION, number
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign, unit
+from course_lib.checks.vocabulary import compared, distance_up_to_sign, same_up_to_sign, unit
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
 from course_lib.rotations import nearest_quaternion, random_quaternions
 
@@ -103,6 +103,12 @@ def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
 
+def _compared(q, right):
+    """Return the Finding what q should be, with the sign that is nearer to it."""
+    sign = 1 if np.abs(q - right).max() <= np.abs(q + right).max() else -1
+    return "The right answer is " + compared(sign * right, q) + "."
+
+
 def _found(q, q0, q1, t):
     length = np.linalg.norm(q)
     if not abs(length - 1) < EXACT:
@@ -177,12 +183,15 @@ EXERCISE = declared(
         ),
     ),
     says="two nearly equal or equal rotations are no exception",
-    found=lambda q, q0, q1, t: f"The rotations are {_angle_of(q0, q1):.2g} rad apart.",
-    otherwise=Mistake(
+    found=lambda q, q0, q1, t: (
+        f"The rotations are {_angle_of(q0, q1):.2g} rad apart. " + _compared(q, slerp(q0, q1, t))
+    ),
+    otherwise=Question(
         "digits are lost, or all of them, where two rotations are nearly equal",
-        "arccos is inaccurate near 1 and not defined above it, and a sine that is nearly 0 is a "
-        "bad divisor. For nearly equal quaternions the arc is nearly straight: which simpler "
-        "formula is good enough there, and from which angle on?",
+        "Which formula does your code use for these two, and how many digits of it are right? "
+        "arccos is inaccurate near 1 and -1 and not defined beyond them, a sine that is nearly 0 "
+        "is a bad divisor, and a simpler formula is good enough only where the arc is nearly "
+        "straight.",
     ),
     hints=(
         "Draw the arc on the unit sphere. How long is it, and which of q1 and -q1 is nearer to q0?",

@@ -7,9 +7,13 @@ from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
-from course_lib.checks.tolerances import SOLVED
+from course_lib.checks.tolerances import SIX_DIGITS, SOLVED
 from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
-from course_lib.lessons.subproblems_damped_ik.exercises.shared import add_nan, by_quarters
+from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
+    NO_SOLUTION,
+    add_nan,
+    by_quarters,
+)
 from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     BENDS,
     BEYOND,
@@ -79,11 +83,15 @@ _SHOULDER = Mistake(
 
 
 def _wrong(q, center):
-    """Return the Mistake of a list of triples: q3 decides how far the wrist is from the
-    shoulder."""
+    """Return the Mistake that a list of triples shows: q3 alone decides how far the wrist center is
+    from the shoulder. Nearly right triples are asked about."""
     distance = np.linalg.norm(center - SHOULDER)
     reached = [np.linalg.norm(center_of(triple) - SHOULDER) for triple in np.reshape(q, (-1, 3))]
-    return _SHOULDER if np.allclose(reached, distance, atol=1e-6) else _ELBOW
+    off = np.abs(np.array(reached) - distance).max()
+    if off > SIX_DIGITS:
+        return _ELBOW
+    is_far = max(_misses(triple, center) for triple in np.reshape(q, (-1, 3))) > SIX_DIGITS
+    return _SHOULDER if is_far else NO_SOLUTION
 
 
 def _tell(q, center):

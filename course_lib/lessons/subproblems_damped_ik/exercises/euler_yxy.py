@@ -10,7 +10,7 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
@@ -36,12 +36,12 @@ _AT_THE_END = Mistake(
 )
 
 
-_FIRST = Mistake(
+_FIRST = Question(
     "the first triple does not rebuild R",
     "Build an R from three angles that you know: which of b1, b2 and b3 is the first that your "
-    "function does not find again? From which angle to which does the function go that finds it?",
+    "function does not find again, and which line finds it?",
 )
-_SECOND = Mistake(
+_SECOND = Question(
     "the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?"
 )
 
@@ -151,17 +151,18 @@ EXERCISE = Exercise(
             _rebuilt(EXACT),
             _off,
             where=lambda R: _sine(R) > 1e-2,
-            mistake=lambda found, R: _FIRST if _misses(found[0], R) > EXACT else _SECOND,
+            otherwise=lambda found, R: _FIRST if _misses(found[0], R) > EXACT else _SECOND,
         ),
         Property(
             "each triple rebuilds R even where b2 is near 0 or near pi",
             _rebuilt(HALF_THE_DIGITS),
             _off,
             where=lambda R: _AT_AN_END <= _sine(R) <= 1e-2,
-            mistake=Mistake(
+            otherwise=Question(
                 "b2 near 0 or pi is treated as if it were 0 or pi, or loses its digits there",
-                "A small sine still determines b1 and b3. How large may rounding make a sine of 0? "
-                "And which function keeps the digits of an angle near 0: arccos, or arctan2?",
+                "A small sine still determines b1 and b3. Which of your lines does this R take, "
+                "and how many digits of each angle does it keep? How large may rounding make a "
+                "sine of 0?",
             ),
         ),
         Property(
@@ -179,20 +180,21 @@ EXERCISE = Exercise(
             _rebuilt(SIX_DIGITS),
             lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
             where=_end,
-            mistake=Mistake(
+            otherwise=Question(
                 "the angles do not fit together where sin(b2) = 0",
-                "Is b2 0 or pi here? At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. If "
-                "you choose b1, what remains of R for b3? "
-                "And rounding may leave a tiny sine: how do you compare it with 0?",
+                "Is b2 0 or pi here? At b2 = 0 only b1 + b3 matters, at b2 = pi only b1 - b3. "
+                "Which of your lines does this R take, and what remains of R for b3 once b1 is "
+                "chosen?",
             ),
         ),
         Property(
             "the shape is (2, 3): two triples, no more and no fewer, even where sin(b2) = 0",
             lambda found, R: len(found) == 2,
             lambda found, R: f"Your array has {counted(len(found), 'triple')}.",
-            mistake=Mistake(
+            otherwise=Question(
                 "a triple is missing where sin(b2) = 0",
-                "What does the task say of the number of rows, where both triples are the same?",
+                "How many rows does the task ask for, even where both triples are the same? Which "
+                "line of yours decides how many there are?",
             ),
         ),
     ),

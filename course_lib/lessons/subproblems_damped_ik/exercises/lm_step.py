@@ -4,10 +4,10 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES, QUARTER
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SOLVED
-from course_lib.checks.vocabulary import angle_gap
+from course_lib.checks.vocabulary import angle_gap, compared
 from course_lib.lessons.subproblems_damped_ik.exercises.planar_jacobian import ARMS, jacobian, tip
 
 _BENT, _STRAIGHT = np.array([0, 0, 0, QUARTER]), np.zeros(4)
@@ -74,10 +74,7 @@ def _motion(answer, q, *rest):
     wanted = step(q, *rest) - q
     moved = answer - q
     j = int(np.argmax(np.abs(moved - wanted) > allowed(q, *rest)))
-    return (
-        f"Joint {j + 1} should move by {wanted[j]:.5g} rad; in your answer it moves by "
-        f"{moved[j]:.5g}."
-    )
+    return f"The change of joint {j + 1} (rad) should be " + compared(wanted[j], moved[j]) + "."
 
 
 def _is_alike(answer, predicted, *case):
@@ -142,10 +139,10 @@ EXERCISE = declared(
     alike=_is_alike,
     says="the answer is q - alpha (J^T J + eps I)^-1 J^T (p(q) - target)",
     found=_motion,
-    otherwise=Mistake(
+    otherwise=Question(
         "the step is not the damped one",
-        "Which matrix is inverted, what does alpha multiply, and is a small eps, or a large or a "
-        "small step, treated otherwise?",
+        "Compute this step in parts: p(q) and the target as they are given, their difference, J, "
+        "the matrix that is inverted, and what alpha multiplies. Which part differs in your code?",
     ),
     hints=(
         "J = planar_jacobian(q), e = tip(q) - target.",

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.kinds import QUARTER, joint_angles
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import SOLVED
 from course_lib.checks.vocabulary import X, Y
 from course_lib.rotations import rot_x, rot_y
@@ -24,10 +24,10 @@ def _cases(rng):
 
 def _no_axis(A, b):
     j = int(np.argmax(np.abs(A - rates(b)).max(0) > SOLVED))
-    return Mistake(
+    return Question(
         f"the {ORDINALS[j]} column is not the axis about which b{j + 1} rotates",
-        "About which axis does this factor rotate, and which rotations, to its left, carry that "
-        "axis along?",
+        "About which axis does the factor of this column rotate, and which rotations, to its left, "
+        "carry that axis along? How many digits of your column are right?",
     )
 
 

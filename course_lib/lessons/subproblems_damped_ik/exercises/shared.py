@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, rows
 from course_lib.checks.exercise import Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
@@ -25,7 +25,7 @@ NEAR_THE_AXIS = (9e-3, 9e-4, 9e-5, 9e-6)
 _NOT_ONE = Mistake(
     "nan is returned where there is no solution", "Which number shows that there is no solution?"
 )
-NO_SOLUTION = Mistake(
+NO_SOLUTION = Question(
     "the list holds something that is no solution",
     "Put the one that is shown into the equation, term by term. Which length, point or angle "
     "differs from what you expected, and in which of its digits?",
@@ -199,9 +199,11 @@ def reached(theta, what, number, wanted):
     return text + "."
 
 
-def empty_list(text, says, where, mistake):
+def empty_list(text, says, where, otherwise):
     """Return the Property of a list that is empty, in the cases in which there is no solution."""
-    return Property(text, lambda found, *case: len(found) == 0, says, where=where, mistake=mistake)
+    return Property(
+        text, lambda found, *case: len(found) == 0, says, where=where, otherwise=otherwise
+    )
 
 
 def counted(number, one):
@@ -233,7 +235,7 @@ def all_of_them(equation, one, misses, tell, solutions, none):
         return lambda *case: len(solutions(*case)) == count
 
     return (
-        Property(equation, solved(EXACT), worst, where=has(2), mistake=NO_SOLUTION),
+        Property(equation, solved(EXACT), worst, where=has(2), otherwise=NO_SOLUTION),
         Property(
             f"both solutions are in the list: here there are two {one}s",
             lambda found, *case: different(found) >= 2,
@@ -244,9 +246,10 @@ def all_of_them(equation, one, misses, tell, solutions, none):
             f"each {one} is in the list once",
             lambda found, *case: len(found) == 2,
             where=has(2),
-            mistake=Mistake(
+            otherwise=Question(
                 "a solution is listed twice",
-                "Angles that differ by a multiple of 2 pi are the same solution.",
+                "Angles that differ by a multiple of 2 pi are the same solution. Which line puts "
+                "the same one into the list again?",
             ),
         ),
         *none,

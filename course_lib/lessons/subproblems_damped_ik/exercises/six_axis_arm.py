@@ -5,10 +5,11 @@ import numpy as np
 
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import OUT_OF_REACH
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import X, Y, Z, away_from_zero, remembered
+from course_lib.checks.vocabulary import X, Y, Z, angle_gap, away_from_zero, remembered
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import NO_SOLUTION, different
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import rot_y, rot_z
@@ -79,11 +80,20 @@ def all_solutions(T):
     return found
 
 
+def _tell_missing(found, right):
+    """Return in words how many solutions are listed, and one that is not."""
+    counts = f"There are {len(right)}; yours has {different(found) or 'none'}."
+    gaps = [min(angle_gap(q, other) for other in found) for q in np.asarray(right)]
+    k = int(np.argmax(gaps))
+    nearest = f"the nearest one in your list differs from it by {gaps[k]:.2g} rad"
+    return f"{counts} {format_tuple(right[k])} is missing; {nearest}."
+
+
 def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
     """Return the properties of a list of all joint angles, several or none.
 
     equation: what each does. misses(q, *arguments): its error; tell(q, *arguments): the same in
-    words. solutions(*arguments): the right list. wrong: the Mistake if one is no solution.
+    words. solutions(*arguments): the right list. wrong: what is asked if one is no solution.
     """
     return (
         Property(
@@ -91,13 +101,13 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
             lambda found, *case: all(misses(q, *case) < SOLVED for q in found),
             lambda found, *case: tell(max(found, key=lambda q: misses(q, *case)), *case),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=wrong,
+            otherwise=wrong,
         ),
         Property(
             "the list is not empty, for the target is within reach",
             lambda found, *case: len(found) > 0,
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake(
+            otherwise=Question(
                 "the list is empty although the target is within reach",
                 "Follow this target through your function: which line is the first after which no "
                 "solution is left, and what does the line ask or compute?",
@@ -106,30 +116,29 @@ def every_solution(equation, misses, tell, solutions, wrong=NO_SOLUTION):
         Property(
             "the list holds every solution",
             lambda found, *case: different(found) == len(solutions(*case)),
-            lambda found, *case: (
-                f"There are {len(solutions(*case))}; yours has {different(found) or 'none'}."
-            ),
+            lambda found, *case: _tell_missing(found, solutions(*case)),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake(
+            otherwise=Question(
                 "solutions are missing",
-                "Does your function go on with each answer of a subproblem, and does it keep two "
-                "that are close to each other?",
+                "Follow the missing one through your function: does it go on with each answer of "
+                "each subproblem, and does it keep two solutions that are close to each other?",
             ),
         ),
         Property(
             "each solution is in the list once",
             lambda found, *case: len(found) == len(solutions(*case)),
             where=lambda *case: len(solutions(*case)) > 0,
-            mistake=Mistake(
+            otherwise=Question(
                 "a solution is listed twice",
-                "Angles that differ by a multiple of 2 pi are the same solution.",
+                "Angles that differ by a multiple of 2 pi are the same solution. Which line puts "
+                "the same one into the list again?",
             ),
         ),
         Property(
             "the list is empty if the target is out of reach",
             lambda found, *case: len(found) == 0,
             where=lambda *case: len(solutions(*case)) == 0,
-            mistake=Mistake(
+            otherwise=Question(
                 "joint angles are returned for a target out of reach",
                 "For such a target one of the subproblems has no solution. What does it return "
                 "then, and what does your code do with that?",

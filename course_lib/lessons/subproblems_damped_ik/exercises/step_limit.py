@@ -6,10 +6,12 @@ The largest step size with which damped steps converge near the target.
 import numpy as np
 
 from course_lib.checks.declared import declared
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import Kind, number
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
+from course_lib.checks.vocabulary import compared
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import single
 
 # The eigenvalues of a square J are not its singular values.
@@ -60,8 +62,10 @@ def _found(limit, J, eps):
     s = np.linalg.svd(J, compute_uv=False)
     factors = 1 - limit * s**2 / (s**2 + eps)
     return (
-        f"With alpha = {limit:.4g} a step multiplies the errors along the singular directions by "
-        f"{factors.round(3)}."
+        "With your alpha a step multiplies the errors along the singular directions by "
+        f"{format_tuple(factors)}. The smallest factor should be "
+        + compared(-1.0, factors.min())
+        + "."
     )
 
 
@@ -76,10 +80,10 @@ EXERCISE = declared(
     broken=_with_square(lambda s: s[-1] ** 2),
     says="at the limit the smallest factor is -1, and no factor is below it",
     found=_found,
-    otherwise=Mistake(
+    otherwise=Question(
         "the smallest factor is not -1 at your limit",
         "How does the factor of a direction depend on alpha and on eps, and in which direction "
-        "does it reach -1 first?",
+        "does it reach -1 first? To how many digits does your code find that alpha?",
     ),
     hints=(
         "Take J = diag(2, 1) and eps = 1, and compute the factor of a step in both directions at "

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, Unreadable
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
 from course_lib.checks.vocabulary import X, Y, Z, angle_gap, compared, distance_of_angles, unit
@@ -152,7 +152,7 @@ EXERCISE = Exercise(
                 "R(k, theta) p should be " + compared(g, rotated(k, theta, p)) + "."
             ),
             where=_reached,
-            mistake=Mistake(
+            otherwise=Question(
                 "theta is not the angle about k from p to g",
                 "Compare with a case that you can draw: what does your formula give for another "
                 "axis k, for opposite points, and for points that nearly coincide?",
@@ -162,9 +162,9 @@ EXERCISE = Exercise(
             "the answer is a number, even if no angle brings p to g",
             lambda theta, *case: np.isfinite(theta),
             where=_nearest,
-            mistake=Mistake(
+            otherwise=Question(
                 "nothing is returned where no angle brings p to g",
-                "Which angle brings p nearest to g?",
+                "Which angle brings p nearest to g, and which line of yours makes it nan or inf?",
             ),
         ),
         Property(
@@ -181,9 +181,10 @@ EXERCISE = Exercise(
             "the answer is a number, even if a point lies on the axis",
             lambda theta, *case: np.isfinite(theta),
             where=_free,
-            mistake=Mistake(
+            otherwise=Question(
                 "something is divided by a length that is 0 for a point on the axis",
-                "Which function finds an angle from its sine and cosine without a division?",
+                "A point lies on the axis here. Which line makes the answer nan or inf? Which "
+                "function finds an angle from its sine and cosine without a division?",
             ),
         ),
     ),

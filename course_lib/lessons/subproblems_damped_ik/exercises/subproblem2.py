@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
@@ -193,9 +193,10 @@ EXERCISE = Exercise(
                 "the list is empty if the circles do not meet",
                 _gap_of_the_first,
                 where=lambda *case: not solutions(*case),
-                mistake=Mistake(
+                otherwise=Question(
                     "a pair is returned although the circles miss",
-                    "What does c^2 say of them?",
+                    "The circles miss here. Which number in your code shows it, and what does your "
+                    "function return then?",
                 ),
             ),
         ),

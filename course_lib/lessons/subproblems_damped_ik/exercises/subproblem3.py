@@ -8,7 +8,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
@@ -176,19 +176,20 @@ EXERCISE = Exercise(
                 "the list is empty if d is negative, because no distance is negative",
                 None,
                 where=lambda k, p, g, d: d < 0,
-                mistake=Mistake(
+                otherwise=Question(
                     "a negative d is squared, and its sign lost",
-                    "Which points are at a distance of -1?",
+                    "Which points are at a distance of -1? What does your code do with the sign "
+                    "of d?",
                 ),
             ),
             shared.empty_list(
                 "the list is empty if d is too large or too small",
                 _nothing_there,
                 where=lambda *case: not _solutions(*case),
-                mistake=Mistake(
+                otherwise=Question(
                     "an angle is returned although no angle is right",
-                    "How near and how far does p come? Clipping a number hides that it is out of "
-                    "range.",
+                    "How near and how far does p come, and what does your code do with a d beyond "
+                    "that? Clipping a number hides that it is out of range.",
                 ),
             ),
         ),

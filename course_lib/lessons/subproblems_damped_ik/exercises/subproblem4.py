@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import X, Y, Z, distance_of_lists, same_list, unit
@@ -148,10 +148,10 @@ EXERCISE = Exercise(
                 "the list is empty if p never comes to the height d",
                 _nothing_there,
                 where=lambda *case: not _solutions(*case),
-                mistake=Mistake(
+                otherwise=Question(
                     "an angle is returned although no angle is right",
-                    "How far can the height swing? Clipping a number hides that it is out of"
-                    " range.",
+                    "How far can the height swing, and what does your code do with a d beyond "
+                    "that? Clipping a number hides that it is out of range.",
                 ),
             ),
         ),

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.messages import describe_details, listed
+from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import as_handed_in
 from course_lib.checks.verdict import RIGHT, Verdict
 from course_lib.pack.grade.hand_ins import notebook_file
@@ -87,7 +88,7 @@ def row_of(exercise: Exercise, outcome: object) -> dict:
     }
     if verdict.blames:
         return row | {"blames": verdict.blames}
-    mistake = verdict.mistake.name if verdict.mistake else ""
+    mistake = verdict.mistake.name if isinstance(verdict.mistake, Mistake) else ""
     return row | {"instead": list(verdict.instead), "mistake": mistake}
 
 

@@ -51,7 +51,7 @@ def right_by_the_pseudoinverse_where_it_is_undamped(q, v, dt, n, near, most):
 
 
 def wrong_at_least_some_damping(q, v, dt, n, near, most):
-    """a step is not dt q_dot"""
+    """the answer is right to its first digits only"""
     return right_in_a_loop(q, v, dt, n, near, max(most, 1e-6))
 
 

@@ -91,7 +91,7 @@ def wrong_only_the_position(T, q0):
 
 
 def wrong_stopped_at_the_reports_error(T, q0):
-    """the iteration stops too early"""
+    """the flange comes near T_target"""
     return search(T, q0, enough=0.02)
 
 

@@ -56,7 +56,7 @@ def right_v_below_1e_8(twist):
 
 
 def wrong_v_below_1e_7(twist):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     if np.linalg.norm(twist[:3]) < 1e-7:
         return _matrix(exp_so3(twist[:3]), twist[3:])
     return right_along_and_across_the_axis(twist)

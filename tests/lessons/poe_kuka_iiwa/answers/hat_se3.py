@@ -32,7 +32,7 @@ def wrong_slow_is_still(twist):
 
 
 def wrong_nearly_a_unit_vector(twist):
-    """the block is not [omega]"""
+    """the answer is right to its first digits only"""
     V = right_filled_in(np.asarray(twist, float)).real
     length = np.linalg.norm(twist[:3])
     if abs(length - 1) < 1e-3:

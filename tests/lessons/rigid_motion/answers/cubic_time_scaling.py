@@ -29,16 +29,16 @@ def wrong_flat(t, T, s0, s1, v0, v1):
 
 
 def wrong_goal_a_moment_too_early(t, T, s0, s1, v0, v1):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     return np.where(np.asarray(t) > T - 1e-3, s1, right_textbook(t, T, s0, s1, v0, v1))
 
 
 def wrong_nearly_equal_velocities(t, T, s0, s1, v0, v1):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     return right_textbook(t, T, s0, s1, v0, v0 if np.isclose(v0, v1) else v1)
 
 
 def wrong_nearly_equal_ends(t, T, s0, s1, v0, v1):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     stays = v0 == v1 == 0 and np.isclose(s0, s1)
     return np.full(np.shape(t), float(s0)) if stays else right_textbook(t, T, s0, s1, v0, v1)

@@ -29,7 +29,7 @@ def right_half_angle(twist):
 
 
 def wrong_cosine_from_1e_8_on(twist):
-    """small angles are taken for none, or lose their digits"""
+    """the answer is right to its first digits only"""
     w, vx, vy = twist
     a, b = (1.0, w / 2) if abs(w) < 1e-8 else (np.sin(w) / w, (1 - np.cos(w)) / w)
     return _pose(w, a * vx - b * vy, b * vx + a * vy)

@@ -55,7 +55,7 @@ def wrong_spiral(start, goal, n):
 
 
 def wrong_poses_that_are_close(start, goal, n):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     if np.allclose(start, goal):
         return np.tile(np.array(start, float), (n, 1))
     return right_textbook(start, goal, n)

@@ -29,7 +29,7 @@ def right_clockwise_at_half_a_revolution(T):
 
 
 def wrong_series_used_too_far(T):
-    """the answer is too inaccurate where the cosine is nearly 1 or -1"""
+    """the answer is right to its first digits only"""
     omega, (x, y) = np.arctan2(T[1, 0], T[0, 0]), T[:2, 2]
     if abs(omega) < 3e-4:
         return np.array([omega, x + omega / 2 * y, y - omega / 2 * x])
@@ -37,7 +37,7 @@ def wrong_series_used_too_far(T):
 
 
 def wrong_arcsin_with_the_sign_of_the_cosine(T):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     omega = np.arcsin(np.clip(T[1, 0], -1, 1))
     return _twist(omega if T[0, 0] >= 0 else np.copysign(np.pi, omega) - omega, T)
 

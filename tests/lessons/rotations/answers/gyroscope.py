@@ -59,7 +59,7 @@ def wrong_orientations_of_the_common_type(R_0, log, dt, R_bi):
 
 
 def wrong_second_order_for_slow_samples(R_0, log, dt, R_bi):
-    """small rotations are left out, or lose their digits"""
+    """the answer is right to its first digits only"""
     orientations = [R_0]
     for omega in log:
         step = hat(R_bi @ omega * dt)

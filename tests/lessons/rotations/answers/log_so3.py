@@ -51,7 +51,7 @@ def wrong_tiny_rotations_taken_for_none(R):
 
 
 def wrong_exactly_pi_too_soon(R):
-    """near 180 degrees the sign of the axis"""
+    """the answer is right to its first digits only"""
     w = right_three_branches(R)
     angle = np.linalg.norm(w)
     return w / angle * np.pi if angle > np.pi - 2e-4 else w

@@ -44,6 +44,6 @@ def wrong_copy_of_whole_numbers(T):
 
 
 def wrong_nearly_a_pose_left_as_it_is(T):
-    """the last row is not that of a pose"""
+    """T is returned as it came"""
     X = right_copy_and_block(T)
     return T if np.allclose(X, T, rtol=0, atol=1e-6) else X

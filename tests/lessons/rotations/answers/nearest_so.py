@@ -37,7 +37,7 @@ def wrong_as_published(M):
 
 
 def wrong_nearly_a_rotation_left_as_it_is(M):
-    """the answer is not orthogonal"""
+    """M is returned as it came"""
     nearly = np.allclose(M.T @ M, np.eye(len(M)), rtol=0, atol=1e-6) and np.linalg.det(M) > 0
     U, _, Vt = np.linalg.svd(M)
     U[:, -1] *= np.linalg.det(U @ Vt)

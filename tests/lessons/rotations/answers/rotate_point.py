@@ -25,7 +25,7 @@ def wrong_angle_of_arctan(p, a):
 
 
 def wrong_small_angles_taken_for_none(p, a):
-    """unnamed"""
+    """p is returned as it came"""
     if abs(a) < 1e-6:
         return np.array(p, float)
     return np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) @ p

@@ -31,7 +31,7 @@ def right_by_matrices(q0, q1, t):
 
 
 def wrong_chord_between_near_rotations(q0, q1, t):
-    """the straight line is taken at angles where it differs from the arc"""
+    """the answer is right to its first digits only"""
     cosine = q0 @ q1
     if cosine < 0:
         q1, cosine = -q1, -cosine
@@ -51,7 +51,7 @@ def wrong_longer_arc_with_q0_for_opposite_ones(q0, q1, t):
 
 
 def wrong_chord_of_nearly_length_one(q0, q1, t):
-    """the straight line is taken at angles where it differs from the arc"""
+    """the answer is right to its first digits only"""
     q1 = q1 if q0 @ q1 >= 0 else -q1
     a = np.arccos(min(q0 @ q1, 1))
     if a < 1.4e-4:

@@ -39,6 +39,6 @@ def wrong_at_least_some_damping(q, target, alpha, eps):
 
 
 def wrong_that_stays_near_the_target(q, target, alpha, eps):
-    """the step is not the damped one"""
+    """q is returned as it came"""
     is_near = np.linalg.norm(tip(q) - target) < 1e-6
     return q if is_near else right_solved(q, target, alpha, eps)

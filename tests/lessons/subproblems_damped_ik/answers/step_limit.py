@@ -40,7 +40,7 @@ def wrong_at_least_some_damping(J, eps):
 
 
 def wrong_few_power_iterations(J, eps):
-    """the smallest factor is not -1 at your limit"""
+    """the answer is right to its first digits only"""
     M, x = J @ J.T, np.arange(1.0, len(J) + 1)
     for _ in range(200):
         x = M @ x
