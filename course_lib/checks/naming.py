@@ -219,7 +219,7 @@ class Naming:
         # What is rounding in the right answer, as the cosine of pi/2, may be other rounding.
         is_zero = sizes <= _TO_ROUNDING * size
         for argument in self.cases[position]:
-            if np.shape(argument) == right.shape and _is_array(argument):
+            if _is_array(argument) and argument.shape == right.shape:
                 # The answer may be a step from this argument, which must have its first digits.
                 changes = np.abs(right - argument)
                 sizes = np.where(changes > 0, np.minimum(sizes, changes), sizes)
@@ -271,19 +271,16 @@ class Naming:
             return None
         earlier = [self._call_answered_instead(i) for i in positions]
         if all(k is not None for k in earlier):
-            differing = [
-                {
-                    n
-                    for n, pair in enumerate(zip(self.cases[i], self.cases[k], strict=True))
-                    if write(list(pair[:1])) != write(list(pair[1:]))
-                }
-                for i, k in zip(positions, earlier, strict=True)
-            ]
-            return self._answered_instead(set().union(*differing))
+            return self._answered_instead(self._differing(positions[0], earlier[0]))
         if len(positions) == 1 or not self.exercise.tries_arguments:
-            return None  # one answer with numbers from a case with round ones may fit by chance
+            return None  # one answer may be right for other arguments by chance
         kept = self._kept_arguments(positions)
         return None if kept is None else self._answered_instead(kept)
+
+    def _differing(self, position, earlier):
+        """Return the numbers of the arguments in which two cases differ."""
+        pairs = zip(self.cases[position], self.cases[earlier], strict=True)
+        return {k for k, (one, other) in enumerate(pairs) if write([one]) != write([other])}
 
     def _answered_instead(self, kept):
         """Return the Mistake of answers to an earlier call, for some of its arguments.
@@ -309,10 +306,9 @@ class Naming:
         right = self.right(position)
         if value is None or right is None or value.shape != right.shape:
             return False
-        is_far = np.isfinite(value).all() and self.distance(position) > _CLEARLY_OFF * max(
-            1, self._size(position)
-        )
-        return value.size >= MIN_NUMBERS and is_far and not self.has_few_values()
+        if value.size < MIN_NUMBERS or np.ptp(value) == 0 or not np.isfinite(value).all():
+            return False  # zeros, for example, are the answer to much
+        return self.distance(position) > _CLEARLY_OFF * max(1, self._size(position))
 
     def _call_answered_instead(self, position):
         """Return the position of the last earlier case to which the library gives this answer, or
@@ -332,7 +328,8 @@ class Naming:
         return None
 
     def _is_to_the_last(self, value, right):
-        return largest_gap(value, right) <= EXACT * max(1, largest_gap(right, 0))
+        is_near = largest_gap(value, right) <= EXACT * max(1, largest_gap(right, 0))
+        return np.isfinite(right).all() and is_near
 
     def _kept_arguments(self, positions):
         """Return the numbers of the arguments that answers take from the call before; None if there

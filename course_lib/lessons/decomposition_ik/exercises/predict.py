@@ -90,7 +90,7 @@ def _found(angles, models, cell, xy):
 _NOT_ITS_OWN = Question(
     "a prediction is not that of its own model",
     "Compute this angle by hand, from the row that is named. Where does your code take another row "
-    "or another number, or change the result?",
+    "or another number, or leave out or change the result?",
 )
 _A_NUMBER_FOR_NAN = Mistake(
     "a number is returned where the model or the cell is missing",

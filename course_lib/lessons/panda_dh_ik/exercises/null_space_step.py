@@ -145,7 +145,7 @@ EXERCISE = declared(
         Mistake(*_OTHER_SIZE, raises=("ValueError", "core dimension")),
         Mistake(*_OTHER_SIZE, raises=("ValueError", "could not be broadcast")),
         Mistake(
-            "J is assumed to have full rank, which is false at a singularity",
+            "the answer is wrong where the rank of J is not full",
             "J J^T has no inverse at a singularity, and the null space has more dimensions. Which "
             "part of your formula needs full rank?",
             seen=_of_full_rank,

@@ -283,8 +283,8 @@ EXERCISE = Exercise(
             _elsewhere,
             otherwise=Question(
                 "the iteration does not begin at q0, or makes a step without a test before it",
-                "What is q before the first step, and where is the error tested for the first "
-                "time?",
+                "What is q before the first step, where is the error tested for the first time, "
+                "and what becomes of q before it is returned?",
             ),
             where=lambda T, q0: np.abs(T - flange(np.clip(q0, LOW, HIGH))).max() < EXACT,
         ),

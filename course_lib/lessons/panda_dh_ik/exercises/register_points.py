@@ -261,10 +261,9 @@ def of_the_transpose(T, *case):
 
 
 @EXERCISE.mistake(
-    "U V^T is returned for all points without a test for a reflection, or its sign is always "
-    "changed",
-    "How do you see whether it is a reflection, and at which singular value does a change of sign "
-    "cost least?",
+    "R has the other sign at the smallest singular value",
+    "How does your code see whether U V^T is a reflection, even for points in one plane, and what "
+    "does it do then?",
     recognises=True,
 )
 def sign_missing(T, *case):

@@ -293,8 +293,9 @@ EXERCISE = declared(
             _also(_first_time_is(np.less)),
         ),
         Mistake(
-            "a tolerance is granted at the limits, or between two times",
-            "Does the task allow for any angle beyond a limit, however small the distance is?",
+            "a row that is only slightly bad counts as good",
+            "Does the task allow for any angle beyond a limit, or for equal times? Which line of "
+            "yours does, or rounds?",
             seen=_is_within_a_tolerance,
         ),
         Mistake(

@@ -167,7 +167,8 @@ EXERCISE = Exercise(
             ),
             otherwise=Question(
                 "the steps do not begin at q0",
-                "With which q does your loop begin in this call, and what is the error of this q?",
+                "With which q does your loop begin in this call, what is its error, and what "
+                "becomes of q before it is returned?",
             ),
         ),
         Property(
@@ -179,8 +180,8 @@ EXERCISE = Exercise(
             ),
             otherwise=Question(
                 "a step is made without a test before it",
-                "With which q does your loop begin in this call, and where is the error tested for "
-                "the first time?",
+                "With which q does your loop begin in this call, where is the error tested for the "
+                "first time, and what becomes of q before it is returned?",
             ),
         ),
         Property(

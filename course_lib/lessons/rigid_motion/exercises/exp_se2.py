@@ -133,7 +133,7 @@ EXERCISE = declared(
             *map(_series, (10, 20, 24, 25, 26, 30, 40, 50, 60, 100, 200)),
         ),
         Mistake(
-            "small angles are taken for none, or lose their digits",
+            "for a small angle the answer is only nearly right",
             "Which of your formulas for the rotation, and which of those for the position, does "
             "this omega take, and how many digits has each of them there?",
             *map(_small_below, (1e-8, 1e-4, 1e-3)),

@@ -170,8 +170,9 @@ EXERCISE = declared(
         ),
         Mistake(
             "the answer is too inaccurate where the cosine is nearly 1 or -1",
-            "There arccos and 1 - cos(omega) lose their digits, and a formula for tiny angles is "
-            "right for tiny angles only. Which of these does your code use for this angle?",
+            "Which formula does your code use for this angle, and how many digits has it there? "
+            "arccos and 1 - cos(omega) lose theirs, and a formula for tiny angles is right for "
+            "tiny angles only.",
             *map(_unbent_below, (1e-8, 1e-4, 1e-3)),
             seen=_loses_digits,
         ),

@@ -22,9 +22,9 @@ from course_lib.checks.vocabulary import (
 )
 
 _ABOVE_ONE = Mistake(
-    "rounding makes the cosine of theta2 larger than 1 at the edge of the reach: arccos of it is "
-    "nan",
-    "Print the cosine for this tip. What does arccos, or the root of 1 - cosine^2, make of it?",
+    "the answer holds nan for a tip at the edge of the reach",
+    "Which line makes the nan for this tip? Rounding may make a cosine larger than 1 there: what "
+    "does arccos, or the root of 1 - cosine^2, make of it?",
 )
 _ONE = Mistake(
     "only one elbow is returned",

@@ -73,7 +73,9 @@ def _found(value, angle):
     k = int(np.argmax(np.abs(wrap_angle(values - angles))))
     revolutions = (values[k] - angles[k]) / REVOLUTION
     rest = (revolutions - np.round(revolutions)) * REVOLUTION
-    turned = f"{np.round(revolutions):.0f} revolutions and " if np.round(revolutions) else ""
+    number = int(np.round(revolutions))
+    word = "revolution" if abs(number) == 1 else "revolutions"
+    turned = f"{number} {word} and " if number else ""
     text = f"Yours differs by {turned}{rest:.4g} rad from the angle."
     return Finding(text, abs(values[k] - angles[k]))
 

@@ -191,9 +191,9 @@ EXERCISE = declared(
     mistakes=(
         # First: at gimbal lock the angles of another product may give R, too.
         Mistake(
-            "near gimbal lock the formula for the exact lock is used too soon",
-            "The error of that formula is about cos(beta): how small must cos(beta) be for an "
-            "error of 1e-6?",
+            "near gimbal lock the answer is off by about cos(beta)",
+            "The error of the formula for the exact lock is about cos(beta). Which formula does "
+            "your code use for this R, and how small must cos(beta) be for an error of 1e-6?",
             _lock_too_soon,
             seen=_is_off_by_the_cosine,
         ),
@@ -207,9 +207,9 @@ EXERCISE = declared(
             seen=_is_of_another_product,
         ),
         Mistake(
-            "an angle comes from arctan of a quotient, which does not distinguish opposite angles",
-            "arctan returns angles from -pi/2 to pi/2 only. Which function of numpy takes y and x "
-            "as two arguments?",
+            "an angle is off by half a revolution",
+            "Which line decides between this angle and the opposite one? arctan returns angles "
+            "from -pi/2 to pi/2 only; which function of numpy takes y and x as two arguments?",
             _by_arctan(0),
             _by_arctan(2),
             _by_arctan(0, 2),

@@ -165,9 +165,9 @@ EXERCISE = declared(
             *(_column(k, np.linalg.norm) for k in range(3)),
         ),
         Mistake(
-            "something is divided by zero, or arccos is asked outside [-1, 1]",
-            "Rounding may take the trace just above 3 or below -1, and at the identity and at 180 "
-            "degrees the sine is 0.",
+            "the answer is not a number",
+            "Which line gives the first nan or inf for this R? Rounding may take the trace just "
+            "above 3 or below -1, and at the identity and at 180 degrees the sine is 0.",
             _by_arccos,
             seen=lambda w, R: not np.isfinite(w).all(),
         ),

@@ -130,7 +130,7 @@ EXERCISE = declared(
     ),
     mistakes=(
         Mistake(
-            "something is divided by 0, or the root of a negative number is taken",
+            "the answer is not a number",
             "Rounding may take a square that should be 0 just below 0, and each of w, x, y, z is 0 "
             "for some rotations. For this R, which of your lines gives the first nan or inf?",
             _by_four_roots,

@@ -27,8 +27,9 @@ EXERCISE = Exercise(
 
 
 @EXERCISE.mistake(
-    "I - 2 V V^T is used, a reflection",
-    "Its determinant is -1. The rotation by 180 degrees about V is its negative.",
+    "every matrix is a reflection",
+    "The determinants are -1. If you use I - 2 V V^T: the rotation by 180 degrees about V is the "
+    "negative of this matrix.",
     seen=lambda R, n, rng: np.abs(np.linalg.det(R) + 1).max() < EXACT,
 )
 def reflection(n, rng):

@@ -29,10 +29,9 @@ _ROUNDED = np.array([[0, _ULP, 0], [-_ULP, 0, 2 * _ULP], [0, -_ULP, 0]])
 _AT_AN_END = 1e-7
 
 _AT_THE_END = Mistake(
-    "arccos is taken of R[1, 1], which is slightly beyond 1, or something is divided by "
-    "sin(b2) = 0",
-    "Which function finds an angle from its sine and cosine, even if rounding has changed both? "
-    "And which of b1 and b3 is determined if sin(b2) = 0?",
+    "the answer holds nan where sin(b2) is 0",
+    "Which line makes the nan? Which function finds an angle from its sine and cosine, even if "
+    "rounding has changed both? And which of b1 and b3 is determined if sin(b2) = 0?",
 )
 
 

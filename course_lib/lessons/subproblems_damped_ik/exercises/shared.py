@@ -31,8 +31,9 @@ NO_SOLUTION = Question(
     "differs from what you expected, and in which of its digits?",
 )
 _ROUNDED_OUT = Mistake(
-    "rounding takes a number slightly out of its range, where the two solutions coincide",
-    "What is arccos of a number just above 1, and the root of one just below 0?",
+    "the answer holds nan where the two solutions coincide",
+    "Which line makes the nan? Rounding may take a number slightly out of its range there: what is "
+    "arccos of a number just above 1, and the root of one just below 0?",
 )
 
 

@@ -154,8 +154,8 @@ EXERCISE = Exercise(
             where=_reached,
             otherwise=Question(
                 "theta is not the angle about k from p to g",
-                "Compare with a case that you can draw: what does your formula give for another "
-                "axis k, for opposite points, and for points that nearly coincide?",
+                "Follow these points through your function, or points like them that you can draw. "
+                "Which number on the way to the angle is another one than you expect?",
             ),
         ),
         Property(

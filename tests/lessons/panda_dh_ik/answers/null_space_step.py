@@ -25,7 +25,7 @@ def wrong_inverse_of_J_J_T(q, J, q_middle, gain):
 
 
 def wrong_basis_of_n_minus_m_vectors(q, J, q_middle, gain):
-    """full rank"""
+    """the answer is wrong where the rank of J is not full"""
     N = np.linalg.svd(J)[2][len(J) :]
     return q + gain * N.T @ N @ (q_middle - q)
 
@@ -43,7 +43,7 @@ def wrong_shorter_way_round(q, J, q_middle, gain):
 
 
 def wrong_no_null_space_of_a_square_J(q, J, q_middle, gain):
-    """J is assumed to have full rank"""
+    """the answer is wrong where the rank of J is not full"""
     if J.shape[0] == J.shape[1]:
         return q.astype(float)
     return right_by_the_pseudoinverse(q, J, q_middle, gain)
@@ -76,7 +76,7 @@ def wrong_cut_off_relative_to_the_largest(q, J, q_middle, gain):
 
 
 def wrong_rank_of_at_least_one(q, J, q_middle, gain):
-    """J is assumed to have full rank"""
+    """the answer is wrong where the rank of J is not full"""
     V = np.linalg.svd(J)[2][: max(1, np.linalg.matrix_rank(J, tol=1e-9))]
     d = q_middle - q
     return q + gain * (d - V.T @ (V @ d))

@@ -44,7 +44,7 @@ def right_polar_decomposition(src, dst, weights):
 
 
 def wrong_reflections_stay(src, dst, weights):
-    """U V^T is returned for all points without a test"""
+    """R has the other sign at the smallest singular value"""
     return kabsch(src, dst, weights, lambda V, Ut, H: V @ Ut)
 
 

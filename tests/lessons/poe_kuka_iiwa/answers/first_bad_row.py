@@ -60,7 +60,7 @@ def wrong_times_first(t, q, limits):
 
 
 def wrong_tolerance_at_the_limits(t, q, limits):
-    """a tolerance is granted at the limits, or between two times"""
+    """a row that is only slightly bad counts as good"""
     bad = ~np.isfinite(t) | ~np.isfinite(q).all(axis=1)
     bad[1:] |= np.diff(t) <= 0
     bad |= ((q < limits[:, 0] - 1e-7) | (q > limits[:, 1] + 1e-7)).any(axis=1)

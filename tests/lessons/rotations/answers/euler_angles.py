@@ -38,13 +38,13 @@ def wrong_yaw_first(R):
 
 
 def wrong_yaw_by_arctan(R):
-    """an angle comes from arctan of a quotient, which does not distinguish opposite angles"""
+    """an angle is off by half a revolution"""
     gamma, beta, alpha = wrong_yaw_first(R)
     return np.array([alpha, beta, np.arctan(np.tan(gamma))])
 
 
 def wrong_lock_within_a_thousandth(R):
-    """near gimbal lock the formula for the exact lock is used too soon"""
+    """near gimbal lock the answer is off by about cos(beta)"""
     beta = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
     if np.hypot(R[0, 0], R[1, 0]) < 1e-3:
         return np.array([np.arctan2(-R[1, 2], R[1, 1]), beta, 0.0])
@@ -54,14 +54,14 @@ def wrong_lock_within_a_thousandth(R):
 
 
 def wrong_lock_within_three_millionths(R):
-    """near gimbal lock the formula for the exact lock is used too soon"""
+    """near gimbal lock the answer is off by about cos(beta)"""
     if np.hypot(R[0, 0], R[1, 0]) < 3e-6:
         return np.array([0.0, np.copysign(np.pi / 2, -R[2, 0]), np.arctan2(-R[0, 1], R[1, 1])])
     return right_two_branches(R)
 
 
 def wrong_arcsin_and_the_lock_from_1e_6(R):
-    """near gimbal lock the formula for the exact lock is used too soon"""
+    """near gimbal lock the answer is off by about cos(beta)"""
     sine = np.clip(-R[2, 0], -1, 1)
     if abs(sine) > 1 - 1e-6:
         return np.array([0.0, np.arcsin(sine), np.arctan2(-R[0, 1], R[1, 1])])
@@ -71,7 +71,7 @@ def wrong_arcsin_and_the_lock_from_1e_6(R):
 
 
 def wrong_lock_from_a_sine_of_1_minus_1e_12(R):
-    """near gimbal lock the formula for the exact lock is used too soon"""
+    """near gimbal lock the answer is off by about cos(beta)"""
     if abs(R[2, 0]) > 1 - 1e-12:
         beta = np.copysign(np.pi / 2, -R[2, 0])
         return np.array([0.0, beta, np.arctan2(-R[0, 1], R[1, 1])])

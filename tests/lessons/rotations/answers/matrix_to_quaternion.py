@@ -91,7 +91,7 @@ def wrong_two_entries_never_compared(R):
 
 
 def wrong_equal_entries_left_to_the_last_branch(R):
-    """something is divided by 0"""
+    """the answer is not a number"""
     x, y, z = np.diag(R)
     if x + y + z > 0 or (x > y and x > z) or (y > x and y > z):
         return right_four_branches(R)

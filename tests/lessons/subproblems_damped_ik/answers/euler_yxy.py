@@ -61,7 +61,7 @@ def wrong_free_angle_not_chosen(R):
 
 
 def wrong_arccos_not_clipped(R):
-    """slightly beyond 1"""
+    """the answer holds nan where sin(b2) is 0"""
     b2 = np.arccos(R[1, 1])
     return np.array([[t[0], s, t[2]] for t, s in zip(right_by_entries(R), (b2, -b2))])
 
