@@ -186,6 +186,12 @@ def distance_up_to_sign(value, right, *arguments):
     return min(difference(value, right), difference(value, -np.asarray(right, float)))
 
 
+def compared_up_to_sign(right, value):
+    """Return the Finding of `compared` for a quaternion, or its negative if that is nearer."""
+    sign = 1 if difference(value, right) <= difference(value, -right) else -1
+    return compared(sign * right, value)
+
+
 def angle_gap(angles, wanted):
     """Return the largest difference between angles and those wanted, up to multiples of 2 pi."""
     return np.abs(np.angle(np.exp(1j * (np.asarray(angles) - wanted)))).max(initial=0)

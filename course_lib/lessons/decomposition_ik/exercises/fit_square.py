@@ -5,7 +5,6 @@ import numpy as np
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import compared, two_link_angles
@@ -84,8 +83,8 @@ def _found(model, terms, q):
     j = 1 if _misfits(model, terms, q)[1] > EXACT else 0
     right = _right(terms, q)[j]
     rows = f"Row {j} should be " + compared(right, model[j])
-    at_samples = off_by(_off(model, terms, q)[j])
-    return rows + ". Times the terms, your row is " + str(at_samples) + " at one of the samples."
+    at_samples = f"{_off(model, terms, q)[j]:.2g} at one of the samples."
+    return rows + ". Times the terms, the two rows differ by " + at_samples
 
 
 _OTHER_ROW_0 = Question(

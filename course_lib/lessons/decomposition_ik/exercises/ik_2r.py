@@ -5,11 +5,11 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.format_numbers import ORDINALS, format_tuple
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
-from course_lib.checks.vocabulary import other_bend, two_link_angles, two_link_tip
+from course_lib.checks.vocabulary import compared, other_bend, two_link_angles, two_link_tip
 
 _EDGE = 2 - 1e-3  # metres: from here on a position is near the edge
 _REACH = 2 + 1e-12  # metres: where rounding may take a position that is 2 m from the base
@@ -99,11 +99,7 @@ def _tell_tip(q, xy):
         )
     row = int(np.argmax(np.linalg.norm(two_link_tip(q) - xy, axis=-1)))
     tip = two_link_tip(q[row])
-    off = np.linalg.norm(tip - xy)
-    return (
-        f"With your {('first', 'second')[row]} row the tip is at {format_tuple(tip)}, which is "
-        f"{off:.2g} m from xy = {xy.tolist()}."
-    )
+    return f"With your {ORDINALS[row]} row the tip should be at " + compared(xy, tip) + "."
 
 
 def _alike(q, predicted, xy):

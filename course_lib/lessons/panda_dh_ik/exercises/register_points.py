@@ -118,10 +118,8 @@ def _squares(T, src, dst, weights):
 def _off(T, *case):
     yours, least = (_squares(pose, *case) for pose in (T, registered(*case)))
     shown = format_tuple(least, rounding=_ROUNDING * yours)
-    return (
-        f"{difference(T, registered(*case))} With your T the sum is {yours - least:.2g} larger "
-        f"than the least sum, {shown}."
-    )
+    sums = f" With your T the sum is {yours - least:.2g} larger than the least sum, {shown}."
+    return difference(T, registered(*case)) + sums
 
 
 def _exact(src, dst, weights):

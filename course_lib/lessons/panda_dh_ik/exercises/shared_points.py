@@ -5,11 +5,15 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, numbers
 from course_lib.checks.exercise import Property
-from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
-from course_lib.checks.vocabulary import LAST_ROW, any_pose, orthogonality_error, remembered
+from course_lib.checks.vocabulary import (
+    LAST_ROW,
+    any_pose,
+    compared,
+    orthogonality_error,
+    remembered,
+)
 from course_lib.registration import register_points
 
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 1, 0]])
@@ -192,13 +196,10 @@ IS_A_POSE = (
 
 
 def difference(T, right):
-    """Return in words which column of a pose is the first that is wrong, even if the digits shown
-    agree."""
+    """Return the Finding which column of a pose is the first that is wrong."""
     i = next((i for i in (3, 0, 1, 2) if not close(T[:3, i], right[:3, i])), 3)
     what = "The position" if i == 3 else f"The {'xyz'[i]} axis, column {i},"
-    if np.abs(T - right).max() < 1e-3 * size(right):
-        return f"{what} is " + off_by(np.abs(T[:3, i] - right[:3, i]).max()) + "."
-    return f"{what} should be {format_tuple(right[:3, i])}; yours is {format_tuple(T[:3, i])}."
+    return f"{what} should be " + compared(right[:3, i], T[:3, i]) + "."
 
 
 def close(T, right):

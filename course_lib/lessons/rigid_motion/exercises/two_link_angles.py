@@ -7,13 +7,13 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.format_numbers import ORDINALS
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
     angle_gap,
+    compared,
     distance_of_lists,
     other_bend,
     same_list,
@@ -74,11 +74,10 @@ def _straight(tip):
 
 
 def _where_the_rows_lead(angles, tip):
-    first, second = (format_tuple(reached) for reached in two_link_tip(angles))
+    row = int(np.argmax(_off(angles, tip)))
+    reached = two_link_tip(angles[row])
     return (
-        f"`tip` is {format_tuple(tip)}. Your rows lead to {first} and to {second}, "
-        + off_by(_off(angles, tip).max())
-        + " m."
+        f"The tip of the arm of your {ORDINALS[row]} row should be " + compared(tip, reached) + "."
     )
 
 

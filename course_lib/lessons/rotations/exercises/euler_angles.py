@@ -11,7 +11,7 @@ from course_lib.checks.kinds import ROTATION
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import SIX_DIGITS
-from course_lib.checks.vocabulary import any_rotation, same_angles
+from course_lib.checks.vocabulary import any_rotation, first_off, same_angles
 from course_lib.rotations import rot_x, rot_y, rot_z
 
 
@@ -90,10 +90,7 @@ def _distance(angles, right, R):
 def _product_off(angles, R):
     if not np.isfinite(angles).all():
         return ""
-    return (
-        "The largest difference between an entry of this product, for your angles, and the same "
-        f"entry of R is {_gap(angles, R):.2g}."
-    )
+    return first_off(_matrix(*angles), R, "The {} column of the product of your angles")
 
 
 def _is_of_another_product(angles, R):
@@ -179,7 +176,9 @@ EXERCISE = declared(
         ),
     ),
     says="the angles give R again at gimbal lock too",
-    found=lambda angles, R: f"cos(beta) is 0 here, and {_cosine(R):.2g} by rounding.",
+    found=lambda angles, R: (
+        f"cos(beta) is 0 here, and {_cosine(R):.2g} by rounding. " + _product_off(angles, R)
+    ),
     otherwise=_otherwise,
     hints=(
         "Multiply Rz(gamma) Ry(beta) Rx(alpha) out: the first column and the last row are simple.",

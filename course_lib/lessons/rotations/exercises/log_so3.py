@@ -10,8 +10,8 @@ from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import ROTATION
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import off_by
 from course_lib.checks.tolerances import FOUR_DIGITS, SIX_DIGITS
+from course_lib.checks.vocabulary import compared, first_off
 from course_lib.rotations import exp_so3, log_so3
 
 _NEAR = 1e-3  # rad from 0, where the error is relative, and from pi, where it is that of R
@@ -46,18 +46,22 @@ def _distance(w, right, R):
     return off * np.abs(right).max() * SIX_DIGITS / FOUR_DIGITS
 
 
+def _column_off(w, R):
+    return first_off(exp_so3(w), R, "The {} column of exp of your answer")
+
+
 def _found(w, R):
     angle, length = _angle(R), np.linalg.norm(w)
     if angle < _NEAR:
-        off = np.linalg.norm(w - log_so3(R))
-        return f"The angle of R is {angle:.3g} rad, and your answer is " + off_by(off) + "."
+        both = compared(log_so3(R), w)
+        return f"The angle of R is {angle:.3g} rad. The right answer is " + both + "."
     if angle > np.pi - _NEAR:
         short = np.pi - angle
         said = f"{short:.2g} rad less than pi" if short > 1e-12 else "pi"
-        return f"The angle of R is {said}. exp of your answer is " + off_by(_gap(w, R)) + "."
+        return f"The angle of R is {said}. " + _column_off(w, R)
     if abs(length - angle) > 1e-4:
         return f"The angle of R is {angle:.6g} rad; |w| of your answer is {length:.6g}."
-    return "|w| is the angle of R, but exp of your answer is " + off_by(_gap(w, R)) + "."
+    return "|w| is the angle of R, but not so the axis. " + _column_off(w, R)
 
 
 def _otherwise(w, R):

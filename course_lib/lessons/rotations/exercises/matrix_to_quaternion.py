@@ -9,7 +9,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import ROTATION, half_turn
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import SIX_DIGITS
-from course_lib.checks.vocabulary import distance_up_to_sign, same_up_to_sign
+from course_lib.checks.vocabulary import compared_up_to_sign, distance_up_to_sign, same_up_to_sign
 from course_lib.rotations import exp_so3, matrix_to_quaternion
 
 _SMALL = 1e-2
@@ -48,9 +48,10 @@ def _cases(rng):
 
 def _found(q, R):
     trace = np.trace(R)
+    right = compared_up_to_sign(matrix_to_quaternion(R), q)
     return (
         f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {trace:.6g}, so w^2 = (1 + trace) / 4 "
-        f"is {(1 + trace) / 4:.2g}."
+        f"is {(1 + trace) / 4:.2g}. q should be " + right + "."
     )
 
 

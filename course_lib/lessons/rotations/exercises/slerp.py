@@ -10,7 +10,12 @@ from course_lib.checks.kinds import QUATERNION, number
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import compared, distance_up_to_sign, same_up_to_sign, unit
+from course_lib.checks.vocabulary import (
+    compared_up_to_sign,
+    distance_up_to_sign,
+    same_up_to_sign,
+    unit,
+)
 from course_lib.lessons.rotations.exercises.shared import CONJUGATE, hamilton_product
 from course_lib.rotations import nearest_quaternion, random_quaternions
 
@@ -103,10 +108,8 @@ def _angle_of(q0, q1):
     return 4 * np.arcsin(np.linalg.norm(q0 - _shorter(q0, q1)) / 2)
 
 
-def _compared(q, right):
-    """Return the Finding what q should be, with the sign that is nearer to it."""
-    sign = 1 if np.abs(q - right).max() <= np.abs(q + right).max() else -1
-    return "The right answer is " + compared(sign * right, q) + "."
+def _tell_right(q, *case):
+    return "The right answer is " + compared_up_to_sign(slerp(*case), q) + "."
 
 
 def _found(q, q0, q1, t):
@@ -184,7 +187,7 @@ EXERCISE = declared(
     ),
     says="two nearly equal or equal rotations are no exception",
     found=lambda q, q0, q1, t: (
-        f"The rotations are {_angle_of(q0, q1):.2g} rad apart. " + _compared(q, slerp(q0, q1, t))
+        f"The rotations are {_angle_of(q0, q1):.2g} rad apart. " + _tell_right(q, q0, q1, t)
     ),
     otherwise=Question(
         "digits are lost, or all of them, where two rotations are nearly equal",

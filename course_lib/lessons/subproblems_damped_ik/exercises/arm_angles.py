@@ -8,7 +8,7 @@ from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SIX_DIGITS, SOLVED
-from course_lib.checks.vocabulary import Y, Z, distance_of_lists, same_list
+from course_lib.checks.vocabulary import Y, Z, compared, distance_of_lists, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     NO_SOLUTION,
     add_nan,
@@ -95,10 +95,8 @@ def _wrong(q, center):
 
 
 def _tell(q, center):
-    return (
-        f"{format_tuple(q)} brings the wrist center to {format_tuple(center_of(q))}, which is "
-        f"{_misses(q, center):.2g} m from `center`."
-    )
+    text = f"For {format_tuple(q)} of your list the wrist center should be "
+    return text + compared(center, center_of(q)) + "."
 
 
 EXERCISE = Exercise(

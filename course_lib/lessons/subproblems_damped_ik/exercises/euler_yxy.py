@@ -11,10 +11,9 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import off_by
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
-from course_lib.checks.vocabulary import distance_of_lists, remembered, same_list
+from course_lib.checks.vocabulary import distance_of_lists, first_off, remembered, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import counted, different
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import some_angle
 from course_lib.rotations import rot_x, rot_y
@@ -115,11 +114,8 @@ def _rebuilt(within):
 
 def _off(found, R):
     worst = max(found, key=lambda triple: _misses(triple, R))
-    return (
-        f"With your angles {format_array(worst)} the product is {format_array(_yxy(*worst), 3)}, "
-        + off_by(_misses(worst, R))
-        + "."
-    )
+    what = f"The {{}} column of the product of your angles {format_array(worst)}"
+    return first_off(_yxy(*worst), R, what)
 
 
 @remembered
@@ -177,7 +173,7 @@ EXERCISE = Exercise(
         Property(
             "each triple rebuilds R even where sin(b2) is 0, to rounding",
             _rebuilt(SIX_DIGITS),
-            lambda found, R: f"sin(b2) is {_sine(R):.2g} here. {_off(found, R)}",
+            lambda found, R: f"sin(b2) is {_sine(R):.2g} here. " + _off(found, R),
             where=_end,
             otherwise=Question(
                 "the angles do not fit together where sin(b2) = 0",
