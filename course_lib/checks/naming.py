@@ -267,7 +267,9 @@ class Naming:
         """Return the Mistake of wrong answers that are right for an earlier call, or for some of
         its arguments; or None."""
         positions = wrong[:_MAX_WRONG]
-        if not positions or not all(map(self._is_clearly_another, positions)):
+        if not positions or self.has_few_values():
+            return None
+        if not all(map(self._is_clearly_another, positions)):
             return None
         earlier = [self._call_answered_instead(i) for i in positions]
         if all(k is not None for k in earlier):

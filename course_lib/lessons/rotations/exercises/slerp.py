@@ -116,10 +116,11 @@ def _found(q, q0, q1, t):
     length = np.linalg.norm(q)
     if not abs(length - 1) < EXACT:
         return f"The answer has length one. The length of yours is {length:.6g}."
-    return (
-        f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}; yours is "
-        f"{_angle_of(q0, q):.7g} rad from q0. q0 . q1 is {q0 @ q1:.4g}."
+    apart = (
+        f"The rotations are {_angle_of(q0, q1):.4g} rad apart, t is {t:g}, and q0 . q1 is "
+        f"{q0 @ q1:.4g}. Yours is {_angle_of(q0, q):.7g} rad from q0. "
     )
+    return apart + _tell_right(q, q0, q1, t)
 
 
 def _is_on_the_longer_arc(q, q0, q1, t):
