@@ -10,10 +10,12 @@ import pytest
 
 import course_lib
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.judge import LocalFunction, judge
+from course_lib.checks.judge import LocalFunction, judge, review
 from course_lib.checks.messages import describe
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.naming import (
     FIRST_DIGITS_BEYOND_A_REVOLUTION,
+    FIRST_DIGITS_HERE,
     KEPT_FOR_THE_NEXT_CALL,
     WRONG_BEYOND_A_REVOLUTION,
     WRONG_FOR_SMALL_NUMBERS,
@@ -22,11 +24,14 @@ from course_lib.checks.tolerances import EXACT
 from course_lib.checks.verdict import WRONG, Verdict
 from course_lib.checks.write_test import WriteTest
 from course_lib.lessons.decomposition_ik.exercises.ik_2r import EXERCISE as IK_2R
+from course_lib.lessons.panda_dh_ik.exercises.good_matches import EXERCISE as GOOD_MATCHES
+from course_lib.lessons.panda_dh_ik.exercises.ik_step_dls import EXERCISE as IK_STEP_DLS
 from course_lib.lessons.panda_dh_ik.exercises.register_points import EXERCISE as REGISTER_POINTS
 from course_lib.lessons.poe_kuka_iiwa.exercises.body_jacobian import EXERCISE as BODY_JACOBIAN
 from course_lib.lessons.poe_kuka_iiwa.exercises.forward_kinematics import (
     EXERCISE as FORWARD_KINEMATICS,
 )
+from course_lib.lessons.poe_kuka_iiwa.exercises.read_ur5e import EXERCISE as READ_UR5E
 from course_lib.lessons.poe_kuka_iiwa.exercises.rotation_about import EXERCISE as ROTATION_ABOUT
 from course_lib.lessons.rigid_motion.exercises.cubic_time_scaling import (
     EXERCISE as CUBIC_TIME_SCALING,
@@ -38,22 +43,25 @@ from course_lib.lessons.rigid_motion.exercises.propagate_body import EXERCISE as
 from course_lib.lessons.rigid_motion.exercises.two_link_angles import EXERCISE as TWO_LINK_ANGLES
 from course_lib.lessons.rigid_motion.exercises.wrap_angle import EXERCISE as WRAP_ANGLE
 from course_lib.lessons.rotations.exercises.compose import EXERCISE as COMPOSE
+from course_lib.lessons.rotations.exercises.exp_so3 import EXERCISE as EXP_SO3
 from course_lib.lessons.rotations.exercises.is_valid import EXERCISE as IS_VALID
 from course_lib.lessons.rotations.exercises.log_so3 import EXERCISE as LOG_SO3
 from course_lib.lessons.rotations.exercises.matrix_to_quaternion import (
     EXERCISE as MATRIX_TO_QUATERNION,
 )
+from course_lib.lessons.rotations.exercises.mug_orientation import EXERCISE as MUG_ORIENTATION
 from course_lib.lessons.rotations.exercises.random_quaternions import (
     EXERCISE as RANDOM_QUATERNIONS,
 )
 from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
 from course_lib.lessons.rotations.exercises.rotate_point import EXERCISE as ROTATE_POINT
+from course_lib.lessons.subproblems_damped_ik.exercises.arm_angles import EXERCISE as ARM_ANGLES
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import reached
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import (
     EXERCISE as SUBPROBLEM1,
 )
-from course_lib.planar import cubic_time_scaling
-from course_lib.rotations import matrix_to_quaternion, quaternion_to_matrix
+from course_lib.planar import cubic_time_scaling, wrap_angle
+from course_lib.rotations import hat, matrix_to_quaternion, quaternion_to_matrix
 
 HOUSE = Path(course_lib.__file__).parent
 
@@ -188,6 +196,94 @@ def test_an_array_that_each_call_changes_is_seen_in_answers_to_the_same_question
 
     verdict = judged(INTERPOLATE_BODY, LocalFunction(with_a_kept_scaling))
     assert verdict.mistake is KEPT_FOR_THE_NEXT_CALL
+
+
+# What is claimed, and what is asked
+
+
+def test_a_property_takes_no_mistake_that_an_answer_need_not_show():
+    with pytest.raises(TypeError, match="a Question, or a function"):
+        Property("x is 1", lambda x: x == 1, otherwise=Mistake("x is 2", "Which number is x?"))
+
+
+def test_a_question_claims_no_cause():
+    asked = Property("x is 1", lambda value, x: False, otherwise=Question("a name", "Which x?"))
+    exercise = replace(of_one(np.array([1.0, 2.5])), properties=(asked,))
+    text = describe(judge(exercise, LocalFunction(lambda x: 3.0)))
+    assert "It looks as if" not in text
+    assert "a name" not in text
+    assert text.index("What should hold: x is 1") < text.index("Which x?") < text.index("For x = ")
+
+
+def test_each_question_asks():
+    """A property that looks at the answer is left out here."""
+    for lesson in sorted(HOUSE.glob("lessons/*/check.py")):
+        module = importlib.import_module(f"course_lib.lessons.{lesson.parent.name}.check")
+        for check in module.CHECKS:
+            for wanted in check.exercise.properties:
+                if isinstance(wanted.otherwise, Question):
+                    assert "?" in wanted.otherwise.hint, (check.exercise.name, wanted.text)
+
+
+def test_an_argument_that_comes_back_as_it_was_is_named_before_wrapped_angles():
+    def no_small_step(q, J, e, eps):
+        return np.array(q) if np.abs(e).max() < 1e-6 else IK_STEP_DLS.library(q, J, e, eps)
+
+    name = judged(IK_STEP_DLS, LocalFunction(no_small_step)).mistake.name
+    assert name == "q is returned as it came, for the input below"
+
+
+def test_angles_count_as_wrapped_if_they_are_off_by_whole_revolutions():
+    def wrapped(q, J, e, eps):
+        return wrap_angle(IK_STEP_DLS.library(q, J, e, eps))
+
+    name = judged(IK_STEP_DLS, LocalFunction(wrapped)).mistake.name
+    assert name == "whole revolutions are taken off the angles, or added"
+
+
+def test_an_answer_that_lacks_digits_in_some_cases_is_told_so():
+    def by_a_short_series(w):
+        a = np.linalg.norm(w)
+        K = hat(w)
+        return np.eye(3) + K + K @ K / 2 if a < 0.01 else EXP_SO3.library(w)
+
+    assert judged(EXP_SO3, LocalFunction(by_a_short_series)).mistake is FIRST_DIGITS_HERE
+
+
+def test_an_answer_to_an_earlier_call_is_named_with_the_arguments_that_differ():
+    kept = {}
+
+    def by_two_arguments(R_bg, R_cg, R_cm):
+        key = R_cg.tobytes(), R_cm.tobytes()
+        return kept.setdefault(key, MUG_ORIENTATION.library(R_bg, R_cg, R_cm))
+
+    name = judged(MUG_ORIENTATION, LocalFunction(by_two_arguments)).mistake.name
+    assert name == "the answer is the right one for R_bg of an earlier call"
+
+
+def test_a_shape_that_grows_from_call_to_call_is_called_kept():
+    rows = []
+
+    def grows():
+        rows.extend(READ_UR5E.library()[0])
+        return np.array(rows), READ_UR5E.library()[1]
+
+    assert review(READ_UR5E, LocalFunction(grows)).mistake is KEPT_FOR_THE_NEXT_CALL
+
+
+def test_a_list_that_lacks_solutions_is_shown_one():
+    def without_the_last(center):
+        return ARM_ANGLES.library(center)[:-1]
+
+    text = describe(judged(ARM_ANGLES, LocalFunction(without_the_last)))
+    assert re.search(r"There are 4; yours has 3\. \(.*\) is missing; the nearest one", text)
+
+
+def test_an_array_of_booleans_is_shown_as_it_was_returned():
+    text = describe(
+        judged(GOOD_MATCHES, LocalFunction(lambda src, dst, tol: np.zeros(len(src), bool)))
+    )
+    assert "your answer is [False" in text
 
 
 # Tests that students write
@@ -437,8 +533,9 @@ def test_columns_in_reverse_order_are_called_columns():
 
 def test_a_nearly_equal_height_is_shown_with_its_difference():
     text = str(reached(0.25, "height", 1.332365741, 1.3323657483))
-    assert text.endswith("the height is 1.33237; d is 1.33237, which differs by 7.3e-09.")
-    assert reached(0.25, "height", 1.5, 1.25).endswith("the height is 1.5; d is 1.25.")
+    assert text.endswith("should be 1.332365748; yours is 1.332365741, off by 7.3e-09.")
+    text = str(reached(0.25, "height", 1.5, 1.25))
+    assert text == "With theta = 0.25 the height should be 1.25; yours is 1.5."
 
 
 def test_the_time_of_a_wrong_value_is_not_rounded_to_the_end():

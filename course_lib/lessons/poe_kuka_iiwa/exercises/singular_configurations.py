@@ -95,7 +95,8 @@ EXERCISE = Exercise(
             ),
             otherwise=Question(
                 "a configuration is not singular",
-                "Print the singular values of its Jacobian. The last of them must be 0.",
+                "Print the singular values of the Jacobian of each. The last of them must be 0, "
+                "and the one before it must not: which joints change them?",
             ),
         ),
         Property(

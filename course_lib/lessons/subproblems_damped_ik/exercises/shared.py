@@ -6,10 +6,9 @@ import numpy as np
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, rows
 from course_lib.checks.exercise import Property
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
-from course_lib.checks.vocabulary import inside, remembered, unit
+from course_lib.checks.vocabulary import compared, inside, remembered, unit
 from course_lib.rotations import exp_so3
 
 # Where two solutions coincide, half of the digits are lost, and some more in the root.
@@ -191,13 +190,10 @@ def extremes(measure, k, p, g):
 
 
 def reached(theta, what, number, wanted):
-    """Return in words which distance or height an angle reaches, and how far it is from d."""
-    off = abs(number - wanted)
-    number = round(number, 9) + 0.0
-    text = f"With theta = {round(theta, 9) + 0.0:.6g} the {what} is {number:.6g}; d is {wanted:.6g}"
-    if f"{number:.6g}" == f"{wanted:.6g}":
-        return Finding(f"{text}, which differs by {off:.2g}.", off)
-    return text + "."
+    """Return the Finding which distance or height an angle should reach, and which it reaches."""
+    theta = round(theta, 9) + 0.0
+    both = compared(wanted, number)
+    return f"With theta = {theta:.6g} the {what} should be " + both + "."
 
 
 def empty_list(text, says, where, otherwise):
