@@ -35,6 +35,7 @@ _SIMILAR = 0.01  # what rounding to two decimals makes equal
 _LAST_BITS = 1e-15  # relative: more than the rounding of a product of matrices
 _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
+_MOST_OF_A_STEP = 0.3  # of which more is right than is lost
 _FEW_DIGITS = 1e-4  # relative: so near another idea does not come by chance
 _TO_ROUNDING = 1e-12
 _MAX_WRONG = 5  # answers that are looked at for this
@@ -146,6 +147,8 @@ class Naming:
         True or False, or signs, fit many mistakes by chance, so these must explain all.
         """
         own = self.exercise.mistakes
+        if wrong and all(map(self._begins_with_an_earlier_answer, wrong)):
+            return KEPT_FOR_THE_NEXT_CALL
         from_before = self._kept_from_the_call_before(wrong)
         if from_before is not None:
             return from_before
@@ -218,13 +221,27 @@ class Naming:
         gaps, sizes = np.abs(value - right), np.abs(right)
         # What is rounding in the right answer, as the cosine of pi/2, may be other rounding.
         is_zero = sizes <= _TO_ROUNDING * size
+        near = np.where(is_zero, gaps <= EXACT * size, gaps <= share * sizes)
         for argument in self.cases[position]:
             if _is_array(argument) and argument.shape == right.shape:
-                # The answer may be a step from this argument, which must have its first digits.
+                # The answer may be a step from this argument: the step must be there, too.
                 changes = np.abs(right - argument)
-                sizes = np.where(changes > 0, np.minimum(sizes, changes), sizes)
-        near = np.where(is_zero, gaps <= EXACT * size, gaps <= share * sizes)
+                near &= (gaps <= _MOST_OF_A_STEP * changes) | (changes == 0)
         return bool(near.all()) and self.distance(position) > 0
+
+    def _begins_with_an_earlier_answer(self, position):
+        """Return whether the first rows are, to the last bit, the answer to an earlier call, and
+        should be others: a list has grown from call to call."""
+        value, right = self.values[position], self.right(position)
+        if not _is_array(value) or value.ndim != 2 or is_whole(value):
+            return False
+        for earlier in self.values[:position]:
+            n = len(earlier) if _is_array(earlier) and earlier.ndim == 2 else 0
+            if not MIN_NUMBERS <= n < len(value) or not np.array_equal(value[:n], earlier):
+                continue
+            if right is None or not attempt(np.allclose, right[:n], earlier):
+                return True
+        return False
 
     def _kept_from_the_call_before(self, wrong):
         """Return what is said of answers that are wrong only for the arrays of the call before, or

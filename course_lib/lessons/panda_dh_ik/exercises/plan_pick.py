@@ -287,9 +287,9 @@ EXERCISE.mistake(form=_other_form)
 
 
 @EXERCISE.mistake(
-    "the path to the grasp leads through something",
-    "Which row does the message name below, and does it belong to the first leg or to the second? "
-    "The arm moves between two rows, too: how far apart are they?",
+    "the arm comes too near to something on the path to the grasp",
+    "Print the rows around the one that is named below. Do they belong to this plan, and to which "
+    "leg? The arm moves between two rows, too: how far apart are they?",
     seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR),
 )
 def straight_to_the_grasp(q0, T_grasp):

@@ -66,7 +66,7 @@ def wrong_slow(q0, T_grasp):
 
 
 def wrong_down_in_joint_space(q0, T_grasp):
-    """the path to the grasp leads through something"""
+    """the arm comes too near to something"""
     above, grasp = planned(q0, T_grasp)[[40, 80], 1:]
     return np.vstack([planned(q0, T_grasp)[:41], timed(above + EASED * (grasp - above), 3.0)])
 
