@@ -158,7 +158,8 @@ def _within(q, labels):
 def _means(labels, q):
     mean = [np.asarray(q)[labels == k, 1].mean() for k in (0, 1)]
     return (
-        f"The mean q2 of your cluster 0 is {mean[0]:.4g}, that of your cluster 1 is {mean[1]:.4g}."
+        f"The mean q2 of your cluster 0 is {mean[0]:.4g}, and that of your cluster 1 is "
+        f"{mean[1] - mean[0]:.2g} larger."
     )
 
 

@@ -125,12 +125,15 @@ def first_wrong_row(right_path):
     return found
 
 
+_BEYOND = 0.01  # radians: an angle that misses the goal by little is on no other arc
+
+
 def _leaves_the_shorter_arc(rows, start, goal):
     if not one_arc_is_shorter(start, goal):
         return False
     angle = change(start, goal)[2]
     ahead = np.copysign(1.0, angle) * (rows[:, 2] - start[2])
-    return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() > abs(angle) + 1e-6
+    return (np.mod(wrap_angle(ahead) + 1e-7, REVOLUTION) - 1e-7).max() > abs(angle) + _BEYOND
 
 
 def lost_sign(*answers):

@@ -56,7 +56,7 @@ def wrong_equal_velocities_joined(start, plan, dt):
 
 
 def wrong_times_in_microseconds(start, plan, dt):
-    """unnamed"""
+    """the answer is right to its first digits only"""
     rows = [np.array(start, float)]
     for velocity, duration in plan:
         begin, times = rows[-1], np.append(np.arange(dt, duration - 1e-9, dt), duration)
