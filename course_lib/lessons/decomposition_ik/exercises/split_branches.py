@@ -10,7 +10,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import FOUR_DIGITS
-from course_lib.checks.vocabulary import SAME_TWICE, remembered, two_link_angles
+from course_lib.checks.vocabulary import SAME_TWICE, compared, remembered, two_link_angles
 
 _ROUNDING = 1e-12  # of a sum of squares that is 0
 _ONE_SAMPLE = Mistake(
@@ -216,7 +216,7 @@ EXERCISE = Exercise(
                 _within(q, labels) <= (1 + FOUR_DIGITS) * _within(q, labelled(q)) + _ROUNDING
             ),
             says=lambda labels, q: (
-                f"Yours is {_within(q, labels):.4g}, and {_within(q, labelled(q)):.4g} is possible."
+                "The least sum is " + compared(_within(q, labelled(q)), _within(q, labels)) + "."
             ),
             where=several,
         ),
