@@ -122,8 +122,8 @@ EXERCISE = declared(
     "rotates at 1 rad/s",
     otherwise=Question(
         "the velocity is not z x (p - o) of its joint",
-        "Compute z, o, p and z x (p - o) for the joint whose column is named. Which of them is "
-        "another one in your code?",
+        "Compute z, o, p and z x (p - o) for the joint whose column is named. Which of them "
+        "differs in your code?",
     ),
     hints=(
         "The last frame is the flange's; all others belong to joints, one each.",

@@ -84,7 +84,7 @@ EXERCISE = declared(
         "a pose is not the previous pose times its own step",
         "Multiply the previous pose by the step of this pose, and compare the product "
         "with your pose. For frame 1 the previous pose is T_w0, and for the flange the step is the "
-        "pose `flange`. Which factor is another one in your code?",
+        "pose `flange`. Which factor differs in your code?",
     ),
     hints=(
         "Begin with the pose of the base in the world, and multiply by one step for each row of "

@@ -142,7 +142,7 @@ _POSITION = Mistake(
 _WITHOUT_NOISE = Question(
     "T is wrong even without noise",
     "Compute the two centroids, the sum of the w_i b_i a_i^T, U V^T and p for the case below, as "
-    "in the text. Which of them is another one in your code?",
+    "in the text. Which of them differs in your code?",
 )
 
 EXERCISE = Exercise(

@@ -31,7 +31,10 @@ EXERCISE = declared(
             "the upper left 3x3 block is R: an angular velocity is rotated from frame b to frame a",
             adjoint,
             (_UPPER, _UPPER),
-            Question("the upper left block is not R", "How does frame a see the omega of frame b?"),
+            Question(
+                "the upper left block is not R",
+                "Which line of yours fills this block? How does frame a see the omega of frame b?",
+            ),
             "The {} column of the block",
         ),
         Property(

@@ -114,7 +114,7 @@ EXERCISE = Exercise(
             otherwise=Question(
                 "M's rotation is not right-handed",
                 "The columns of R are the flange's x, y and z = x x y, each of length one. Which "
-                "column, or which entry of the last row, is another one in your M?",
+                "column, or which entry of the last row, differs in your M?",
             ),
         ),
         Property(

@@ -155,7 +155,7 @@ EXERCISE = Exercise(
             otherwise=Question(
                 "theta is not the angle about k from p to g",
                 "Follow these points through your function, or points like them that you can draw. "
-                "Which number on the way to the angle is another one than you expect?",
+                "Which number on the way to the angle differs from what you expect?",
             ),
         ),
         Property(
