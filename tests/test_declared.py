@@ -20,10 +20,12 @@ KINDS |= {"number": kinds.number(1, 2, 1.0), "word": kinds.one_of("world", "body
 
 
 def values(kind):
-    """Return values of a kind: an ordinary one, the named ones, and those beside these."""
+    """Return values of a kind: an ordinary one, the named ones, those beside these, and some on
+    the coarse grid."""
     rng = np.random.default_rng(0)
     beside = [value(rng, gap) for _, value, gaps in kind.beside for gap in gaps[::7]]
-    return [kind.drawn(rng), *kind.named(rng), *beside]
+    special = [kind.special(rng) for _ in range(20)]
+    return [kind.drawn(rng), *kind.named(rng), *beside, *special]
 
 
 @pytest.mark.parametrize("name", KINDS)

@@ -24,6 +24,8 @@ from course_lib.checks.special_cases import (
     OneChanged,
     Sweep,
     made_cases,
+    rounded,
+    special_at_once,
 )
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.verdict import RIGHT, WRONG
@@ -152,6 +154,67 @@ def test_small_cases_keep_rotations_valid():
         assert is_se(T)
         assert np.isclose(np.linalg.norm(unit), 1, atol=1e-12)
     assert np.allclose(small[0][0], np.eye(3), atol=0.02)
+
+
+def special(rng):
+    return rng.integers(-2, 3, 3).astype(float), exp_so3([0.0, 0, np.pi])
+
+
+def test_special_arguments_are_asked_together_and_rounded():
+    rng = np.random.default_rng(0)
+    exact = special_at_once(special, rng, is_exact=True)
+    both = special_at_once(special, rng, is_exact=False)
+    assert len(both) > len(exact)
+    assert any((case[0] == 0).any() for case in exact)  # coincidences are usual
+    assert any(0 < abs(entry) < EXACT for case in both for entry in case[0])
+    assert all(is_so(case[1]) for case in both)
+
+
+def test_where_there_is_no_special_case_none_is_asked():
+    assert special_at_once(lambda rng: None, np.random.default_rng(0), is_exact=False) == []
+
+
+def test_the_last_row_of_a_pose_is_never_rounded():
+    T = pose(np.eye(3), [1.0, 2, 3])
+    (changed,) = rounded((T,), np.random.default_rng(0), bits=8)
+    assert (changed != T).any()
+    assert np.array_equal(changed[3], T[3])
+
+
+# An answer that knows a special case by a sign that other inputs show as well.
+def by_a_sum(p):
+    return np.zeros(3) if p.sum() == 0 else 2 * p
+
+
+def by_an_exact_zero(p):
+    return 2 * p if (p == 0).any() or (p != np.rint(p)).all() else p
+
+
+TWICE = replace(
+    DOUBLE,
+    arguments=("p",),
+    cases=lambda rng: [(rng.uniform(0.5, 1, 3),) for _ in range(9)],
+    returns=numbers(lambda p: (3,)),
+    properties=(Property("the answer is 2 p", lambda value, p: np.allclose(value, 2 * p)),),
+    special=lambda rng: (rng.integers(-2, 3, 3).astype(float),),
+)
+
+
+@pytest.mark.parametrize("answer", [by_a_sum, by_an_exact_zero])
+def test_an_answer_that_knows_a_special_case_by_the_wrong_sign_is_refused(answer):
+    assert judge(TWICE, LocalFunction(answer)).state == WRONG
+    assert judge(replace(TWICE, special=None), LocalFunction(answer)).state == RIGHT
+
+
+SPECIAL = [each for each in ALL if each.special and each.library]
+
+
+@pytest.mark.parametrize("exercise", SPECIAL, ids=[each.name for each in SPECIAL])
+def test_special_cases_are_those_of_the_task(exercise):
+    """The library's answer, right for what the task admits, is right for them."""
+    cases = special_at_once(exercise.special, np.random.default_rng(1), exercise.is_exact)
+    answers = [{"value": exercise.library(*case), "changed": [], "warning": ""} for case in cases]
+    assert exercise.verdict(cases, answers).state == RIGHT
 
 
 def test_made_cases_can_be_told_from_the_author_s():

@@ -13,7 +13,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import difference
 from course_lib.checks.exercise import Exercise, Property
-from course_lib.checks.kinds import OWN_CASES, cases_of, sweeps_of
+from course_lib.checks.kinds import OWN_CASES, cases_of, special_case, sweeps_of
 from course_lib.checks.mistake import Mistakes
 from course_lib.checks.naming import looks_right
 from course_lib.checks.reasons import Finding, first_entry_off
@@ -25,6 +25,7 @@ from course_lib.checks.wire import write
 # there an error of a thousandth comes near the rounding of numbers near 1.
 _SMALLEST = 0.995e-12
 _MAX_REMEMBERED = 2000  # right answers of an exercise: those to a few sets of cases
+OF_THE_KINDS = object()  # in place of the function `special`
 _NEARLY = 1000  # times the allowed error: so near, a message speaks of the error
 
 
@@ -47,6 +48,8 @@ def declared(
     properties=(),
     reads=None,
     sweeps=(),
+    special=OF_THE_KINDS,
+    admits=None,
     **more,
 ):
     """Return an Exercise.
@@ -89,6 +92,11 @@ def declared(
         As `returns` of an Exercise; usually it reads the shape of the library's answer.
     sweeps : tuple of Sweep
         Beside those of the kinds.
+    special : callable, optional
+        As of an Exercise. Without it, all arguments are special values of their kinds, unless the
+        exercise makes its cases itself; None if there are no such cases.
+    admits : callable, optional
+        admits(*arguments): whether the task admits these special arguments together.
     **more
         As of an Exercise.
 
@@ -104,6 +112,13 @@ def declared(
     def all_cases(rng):
         own = cases(rng) if callable(cases) else list(cases)
         return own if makes_own_cases else [*own, *cases_of(kinds, rng)]
+
+    def special_of_kinds(rng):
+        case = special_case(kinds, rng)
+        return case if admits is None or admits(*case) else None
+
+    if special is OF_THE_KINDS:
+        special = None if makes_own_cases else special_of_kinds
 
     @_remembered
     def right_answer(*case):
@@ -158,6 +173,7 @@ def declared(
         angles=tuple(name for name, kind in arguments.items() if kind.angle),
         small=tuple(name for name, kind in arguments.items() if kind.small),
         free=tuple(name for name, kind in arguments.items() if kind.free),
+        special=special,
         mistakes=Mistakes(mistakes),
         **more,
     )

@@ -10,7 +10,7 @@ from course_lib.arguments import read_only
 from course_lib.checks.comparisons import attempt, difference, same
 from course_lib.checks.examine import examine
 from course_lib.checks.mistake import Mistakes, Question
-from course_lib.checks.special_cases import Sweep, made_cases
+from course_lib.checks.special_cases import Sweep, made_cases, special_at_once
 
 # Of the sets of cases in the notebook, which ask for everything that is hard. Grading asks the same
 # sets, and then the author's cases with other numbers, drawn from a secret seed.
@@ -132,6 +132,11 @@ class Exercise:
     free : tuple of str
         The arguments that do not depend on the others: the engine makes cases in which one of them
         alone is changed.
+    special : callable, optional
+        special(rng): a case whose arguments are all special at once, on a coarse grid for example;
+        None where there is no such case. The engine asks many of them.
+    is_exact : bool
+        Whether the last bits of the arguments decide which answer is right.
     tries_arguments : bool
         Whether to try the right answer for changed arguments, as it is done for every exercise;
         False where `library` is slow.
@@ -172,6 +177,8 @@ class Exercise:
     angles: tuple[str, ...] = ()
     small: tuple[str, ...] = ()
     free: tuple[str, ...] = ()
+    special: Callable | None = None
+    is_exact: bool = False
     tries_arguments: bool = True
     sets: int = PUBLIC_SETS
     mistakes: Mistakes = field(default_factory=Mistakes)
@@ -210,6 +217,8 @@ def _drawn_cases(exercise, seed):
         sweeps, angles = exercise.sweeps, exercise.angles
         small, free = exercise.small, exercise.free
         cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small, free)
+        if exercise.special is not None:
+            cases += special_at_once(exercise.special, rng, exercise.is_exact)
     return tuple(map(_unchangeable, cases))
 
 

@@ -24,6 +24,7 @@ _TINY = (3.1e-4, 9e-5, 1e-5, 1e-9, 1e-12)
 _ORDINARY = (0.5, 2.0, np.pi, 5.0)
 _FAR = (12.0, 41.7, 200.0)
 _SECRET_DRAWS = 4  # ordinary cases, all of whose numbers depend on the seed
+_ON_THE_GRID = 0.7  # of the special values of an argument; the others are its named ones
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,10 @@ class Kind:
     beside_another : tuple of (str, callable, tuple of float)
         Of two arguments that are drawn alike: what is special of them together, value(rng, other,
         gap) of the second one beside this, and the gaps.
+    coarse : callable, optional
+        coarse(rng): a value on a coarse grid, of whole numbers from -2 to 2 or of quarters of a
+        revolution. There coincidences are usual: a sum or a sine that is 0, two equal entries,
+        opposite directions, sides that an answer takes for a special case of its own.
     angle : bool
         Whether it may exceed one revolution.
     small : bool
@@ -53,9 +58,17 @@ class Kind:
     named: Callable = lambda rng: []
     beside: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
     beside_another: tuple[tuple[str, Callable, tuple[float, ...]], ...] = ()
+    coarse: Callable | None = None
     angle: bool = False
     small: bool = False
     free: bool = True
+
+    def special(self, rng):
+        """Return a value on the coarse grid, or, now and then, one of those that are named."""
+        named = self.named(rng)
+        if self.coarse is not None and (not named or rng.random() < _ON_THE_GRID):
+            return self.coarse(rng)
+        return named[rng.integers(len(named))] if named else self.drawn(rng)
 
     def but(self, **changed):
         """Return the same with some attributes changed."""
@@ -92,6 +105,11 @@ def sweeps_of(kinds):
     return (*of_one, *of_two)
 
 
+def special_case(kinds, rng):
+    """Return a case whose arguments are all special at once."""
+    return tuple(kind.special(rng) for kind in kinds)
+
+
 def _sweep(kinds, k, what, value, gaps):
     return Sweep(what, lambda rng, gap: _among_ordinary(kinds, rng, k, value(rng, gap)), gaps)
 
@@ -109,6 +127,64 @@ def _among_ordinary(kinds, rng, k, value):
     """Return a case whose argument k is this value."""
     others = [kind.drawn(rng) for kind in kinds]
     return (*others[:k], value, *others[k + 1 :])
+
+
+# ---- on a coarse grid ----
+
+
+def whole_numbers(rng, shape=()):
+    """Return numbers from -2 to 2, any of them 0, and any two of them equal or opposite."""
+    return rng.integers(-2, 3, shape).astype(float)
+
+
+def some_equal(rng, rows):
+    """Return rows drawn from these, in any order, so that some occur twice."""
+    return rows[rng.integers(len(rows), size=len(rows))]
+
+
+def quarters(rng, shape=()):
+    """Return angles of some quarters of a revolution, up to one revolution."""
+    return QUARTER * rng.integers(-4, 5, shape)
+
+
+def eighths(rng, shape=()):
+    """Return angles of some eighths of a revolution, up to two revolutions."""
+    return QUARTER / 2 * rng.integers(-16, 17, shape)
+
+
+def _turns_of_a_cube():
+    """Return the 24 rotations whose matrices hold 0, 1 and -1 only."""
+    signed = [
+        np.eye(3)[list(order)] * signs
+        for order in itertools.permutations(range(3))
+        for signs in itertools.product((1.0, -1.0), repeat=3)
+    ]
+    return [R + 0.0 for R in signed if np.linalg.det(R) > 0]
+
+
+_TURNS_OF_A_CUBE = _turns_of_a_cube()
+
+
+def coarse_axis(rng):
+    """Return a unit vector (3,) along an axis, or between two or three axes."""
+    signs = np.zeros(3)
+    while not signs.any():
+        signs = rng.integers(-1, 2, 3)
+    return signs / np.linalg.norm(signs)
+
+
+def coarse_rotation(rng):
+    """Return a rotation of a cube onto itself, or now and then one by an eighth of a revolution
+    more."""
+    R = _TURNS_OF_A_CUBE[rng.integers(len(_TURNS_OF_A_CUBE))]
+    if rng.random() < _ON_THE_GRID:
+        return R
+    return R @ (rot_x, rot_y, rot_z)[rng.integers(3)](QUARTER / 2)
+
+
+def coarse_pose(rng):
+    """Return a pose with a coarse rotation, and whole numbers from -2 to 2 for its position."""
+    return transform(coarse_rotation(rng), whole_numbers(rng, 3))
 
 
 # ---- rotations ----
@@ -136,6 +212,7 @@ ROTATION_VECTOR = Kind(
         ("an angle near pi", lambda rng, gap: (np.pi - gap) * unit(rng), ON_BOTH_SIDES),
         ("a length near 1", lambda rng, gap: (1 + gap) * unit(rng), SMALL),
     ),
+    coarse=lambda rng: quarters(rng) * coarse_axis(rng),
 )
 
 
@@ -249,6 +326,7 @@ ROTATION = Kind(
         ("of which the product is half a revolution", _with_a_half_turn, _APART),
         ("a pitch of a quarter apart", _locked_with, _APART),
     ),
+    coarse=coarse_rotation,
     small=True,
 )
 
@@ -282,6 +360,13 @@ def _half_turn_quaternion(rng, gap):
     return np.append(np.sin(gap / 2), np.cos(gap / 2) * unit(rng))
 
 
+def _coarse_quaternion(rng):
+    """Return a unit quaternion with one, two or four entries other than 0, equal or opposite."""
+    nonzero = rng.permutation(4) < (1, 2, 4)[rng.integers(3)]
+    entries = np.where(nonzero, rng.choice([-1.0, 1.0], 4), 0.0)
+    return entries / np.linalg.norm(entries)
+
+
 QUATERNION = Kind(
     drawn=lambda rng: random_quaternions(1, rng)[0],
     named=_quaternions,
@@ -289,6 +374,7 @@ QUATERNION = Kind(
         ("a tiny rotation", _small_quaternion, ON_BOTH_SIDES),
         ("a rotation by nearly pi", _half_turn_quaternion, ON_BOTH_SIDES),
     ),
+    coarse=_coarse_quaternion,
 )
 
 
@@ -323,6 +409,7 @@ POSE = Kind(
     drawn=any_pose,
     named=_poses,
     beside=(("nearly the identity", _near_identity, SMALL),),
+    coarse=coarse_pose,
     small=True,
 )
 
@@ -340,6 +427,7 @@ def vector(n=3, **more):
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),
         named=lambda rng: [whole, partly_whole, np.zeros(n)],
+        coarse=lambda rng: whole_numbers(rng, n),
         **more,
     )
 
@@ -363,6 +451,7 @@ ANGLE = Kind(
         ("a tiny angle", lambda rng, gap: gap, ON_BOTH_SIDES),
         ("nearly a quarter of a revolution", _nearly_quarter, SMALL),
     ),
+    coarse=lambda rng: float(eighths(rng)),
     angle=True,
     small=True,
 )
@@ -372,6 +461,7 @@ ANGLE = Kind(
 LENGTH = Kind(
     drawn=lambda rng: float(away_from_zero(rng, ())),
     named=lambda rng: [0.5, 2.0, -0.0825, 0.0],
+    coarse=lambda rng: float(whole_numbers(rng)),
     small=True,
 )
 
@@ -390,6 +480,7 @@ def joint_angles(n, **more):
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),
         named=named,
+        coarse=lambda rng: quarters(rng, n),
         angle=True,
         **more,
     )
@@ -420,6 +511,7 @@ def table(rows, columns, **more):
     return Kind(
         drawn=lambda rng: away_from_zero(rng, (rows, columns)),
         named=lambda rng: [whole, partly_whole],
+        coarse=lambda rng: whole_numbers(rng, (rows, columns)),
         **more,
     )
 

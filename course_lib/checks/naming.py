@@ -26,13 +26,14 @@ from course_lib.checks.comparisons import (
     same,
 )
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers
+from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers, rounded
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import Seed, write
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
-_LAST_BITS = 1e-15  # relative: more than the rounding of a product of matrices
+_LAST_BITS = 8  # more than the rounding of a product of matrices
+_NUDGES = 4  # so that both signs occur that rounding may give to a number
 _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 _MOST_OF_A_STEP = 0.3  # of which more is right than is lost
@@ -643,8 +644,12 @@ class Naming:
     def _nudged(self):
         """The namings of the same answers to cases that differ in the last bits."""
         return [
-            Naming(self.exercise, [_nudge(case, sign) for case in self.cases], self.values)
-            for sign in (1, -1)
+            Naming(
+                self.exercise,
+                [rounded(case, np.random.default_rng(seed), _LAST_BITS) for case in self.cases],
+                self.values,
+            )
+            for seed in range(_NUDGES)
         ]
 
     def _predicts_as_asked(self, mistake, answer, position):
@@ -672,20 +677,6 @@ class Naming:
 def looks_right(distance, right):
     """Return whether an answer at a distance from the right one is off in later digits only."""
     return bool(0 < distance <= _FIRST_DIGITS * max(1, largest_gap(right, 0)))
-
-
-def _nudge(case, sign):
-    """Return a case whose numbers are larger or smaller by a few units in the last place."""
-    rng = np.random.default_rng(0)
-
-    def nudged(argument):
-        if not isinstance(argument, float) and not (
-            isinstance(argument, np.ndarray) and argument.dtype.kind == "f"
-        ):
-            return argument
-        return argument * (1 + sign * _LAST_BITS * rng.choice([-1, 1], np.shape(argument)))
-
-    return type(case)(map(nudged, case))
 
 
 def _is_array(argument):

@@ -19,6 +19,8 @@ _MAX_WHOLE = 4  # cases repeated with whole numbers in their arrays
 _MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
 _MAX_WHOLE_NUMBER = 1e6
+_SPECIAL, _ROUNDED = 40, 20  # cases of special arguments, and how many of them come rounded, too
+_LAST_BIT = 2.0**-53  # of numbers near 1
 
 # From 0.3 down to the rounding of numbers near 1, four to a power of ten. Whoever changes formulas
 # near a special value does so at a round number, 1, 2, 3 or 5 times a power of ten, and the error
@@ -87,6 +89,12 @@ class InPlace(MadeCase):
     __slots__ = ()
 
 
+class SameGenerator(MadeCase):
+    """A case whose generator is that with which the case before it was asked, as it is then."""
+
+    __slots__ = ()
+
+
 class OneChanged(InPlace):
     """A case that differs in one argument from a case that was asked with the same arrays."""
 
@@ -134,6 +142,47 @@ def made_cases(cases, names, sweeps, angles, rng, small=(), free=()):
     of_small_numbers = map(SmallNumbers, small_numbers(cases, names, small, rng))
     in_place = [*in_the_same_arrays(cases), *with_one_changed(cases, names, free)]
     return [*map(MadeCase, made), *of_small_numbers, *in_place]
+
+
+def special_at_once(special, rng, is_exact):
+    """Return cases whose arguments are all special at once, and some of them as they come out of a
+    computation, changed in the last bits.
+
+    An answer that knows a special case by the wrong sign, such as a sum that is 0, is wrong where
+    the sign is there by coincidence; one that compares with ==, where rounding takes it away.
+
+    Parameters
+    ----------
+    special : callable
+        special(rng): the arguments of one case; None where there is no such case.
+    rng : numpy.random.Generator
+    is_exact : bool
+        Whether the last bits decide which answer is right, so that they may not change.
+
+    Returns
+    -------
+    list of tuple
+    """
+    drawn = [special(rng) for _ in range(_SPECIAL)]
+    cases = [case for case in drawn if case is not None]
+    again = [] if is_exact else [rounded(case, rng) for case in cases[:_ROUNDED]]
+    return [MadeCase(case) for case in (*cases, *again)]
+
+
+def rounded(case, rng, bits=1):
+    """Return a case of the same type whose numbers are off by up to so many last bits of the
+    largest, also those that are 0; but not the last row of a pose."""
+
+    def off(argument):
+        if not _is_floats(argument) and not isinstance(argument, float):
+            return argument
+        size = _LAST_BIT * np.abs(argument).max()
+        noise = size * rng.integers(-bits, bits + 1, np.shape(argument))
+        if np.ndim(argument) == 2 and _is_pose(argument):
+            noise[-1] = 0
+        return _in_the_form_of(argument, np.asarray(argument) + noise)
+
+    return type(case)(map(off, case))
 
 
 def in_the_same_arrays(cases):

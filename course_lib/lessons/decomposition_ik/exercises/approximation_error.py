@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, quarters, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -69,6 +69,11 @@ def _nearly_stretched(rng, size):
     return np.array([[1.2, size]]), np.array([[[size, 0.4], [0.5, -size]]])
 
 
+def _special(rng):
+    m = int(rng.integers(1, 4))
+    return whole_numbers(rng, (m, 2)), quarters(rng, (m, 2, 2))
+
+
 def _found(errors, xy, angles):
     right = _right(xy, angles)
     i, k = first_wrong(errors, right)
@@ -128,6 +133,7 @@ EXERCISE = declared(
         Sweep("a prediction that is nearly right", _nearly_there),
         Sweep("small angles", _nearly_stretched, SMALL),
     ),
+    special=_special,
     hints=(
         "tips = fk_2r(angles) has the shape (m, 2, 2): x and y for each of the two predictions.",
         "xy[:, None] has the shape (m, 1, 2), so that tips - xy[:, None] compares each pair of "

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, some_equal, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES
 from course_lib.checks.vocabulary import two_link_angles
@@ -59,6 +59,7 @@ _SAMPLES = Kind(
     drawn=lambda rng: rng.uniform([0, -1], [2.9, 1], (int(rng.integers(2, 9)), 2)),
     named=_named,
     beside=(("q2 nearly 0", lambda rng, q2: np.array([[0.4, q2], [0.7, 0.3]]), ON_BOTH_SIDES),),
+    coarse=lambda rng: some_equal(rng, whole_numbers(rng, (int(rng.integers(1, 5)), 2))),
 )
 
 

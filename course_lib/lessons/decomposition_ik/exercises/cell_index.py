@@ -6,7 +6,7 @@ from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -46,6 +46,14 @@ def _beside_a_line(rng, gap):
     return low + places * (high - low) / n, low, high, n
 
 
+def _special(rng):
+    """A box in whole numbers, and positions on its edges, in the middle of cells, and outside."""
+    low, n = whole_numbers(rng, 2), int(rng.integers(1, 5))
+    width = rng.integers(1, 5, 2).astype(float)
+    parts = np.array([-0.5, 0, *(np.arange(n) + 0.5), n, n + 0.5])
+    return low + rng.choice(parts, (4, 2)) * width / n, low, low + width, n
+
+
 def _cases(rng):
     box, wide = ([0.0, 0.0], [1.0, 1.0]), ([-1.0, 0.0], [3.0, 2.0])
     # Here (high + step - low) / ((high - low) / 7) is rounded to less than 7.
@@ -71,6 +79,8 @@ def _cases(rng):
         # Corners in whole numbers, as in the task's example, and then positions in them, too.
         ([[0.55, 0.55], [1.0, 2.0], [0.95, 1.9], [-0.3, 1.0], [0.4, 2.6]], [0, 0], [1, 2], 10),
         ([[1, 1], [2, 3], [0, 5], [4, 2], [-1, 0]], [0, 0], [4, 5], 7),
+        # Positions in whole numbers in a box that has none.
+        ([[1, 1], [2, 3], [0, 4], [-1, 2]], [-0.5, 0.25], [2.75, 3.5], 3),
     ]
     found += [
         (_around(rng, 6, *corners, n), *corners, n)
@@ -241,6 +251,8 @@ EXERCISE = declared(
     "the last one on an upper edge; outside the box both are -1",
     found=_found,
     otherwise=_otherwise,
+    special=_special,
+    is_exact=True,
     sweeps=(
         Sweep("nearly on the edges", _beside_the_edges, ON_BOTH_SIDES),
         Sweep("nearly on a line between cells", _beside_a_line, _FROM_A_LINE),

@@ -5,6 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.kinds import whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, Sweep
 from course_lib.checks.tolerances import HALF_THE_DIGITS
@@ -81,6 +82,15 @@ def _samples(c, cell):
     return f"Cell {c} has 1 sample." if n == 1 else f"Cell {c} has {n} samples."
 
 
+def _special(rng):
+    """Samples in whole numbers, several of them equal, in cells of any number of them."""
+    count, m = int(rng.integers(1, 4)), int(rng.integers(3, 13))
+    q, cell = whole_numbers(rng, (m, 2)), rng.integers(0, count, m)
+    own = [q[cell == c] for c in range(count)]
+    spread = all(np.linalg.matrix_rank(with_one(part)) == 3 for part in own if len(part) > 2)
+    return (q, whole_numbers(rng, (m, 2)), cell, count) if spread else None
+
+
 def _tell(index, models, q, xy, cell, count):
     c, i, _ = index
     return f"{_samples(c, cell)} Your row for {'xy'[i]} there is {format_tuple(models[c, i])}."
@@ -107,6 +117,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda q, xy, cell, count: (count, 2, 3), gaps=True),
     library=fit_joint_cells,
     sweeps=(Sweep("one cell more", lambda rng, n: _case(rng, *([4] * n)), SIZES),),
+    special=_special,
     tries_arguments=False,
     properties=(
         _judged(

@@ -4,7 +4,7 @@ measured."""
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, QUARTER, quarters, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.vocabulary import two_link_tip
 from course_lib.lessons.decomposition_ik.exercises.shared import some_twice
@@ -72,6 +72,15 @@ def _cases(rng):
     ]
 
 
+def _special(rng):
+    """Samples of some quarters of a revolution, and directions half a revolution from none of
+    them; None now and then."""
+    q = np.column_stack([quarters(rng, 6), QUARTER * rng.integers(-1, 2, 6)])
+    xy = whole_numbers(rng, (6, 2))
+    is_clear = np.abs(_wrapped(_gap(q, xy))).max() < 3 and np.hypot(*xy.T).min() > 0
+    return (q, xy) if is_clear and np.linalg.matrix_rank(_cosines(q), 1e-6) == 2 else None
+
+
 def _revolved(q, xy):
     """Return samples whose first joint has made up to three revolutions, either way."""
     revolutions = np.arange(len(q)) % 7 - 3
@@ -116,6 +125,7 @@ EXERCISE = declared(
     says="the two coefficients are the least-squares fit to delta, including for tips beyond 180 "
     "degrees",
     otherwise=_otherwise,
+    special=_special,
     hints=(
         "In which direction does the tip of the rigid arm lie? np.arctan2 gives the measured "
         "direction.",

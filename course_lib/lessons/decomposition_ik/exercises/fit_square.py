@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
@@ -58,6 +58,13 @@ def _nearly_stretched(rng, size):
     """Return samples whose q2 are small."""
     terms = with_one(rng.uniform([0.1, 1.6], [0.7, 2.2], (8, 2)))
     return terms, rng.uniform([0.5, -size], [1.5, size], (8, 2))
+
+
+def _special(rng):
+    """Samples in whole numbers, some of them equal, that determine all coefficients; None now and
+    then."""
+    terms, q = with_one(whole_numbers(rng, (8, 2))), whole_numbers(rng, (8, 2))
+    return (terms, q) if np.linalg.matrix_rank(_columns(terms, q)) == 4 else None
 
 
 def _columns(terms, q):
@@ -131,6 +138,7 @@ EXERCISE = declared(
     found=_found,
     otherwise=_otherwise,
     sweeps=(Sweep("a nearly stretched arm", _nearly_stretched, _SMALL_BENDS),),
+    special=_special,
     hints=(
         "np.linalg.lstsq(A, b)[0] returns the coefficients c for which A @ c comes closest to b.",
         "What is A and what is b for row 1? What does a query know when it computes the square of "

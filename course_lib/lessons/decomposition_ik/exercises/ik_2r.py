@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import ORDINALS, format_tuple
+from course_lib.checks.kinds import eighths, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
@@ -54,6 +55,17 @@ def _cases(rng):
     middle = [[0.0, 0.0], [0.01, -0.02]]
     whole = [np.array([1, 1]), np.array([0, -1]), np.array([-1, 1]), np.array([3, 0])]
     return [(np.array(xy),) for xy in [*named, *within, *middle, *edge, *far, *whole]]
+
+
+def _special(rng):
+    """A position at the edge, or one that angles of some eighths of a revolution, or whole numbers,
+    lead to."""
+    xy = (
+        2 * _direction(rng.uniform(-3, 3)),
+        two_link_tip(eighths(rng, 2)),
+        whole_numbers(rng, 2),
+    )[rng.integers(3)]
+    return None if 0 < np.linalg.norm(xy) < _FOLDED else (xy,)
 
 
 def _at(radius):
@@ -125,6 +137,7 @@ EXERCISE = Exercise(
     returns=numbers(lambda xy: (2, 2), gaps=True),
     library=ik_2r,
     tolerance=EXACT,
+    special=_special,
     sweeps=(
         Sweep("just out of reach", _at(lambda gap: 2 + gap), _JUST_OUT_OF_REACH),
         Sweep("nearly stretched", _at(lambda gap: 2 - gap), _JUST_WITHIN),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import joint_angles, vector
+from course_lib.checks.kinds import QUARTER, joint_angles, quarters, vector
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -29,7 +29,8 @@ _right = _stepped()
 
 # Angles of an arm that is neither stretched nor folded.
 _ANGLES = joint_angles(2).but(
-    named=lambda rng: [np.array([0.0, np.pi / 2]), np.array([1.0, 1]), np.array([0.0, -2])]
+    named=lambda rng: [np.array([0.0, np.pi / 2]), np.array([1.0, 1]), np.array([0.0, -2])],
+    coarse=lambda rng: np.array([quarters(rng), QUARTER * rng.choice([-3, -1, 1, 3])]),
 )
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import compared
@@ -76,6 +76,13 @@ def _small(rng, size):
     return models, np.array([1, 0]), xy
 
 
+def _special(rng):
+    """Models and positions in whole numbers, in cells some of which occur twice, or are none."""
+    count, m = rng.integers(1, 4, 2)
+    models = whole_numbers(rng, (count, 2, 2, 3))
+    return models, rng.integers(-1, count, m), whole_numbers(rng, (m, 2))
+
+
 def _found(angles, models, cell, xy):
     i, k, j = first_wrong(angles, _right(models, cell, xy))
     row = format_tuple(models[cell[i], k, j]) if cell[i] >= 0 else "none"
@@ -121,6 +128,7 @@ EXERCISE = declared(
     found=_found,
     otherwise=_otherwise,
     sweeps=(Sweep("small coefficients and positions", _small, SMALL),),
+    special=_special,
     hints=(
         "angles = np.full((len(xy), 2, 2), np.nan), and then a loop over the queries with "
         "cell[i] >= 0.",

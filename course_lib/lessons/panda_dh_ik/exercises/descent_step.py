@@ -3,11 +3,12 @@
 import numpy as np
 
 from course_lib.checks.answer_types import numbers
+from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import POSE, joint_angles, number, table
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
-from course_lib.checks.tolerances import EXACT
+from course_lib.checks.tolerances import EXACT, SIX_DIGITS
 from course_lib.checks.vocabulary import any_pose, away_from_zero, unit, wrapped
 from course_lib.lessons.panda_dh_ik.exercises.shared import (
     HIGH,
@@ -101,6 +102,14 @@ def _sine_for_the_angle(T, T_target):
     return np.append(e[:3], e[3:] * np.sinc(np.linalg.norm(e[3:]) / np.pi))
 
 
+def _distance(answer, right, q, J, T, T_target, step):
+    """Return how far an answer is from the right one; at half a revolution, phi has either sign."""
+    e = pose_error(T, T_target)
+    opposite = q + step * J.T @ (e * np.repeat([1, -1], 3))
+    is_half = np.linalg.norm(e[3:]) > np.pi - SIX_DIGITS
+    return min(difference(answer, one) for one in ((right, opposite) if is_half else (right,)))
+
+
 EXERCISE = declared(
     "descent_step",
     points=1,
@@ -111,6 +120,7 @@ EXERCISE = declared(
         "T_target": _ANY_POSE,
         "step": number(0.1, 1.0),
     },
+    distance=_distance,
     cases=_cases,
     library=_right,
     reads=numbers(lambda q, *rest: (len(q),)),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import QUARTER, Kind
+from course_lib.checks.kinds import QUARTER, Kind, coarse_pose
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.special_cases import SIZES, SMALL
@@ -55,6 +55,7 @@ _FRAMES = Kind(
     drawn=lambda rng: _drawn(rng, int(rng.integers(1, 7))),
     named=_named,
     beside=(("the number of joints", _drawn, SIZES), ("a short, straight arm", _short, SMALL)),
+    coarse=lambda rng: np.array([coarse_pose(rng) for _ in range(rng.integers(2, 6))]),
 )
 
 

@@ -4,7 +4,7 @@ camera's pose."""
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, coarse_pose, some_equal, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, SMALL, Sweep
 from course_lib.checks.vocabulary import any_pose, away_from_zero, first_off
@@ -46,6 +46,13 @@ def _nearly_down(rng, gap):
     return pixels, depths, K, transform(R, [0.3, 0.1, 1.4])
 
 
+def _special(rng):
+    """Pixels and depths in whole numbers, some of them equal, and a camera on a coarse grid."""
+    n = int(rng.integers(1, 5))
+    pixels = np.array([320.0, 240]) + 60 * whole_numbers(rng, (n, 2))
+    return some_equal(rng, pixels), rng.integers(1, 4, n).astype(float), _K, coarse_pose(rng)
+
+
 def _rays(pixels, K):
     """Return the points at depth 1, (n, 3)."""
     ones = np.ones((len(pixels), 1))
@@ -84,6 +91,7 @@ EXERCISE = declared(
         Sweep("nearly on the camera's axis", _on_the_axis, SMALL),
         Sweep("a camera that looks nearly straight down", _nearly_down, SMALL),
     ),
+    special=_special,
     hints=(
         "In two steps: the point in the camera's frame first, then the same point in the world's.",
         "In the camera's frame z is the depth. Solve u = f_x x / z + c_x for x, and the same for "

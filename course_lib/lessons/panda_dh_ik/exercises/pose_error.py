@@ -91,8 +91,9 @@ def _nearly_there(rng, size):
 
 
 _SMALL = 0.01  # rad: below it an angle is tiny
-# Below 1e-10 rad, rounding in the product of two rotations exceeds the five digits asked for.
-_SMALL_ANGLES = tuple(size for size in BESIDE if size > 3e-10)
+# Below this, rounding in the product of two rotations exceeds the five digits asked for.
+_ROUNDED_ANGLE = 1e-10  # rad
+_SMALL_ANGLES = tuple(size for size in BESIDE if size > 3 * _ROUNDED_ANGLE)
 # At 1e-6 rad from pi, rounding would decide whether either sign is right.
 _GAPS = tuple(gap for gap in BESIDE if not 0.5 * SIX_DIGITS < gap < 2 * SIX_DIGITS)
 
@@ -115,7 +116,7 @@ def _distance(e, right, T, T_target):
     """Return how far an error is from the right one: phi beside its special values as a share of
     what is allowed there."""
     allowed, angle = _fine(T, T_target), _angle(T, T_target)
-    if 0 < angle < _SMALL and not np.array_equal(T[:3, :3], T_target[:3, :3]):
+    if _ROUNDED_ANGLE < angle < _SMALL:
         allowed = min(allowed, FIVE_DIGITS * angle)
     gap = _gap(e, T, T_target)
     share = gap / allowed

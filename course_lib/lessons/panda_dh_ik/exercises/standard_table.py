@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, some_equal, whole_numbers
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SIZES, SMALL
 from course_lib.checks.tolerances import EXACT
@@ -26,6 +26,14 @@ def _named(rng):
     return [two, TABLE, partly_whole, whole, parallel]
 
 
+def _coarse(rng):
+    """Return a table of one row or a few, in whole numbers, some rows of which are equal."""
+    n = int(rng.integers(1, 6))
+    table = some_equal(rng, whole_numbers(rng, (n, 3)))
+    table[0, :2] = 0
+    return table
+
+
 _MODIFIED_TABLE = Kind(
     drawn=lambda rng: _drawn(rng, int(rng.integers(2, 6))),
     named=_named,
@@ -33,6 +41,7 @@ _MODIFIED_TABLE = Kind(
         ("the number of joints", _drawn, SIZES),
         ("small numbers", lambda rng, size: size * _drawn(rng, 3), SMALL),
     ),
+    coarse=_coarse,
 )
 
 

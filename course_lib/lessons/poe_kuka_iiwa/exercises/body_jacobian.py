@@ -66,6 +66,7 @@ EXERCISE = declared(
     "all angles",
     otherwise=_otherwise,
     sweeps=(shared.SMALL_ANGLES, shared.STRAIGHT),
+    special=shared.special,
     hints=(
         "Begin at the last joint: its column is the body screw B_n, at all angles.",
         "Column n - 1 is B_{n-1} as joint n has moved it, seen from the end-effector: by "

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import Kind, nearly_unit_omega
+from course_lib.checks.kinds import Kind, coarse_axis, nearly_unit_omega, quarters, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
@@ -70,6 +70,7 @@ TWIST = Kind(
         ),
         ("an omega nearly of length one", nearly_unit_omega, SMALL),
     ),
+    coarse=lambda rng: np.append(quarters(rng) * coarse_axis(rng), whole_numbers(rng, 3)),
 )
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.arms import iiwa14
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, whole_numbers
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
 
@@ -109,6 +109,16 @@ def _cases(rng):
         *_whole_in_one(),
         (np.array([0, 1, 1]), np.zeros((3, 2), int), np.array([[-1, 1], [-1, 1]])),
     ]
+
+
+def _special(rng):
+    """Return a motion in whole numbers, most of which increase in time, with angles on the limits
+    and beyond."""
+    n, joints = rng.integers(1, 4, 2)
+    t = np.cumsum(rng.choice([0.0, 1, 1, 1, 2], n))
+    middle, reach = whole_numbers(rng, joints), rng.integers(1, 3, joints)
+    q = middle + rng.integers(-1, 2, (n, joints)) * rng.choice([1, 1, 2], (n, joints))
+    return t, q, np.column_stack([middle - reach, middle + reach])
 
 
 def _bad(t, q, limits, ignored=(), finite=np.isfinite, late=np.less_equal, beyond=np.greater):
@@ -218,6 +228,8 @@ EXERCISE = declared(
     says="the answer is the first row that is bad for any reason, counted from 0, or -1 if there "
     "is none",
     found=_found,
+    special=_special,
+    is_exact=True,
     sweeps=(
         Sweep("an angle beside its lower limit", _beside_a_limit(0), ON_BOTH_SIDES),
         Sweep("an angle beside its upper limit", _beside_a_limit(1), ON_BOTH_SIDES),

@@ -88,6 +88,7 @@ EXERCISE = declared(
     says="T = exp([S1] q1) exp([S2] q2) ... exp([Sn] qn) M",
     found=_found,
     sweeps=(shared.SMALL_ANGLES, shared.STRAIGHT),
+    special=shared.special,
     hints=(
         "Let joint n move the end-effector first, from its pose at home: exp([Sn] qn) M. Then "
         "joint n - 1, and so on.",

@@ -11,7 +11,10 @@ from course_lib.lessons.poe_kuka_iiwa.exercises import shared
 from course_lib.rigid import adjoint, inverse
 
 G = 9.81  # m/s^2
-_SCREWS = Kind(drawn=lambda rng: shared.axes(*shared.drawn_axes(rng, 4)))
+_SCREWS = Kind(
+    drawn=lambda rng: shared.axes(*shared.drawn_axes(rng, 4)),
+    coarse=lambda rng: shared.coarse_screws(rng, 4),
+)
 _MASS = number(1, 5, beside=(("a load of little mass", lambda rng, mass: mass, SMALL_NUMBERS),))
 
 # Axes along -y, links along x.

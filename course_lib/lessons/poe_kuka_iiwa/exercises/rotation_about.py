@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import ANGLE, Kind, vector
+from course_lib.checks.kinds import ANGLE, Kind, coarse_axis, vector
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
@@ -32,7 +32,10 @@ _CASES = (
     (Z, 0 * X, _QUARTER),
 )
 _UNIT_VECTOR = Kind(
-    drawn=unit, named=lambda rng: [Z, X, Y, -Y, np.array([0.6, 0, -0.8])], small=True
+    drawn=unit,
+    named=lambda rng: [Z, X, Y, -Y, np.array([0.6, 0, -0.8])],
+    coarse=coarse_axis,
+    small=True,
 )
 
 

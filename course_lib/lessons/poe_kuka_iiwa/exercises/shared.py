@@ -3,6 +3,7 @@ adjoints."""
 
 import numpy as np
 
+from course_lib.checks.kinds import coarse_axis, coarse_pose, eighths, whole_numbers
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.vocabulary import (
@@ -38,6 +39,18 @@ ELBOW = axes([Z, Y, Y], [0 * X, Z, X + Z])
 WHOLE = np.array([[0, 0, 1, 0, -1, 0], [1, 0, 0, 0, 2, 0], [0, 1, 0, 1, 0, 0]])
 WHOLE_HOME = np.array([[0, -1, 0, 2], [1, 0, 0, 1], [0, 0, 1, 3], [0, 0, 0, 1]])
 WHOLE_ANGLES = np.array([1, 2, -1])
+
+
+def coarse_screws(rng, n):
+    """Return the screw axes (n, 6) of joints along coarse axes through points in whole numbers."""
+    return axes(np.array([coarse_axis(rng) for _ in range(n)]), whole_numbers(rng, (n, 3)))
+
+
+def special(rng):
+    """Return a case (screws, M, q) of such joints, whose angles are some eighths of a
+    revolution."""
+    n = int(rng.integers(1, 5))
+    return coarse_screws(rng, n), coarse_pose(rng), eighths(rng, n)
 
 
 def nearly_identity(rng, size):

@@ -16,6 +16,7 @@ from course_lib.lessons.poe_kuka_iiwa.exercises.shared import (
     columns,
     exponentials,
     jacobian,
+    special,
 )
 from course_lib.rigid import adjoint
 
@@ -84,6 +85,7 @@ EXERCISE = declared(
     "direction above, and below v = -omega x p, with p on the axis",
     otherwise=_otherwise,
     sweeps=(_without_home(SMALL_ANGLES), _without_home(STRAIGHT)),
+    special=lambda rng: special(rng)[::2],
     hints=(
         "Column 1 is S1. Column 2 is S2 as joint 1 has moved it.",
         "Column i is Ad(T) S_i; T is the product of the exponentials of the joints before joint i.",

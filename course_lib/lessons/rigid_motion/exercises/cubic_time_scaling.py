@@ -39,7 +39,8 @@ def _cases(rng):
         drawn.append((t, T, *np.round([*rng.normal(0, 3, 2), *velocities], 2).tolist()))
     one = [(float(drawn[0][0][k]), *drawn[0][1:]) for k in (0, 3)]
     table = (drawn[1][0][:6].reshape(2, 3)[:, :2], *drawn[1][1:])
-    return [*named, *drawn, *one, table]
+    single = (drawn[2][0][:1], *drawn[2][1:])
+    return [*named, *drawn, *one, table, single]
 
 
 def _beside(end):

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, eighths, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES
 from course_lib.checks.tolerances import EXACT
@@ -38,6 +38,7 @@ TWIST = Kind(
     drawn=lambda rng: rng.uniform([-3, -4, -4], [3, 4, 4]).round(2),
     named=lambda rng: [np.array(twist) for twist in _NAMED],
     beside=tuple(map(_omega_near, (0.0, np.pi, -2 * np.pi))),
+    coarse=lambda rng: np.append(eighths(rng), whole_numbers(rng, 2)),
     small=True,
 )
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, eighths, whole_numbers
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -61,6 +61,12 @@ def rotating_cases(rng):
     return [*named, *drawn, ([2, -1, 3], [-2, 1, -3], 5), between(rng, 2.0, -2.0, 21)]
 
 
+def special(rng):
+    """Return a case of poses in whole numbers whose directions are some eighths of a revolution."""
+    start, goal = (np.append(whole_numbers(rng, 2), eighths(rng)) for _ in range(2))
+    return start, goal, int(rng.integers(2, 6))
+
+
 def _rotating_by(angle):
     """Two poses whose directions differ by nearly this angle, on opposite sides of the origin: so
     no two poses with as large coordinates are farther apart."""
@@ -80,7 +86,13 @@ def _nearly_there(rng, gap):
     return far, far + gap * np.append(away_from_zero(rng, 2), 0), 4
 
 
+def _of_a_number(rng, n):
+    return between(rng, *rng.uniform(-1, 1, 2).round(2), n)
+
+
 SWEEPS = (
+    # A sum of n - 1 steps of 1 / (n - 1) is rounded to more than 1 for some n.
+    Sweep("the number of poses", _of_a_number, tuple(range(2, 60))),
     *(_rotating_by(angle) for angle in (0.0, np.pi, -2 * np.pi)),
     Sweep("nearly the same position, far from the origin", _nearly_there, SMALL),
 )
@@ -127,6 +139,7 @@ EXERCISE = declared(
     },
     cases=lambda rng: plain_cases(rng) + rotating_cases(rng),
     sweeps=SWEEPS,
+    special=special,
     tolerance=EXACT,
     allowed=lambda start, goal, n: EXACT * shared.size(start, goal),
     library=interpolate_body,

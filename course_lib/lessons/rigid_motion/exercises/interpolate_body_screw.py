@@ -13,6 +13,7 @@ from course_lib.lessons.rigid_motion.exercises.interpolate_body import (
     between,
     plain_cases,
     rotating_cases,
+    special,
 )
 from course_lib.planar import interpolate_body_screw, pose_matrix
 from course_lib.rigid import exp_se2, inverse, log_se2
@@ -142,6 +143,7 @@ EXERCISE = declared(
     },
     cases=_cases,
     sweeps=SWEEPS,
+    special=special,
     tolerance=EXACT,
     allowed=_allowed,
     library=interpolate_body_screw,

@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.comparisons import difference, same
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL
 from course_lib.checks.tolerances import EXACT
@@ -42,6 +42,13 @@ def _beside_quarter(rng, gap):
     return _pose_of_omega(rng, rng.choice([-1, 1]) * np.pi / 2 + rng.choice([-1, 1]) * gap)
 
 
+def _coarse(rng):
+    """Return a pose with a direction of some quarters of a revolution, and in whole numbers."""
+    c, s = ((1.0, 0), (0, 1), (-1, 0), (0, -1))[rng.integers(4)]
+    x, y = whole_numbers(rng, 2)
+    return np.array([[c, -s, x], [s, c, y], [0, 0, 1]])
+
+
 POSE = Kind(
     drawn=lambda rng: _pose_of_omega(rng, round(rng.uniform(-3, 3), 2)),
     named=lambda rng: [*map(exp_se2, _TWISTS), _QUARTER, _HALF],
@@ -50,6 +57,7 @@ POSE = Kind(
         ("omega near pi", _beside_half, ON_BOTH_SIDES),
         ("omega near pi/2 or -pi/2", _beside_quarter, SMALL),
     ),
+    coarse=_coarse,
     small=True,
 )
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES
+from course_lib.checks.kinds import OWN_CASES, eighths, quarters, whole_numbers
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import Sweep
 from course_lib.checks.tolerances import EXACT
@@ -41,6 +41,23 @@ def drawn_case(rng, angles=1, lengths=2):
         tuple(np.round(_signed(rng, 0.5, 2, lengths + angles), 2).tolist()) for _ in range(3)
     ]
     return start, list(zip(velocities, drawn_durations(dt, rng), strict=True)), dt
+
+
+def special(columns):
+    """Return special(rng) of an exercise on a plan: rows that return to where they were, velocities
+    that occur twice, and steps of quarters of a revolution, up to a whole one."""
+
+    def pair(rng, dt):
+        velocity = np.append(whole_numbers(rng, columns - 1), quarters(rng) / dt)
+        return tuple(velocity.tolist()), dt * float(rng.integers(1, 65) / 4)
+
+    def case(rng):
+        start = np.append(whole_numbers(rng, columns - 1), eighths(rng))
+        dt = float(rng.integers(1, 5) / 4)
+        plan = [pair(rng, dt) for _ in range(rng.integers(1, 4))]
+        return start, [*plan, *plan[: rng.integers(2)]], dt
+
+    return case
 
 
 def body_cases(rng):
@@ -138,6 +155,7 @@ EXERCISE = declared(
     arguments=PLAN,
     cases=body_cases,
     sweeps=(shared.slow_motions(3), LAST_STEPS),
+    special=special(3),
     tolerance=EXACT,
     reads=read_poses,
     properties=shared.form(shared.BODY),

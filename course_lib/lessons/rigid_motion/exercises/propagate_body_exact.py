@@ -92,6 +92,7 @@ EXERCISE = declared(
     sets=2,
     arguments=propagate_body.PLAN,
     cases=_cases,
+    special=propagate_body.special(3),
     sweeps=(
         Sweep("omega near 0", _slow, ON_BOTH_SIDES),
         shared.slow_motions(3),

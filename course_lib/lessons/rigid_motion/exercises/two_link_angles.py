@@ -8,9 +8,10 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import ORDINALS
+from course_lib.checks.kinds import eighths, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
-from course_lib.checks.tolerances import HALF_THE_DIGITS
+from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
     angle_gap,
     compared,
@@ -73,6 +74,19 @@ def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
 
+def _special(rng):
+    """A tip at the edge of the reach, or one that angles of some eighths of a revolution, or whole
+    numbers, lead to."""
+    direction = rng.uniform(-np.pi, np.pi)
+    tips = [
+        2 * np.array([np.cos(direction), np.sin(direction)]),
+        two_link_tip(eighths(rng, 2)),
+        whole_numbers(rng, 2),
+    ]
+    tip = tips[rng.integers(3)]
+    return (tip,) if _NEARLY_FOLDED[0] < np.hypot(*tip) < 2 + EXACT else None
+
+
 def _where_the_rows_lead(angles, tip):
     row = int(np.argmax(_off(angles, tip)))
     reached = two_link_tip(angles[row])
@@ -87,6 +101,7 @@ EXERCISE = Exercise(
     arguments=("tip",),
     tolerance=HALF_THE_DIGITS,
     cases=_cases,
+    special=_special,
     returns=numbers(lambda tip: (2, 2)),
     properties=(
         Property(

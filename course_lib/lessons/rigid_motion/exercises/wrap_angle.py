@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, eighths
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.reasons import Finding
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS
@@ -41,6 +41,8 @@ def _among_others(rng, size):
     return np.array([2.5, size, rng.uniform(-40, 40)])
 
 
+_SHAPES = (), (1,), (3,), (2, 2)
+
 ANGLE = Kind(
     drawn=_drawn,
     named=_named,
@@ -48,6 +50,7 @@ ANGLE = Kind(
         *map(_beside, (0, 1, -1, 2)),
         ("a small angle among others", _among_others, SMALL_NUMBERS),
     ),
+    coarse=lambda rng: eighths(rng, _SHAPES[rng.integers(len(_SHAPES))]),
 )
 
 

@@ -67,6 +67,16 @@ def _nearly_locked(rng, gap):
     return (_matrix(alpha, np.sign(gap) * (np.pi / 2 - abs(gap)), gamma),)
 
 
+# So near to gimbal lock, the two angles are not to be read from what rounding leaves of a product.
+_ROUNDED = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) < 1e-7)
+
+
+def _nearly_locked_and_rounded(rng, gap):
+    """The same with entries that differ in their last bits, as those of a product do."""
+    (R,) = _nearly_locked(rng, gap)
+    return (R + 2.0**-53 * rng.integers(-1, 2, (3, 3)),)
+
+
 def _cosine(R):
     """Return the cosine of beta."""
     return np.hypot(R[0, 0], R[1, 0])
@@ -157,7 +167,10 @@ EXERCISE = declared(
     library=_right,
     alike=lambda value, predicted, R: same_angles(value, predicted, tolerance=1e-5),
     distance=_distance,
-    sweeps=(Sweep("an angle beta near pi/2", _nearly_locked, ON_BOTH_SIDES),),
+    sweeps=(
+        Sweep("an angle beta near pi/2", _nearly_locked, ON_BOTH_SIDES),
+        Sweep("the same, with entries that are rounded", _nearly_locked_and_rounded, _ROUNDED),
+    ),
     properties=(
         Property(
             "the angles give R again: Rz(gamma) Ry(beta) Rx(alpha) = R",

@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import FACTOR, ROTATION, Kind, number
+from course_lib.checks.kinds import FACTOR, ROTATION, Kind, number, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error, unit
@@ -23,6 +23,12 @@ def _slow_samples(rng, rate):
     return np.tile(rate * unit(rng), (100, 1))
 
 
+def _coarse_log(rng):
+    """Return samples of rests, and of rotations about the axes, opposite ones and equal ones."""
+    n = int(rng.integers(1, 6))
+    return np.eye(3)[rng.integers(3, size=n)] * whole_numbers(rng, (n, 1))
+
+
 LOG = Kind(
     drawn=lambda rng: rng.normal(size=(4, 3)),
     named=lambda rng: [
@@ -34,6 +40,7 @@ LOG = Kind(
         np.array([[1.0, -2, 0], [0, 1, 2], [2, 0, -1], [1, 1, 0]]),
     ],
     beside=(("a hundred slow samples", _slow_samples, _SLOW),),
+    coarse=_coarse_log,
     small=True,
 )
 

@@ -166,6 +166,20 @@ def _with_tolerance(kind, share):
     return Sweep("an error, and a tolerance of about its size", case, _ERRORS)
 
 
+def _special(rng):
+    """Return a matrix of any shape that is nearly square, or one of the right shape in whole
+    numbers, most of them 0, 1 or -1."""
+    kind = tuple(_SHAPES)[rng.integers(3)]
+    shapes = _SHAPES[kind]
+    shape = shapes[rng.integers(2)]
+    if rng.random() < 0.5:
+        return np.eye(*rng.integers(1, 6, 2)), kind, TIGHT
+    signed = np.eye(max(shape))[rng.permutation(max(shape))] * rng.choice([-1, 1], max(shape))
+    signed[rng.integers(max(shape))] += rng.choice([0, 0, 0, 1], max(shape))
+    X = signed[0] if kind == "quaternion" else signed
+    return X.reshape(shape), kind, TIGHT
+
+
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
     # Off by exactly tol: all these numbers have few binary digits.
@@ -235,6 +249,7 @@ EXERCISE = Exercise(
     cases=_cases,
     returns=boolean,
     library=is_valid,
+    special=_special,
     sweeps=tuple(_with_tolerance(kind, share) for kind in _SHAPES for share in (0, 0.4, 4)),
     properties=(
         Property(

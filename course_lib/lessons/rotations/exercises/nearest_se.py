@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import Kind
+from course_lib.checks.kinds import Kind, whole_numbers
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS
 from course_lib.checks.tolerances import EXACT
@@ -48,6 +48,12 @@ def _with_a_block_of_a_scale(rng, scale):
     return _damaged_pose(shared.of_a_scale(rng, scale), rng.normal(size=3))
 
 
+def _coarse(rng):
+    block = shared.coarse(rng)
+    n = len(block)
+    return pose(block, whole_numbers(rng, n), *whole_numbers(rng, n + 1))
+
+
 DAMAGED = Kind(
     drawn=lambda rng: _damaged_pose(any_rotation(rng) @ np.diag([2.0, 1, 0.5]), rng.normal(size=3)),
     named=_damaged_poses,
@@ -56,6 +62,7 @@ DAMAGED = Kind(
         ("nearly a pose", _nearly_a_pose, SMALL),
         ("small or large blocks", _with_a_block_of_a_scale, shared.SCALES),
     ),
+    coarse=_coarse,
 )
 
 

@@ -22,7 +22,9 @@ DAMAGED = Kind(
         ("small entries", shared.nearly_diagonal, SMALL_NUMBERS),
         ("nearly a rotation", shared.nearly_rotation, SMALL),
         ("small or large matrices", shared.of_a_scale, shared.SCALES),
+        ("a small singular value", shared.nearly_singular, SMALL),
     ),
+    coarse=shared.coarse,
 )
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from course_lib.checks.kinds import whole_numbers
 from course_lib.checks.mistake import Question
 from course_lib.checks.vocabulary import any_rotation, compared
 from course_lib.rotations import nearest_so, random_rotations
@@ -43,13 +44,27 @@ def damaged_rotations(rng):
     ]
 
 
+def coarse(rng):
+    """Return a matrix (2, 2) or (3, 3) in whole numbers that is nearer to one rotation than to all
+    others."""
+    M = whole_numbers(rng, (int(rng.integers(2, 4)),) * 2)
+    s = np.linalg.svd(M, compute_uv=False)
+    is_certain = s[-2] + np.sign(np.linalg.det(M)) * s[-1] > 0.5
+    return M if is_certain else coarse(rng)
+
+
 # Of the largest entry of a matrix. The tasks name 1e-9 and 1e9.
-SCALES = (1.1e-9, 1e-6, 1e-3, 1e3, 1e6, 0.9e9)
+SCALES = (1.1e-9, 2e-9, 1e-8, 1e-6, 2e-6, 1e-3, 2e-3, 1e3, 1e6, 0.9e9)
+
+
+def nearly_singular(rng, size):
+    """Return a matrix (3, 3) with a small singular value, and a determinant of either sign."""
+    return any_rotation(rng) @ np.diag([2.0, 1.0, rng.choice([-1, 1]) * size]) @ any_rotation(rng)
 
 
 def of_a_scale(rng, scale):
-    """Return a matrix (3, 3) whose largest entry is this large."""
-    M = any_rotation(rng) @ np.diag([2.0, 1.0, 0.5])
+    """Return a matrix (3, 3) whose largest entry is this large, and which may be a mirror."""
+    M = any_rotation(rng) @ np.diag([2.0, 1.0, 0.5 * rng.choice([-1, 1])])
     return scale * M / np.abs(M).max()
 
 

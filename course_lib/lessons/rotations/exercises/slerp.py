@@ -167,6 +167,7 @@ EXERCISE = declared(
         "t": number(0, 1, 0.3, 0.0, 1.0, 0.999),
     },
     tolerance=EXACT,
+    admits=lambda q0, q1, t: abs(q0 @ q1) > np.cos(np.deg2rad(85)),  # 170 degrees, halved
     cases=_cases,
     reads=numbers(lambda q0, q1, t: (4,), gaps=True),
     library=slerp,

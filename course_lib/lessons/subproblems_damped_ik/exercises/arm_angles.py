@@ -26,6 +26,7 @@ from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     arm_solutions,
     bent,
     center_of,
+    center_on_the_grid,
     every_solution,
     just_out_of_reach,
 )
@@ -111,6 +112,7 @@ EXERCISE = Exercise(
         Sweep("a center just out of reach", _just_out_of_reach, BEYOND),
         Sweep("a center nearly above the shoulder", _nearly_above, SMALL_NUMBERS[:4]),
     ),
+    special=lambda rng: (center_on_the_grid(rng),),
     returns=rows(3, "a list of triples (q1, q2, q3), empty if there is none"),
     library=arm_solutions,
     alike=same_list,

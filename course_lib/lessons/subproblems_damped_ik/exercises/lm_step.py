@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import OWN_CASES, QUARTER
+from course_lib.checks.kinds import OWN_CASES, QUARTER, quarters, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SOLVED
@@ -118,6 +118,10 @@ def _gradient_step(q, target, alpha, eps):
     return q - alpha * jacobian(q).T @ (tip(q) - target)
 
 
+def _special(rng):
+    return quarters(rng, 4), whole_numbers(rng, 2), float(rng.integers(1, 5) / 4), 0.5
+
+
 EXERCISE = declared(
     "lm_step",
     points=2,
@@ -133,6 +137,7 @@ EXERCISE = declared(
         Sweep("a target nearby", _nearby, SMALL_NUMBERS),
         Sweep("little damping near a singularity", _little_damping, SMALL_NUMBERS),
     ),
+    special=_special,
     tolerance=SOLVED,
     allowed=allowed,
     library=step,

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, rows
 from course_lib.checks.exercise import Property
+from course_lib.checks.kinds import coarse_axis, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
@@ -17,6 +18,7 @@ TOUCHING = SIX_DIGITS
 # Metres, down to 1e-5: a product of two lengths that is below 1e-12 may be taken for 0.
 SHORT = SMALL_NUMBERS[:4]
 _LONG = 400.0
+_UNITS = (1.0, 1.0, 1.0, 100.0, 1e-3, 1e-5)  # of length, in metres
 # How near to the axis a point comes, as a share of its distance from the origin: just inside round
 # numbers, below which somebody may take it for a point on the axis.
 NEAR_THE_AXIS = (9e-3, 9e-4, 9e-5, 9e-6)
@@ -83,6 +85,23 @@ def cross(p, g):
     """
     (p1, p2, p3), (g1, g2, g3) = p.tolist(), g.tolist()
     return np.array([p2 * g3 - p3 * g2, p3 * g1 - p1 * g3, p1 * g2 - p2 * g1])
+
+
+def on_the_grid(rng):
+    """Return an axis, two points that are not on it, in whole numbers of a unit of length, and this
+    unit; None instead of these now and then."""
+    k, unit_of_length = coarse_axis(rng), _UNITS[rng.integers(len(_UNITS))]
+    points = whole_numbers(rng, (2, 3))
+    if min(np.linalg.norm(across(k, point)) for point in points) < 0.1:
+        return None
+    return k, *(unit_of_length * points), unit_of_length
+
+
+def is_clear(d, low, high):
+    """Return whether a number d is neither near the lowest nor near the highest that can be
+    reached, where rounding decides how many solutions there are."""
+    gap = 1e-4 * (high - low)
+    return abs(d - low) > gap and abs(d - high) > gap
 
 
 def angle_about(k, p, g):

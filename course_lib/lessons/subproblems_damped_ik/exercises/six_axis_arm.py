@@ -6,6 +6,7 @@ import numpy as np
 from course_lib.arms import SerialArm
 from course_lib.checks.exercise import Property
 from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.kinds import quarters
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import OUT_OF_REACH
 from course_lib.checks.tolerances import SOLVED
@@ -24,6 +25,7 @@ FOLDED = STRETCHED + np.pi
 # Radians: from these the two q3 are twice as far apart. In a reach of half a metre, a bend of 1e-4
 # is a nanometre.
 BENDS = tuple(sign * bend for bend in (0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4) for sign in (1, -1))
+_AT_THE_SHOULDER_S_HEIGHT = 0.3  # of the centers on a coarse grid
 SWAP = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])  # exchanges x and y
 
 
@@ -41,6 +43,17 @@ def just_out_of_reach(rng, beyond):
     direction = np.append(away_from_zero(rng, 2), rng.uniform(-0.6, 0.6))
     distance = _REACH[1] * (1 + beyond) if beyond > 0 else _REACH[0] * (1 + beyond)
     return SHOULDER + distance * direction / np.linalg.norm(direction)
+
+
+def center_on_the_grid(rng):
+    """Return a wrist center in front of the shoulder or behind it, or to the left or right, within
+    reach; often at its height."""
+    while True:
+        ahead, up = 0.1 * rng.integers([1, -4], [5, 5])
+        if rng.random() < _AT_THE_SHOULDER_S_HEIGHT:
+            up = 0.0
+        if _REACH[0] + 0.01 < np.hypot(ahead, up) < _REACH[1] - 0.01:
+            return SHOULDER + rot_z(quarters(rng)) @ [ahead, 0, up]
 
 
 def bent(q3):

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.kinds import eighths
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import SOLVED
@@ -20,6 +21,7 @@ from course_lib.lessons.subproblems_damped_ik.exercises.six_axis_arm import (
     WRIST,
     all_solutions,
     arm_solutions,
+    center_on_the_grid,
     every_solution,
     just_out_of_reach,
     wrist_angles,
@@ -68,6 +70,15 @@ def _just_out_of_reach(rng, beyond):
     return (transform(R, center + 0.072 * R[:, 2]),)
 
 
+def _special(rng):
+    """A pose at which the arm's angles are some of those for a center on a coarse grid, and the
+    wrist's some eighths of a revolution."""
+    q = arm_solutions(center_on_the_grid(rng))[rng.integers(4)]
+    T = ARM.fk([*q, *eighths(rng, 3)])
+    bends = [abs(np.sin(angles[4])) for angles in all_solutions(T)]
+    return (T,) if len(bends) == 8 and min(bends) > 0.1 else None
+
+
 def _misses(q, T):
     return np.abs(ARM.fk(q) - T).max()
 
@@ -108,6 +119,7 @@ EXERCISE = Exercise(
         Sweep("a target just out of reach", _just_out_of_reach, BEYOND),
         Sweep("a wrist nearly stretched", _wrist_nearly_straight, _BENDS),
     ),
+    special=_special,
     returns=rows(6, "an array of shape (n, 6), with n = 0 if there is no solution"),
     library=all_solutions,
     alike=same_list,

@@ -7,7 +7,7 @@ import numpy as np
 
 from course_lib.checks.declared import declared
 from course_lib.checks.format_numbers import format_tuple
-from course_lib.checks.kinds import Kind, number
+from course_lib.checks.kinds import Kind, number, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -24,6 +24,12 @@ def _nearly_equal(rng, gap):
     return U * [1.0, 1 - gap] @ Vt
 
 
+def _coarse(rng):
+    """Return a Jacobian (2, 3) of full rank in whole numbers."""
+    J = whole_numbers(rng, (2, 3))
+    return J if np.cross(*J).any() else _coarse(rng)
+
+
 JACOBIAN = Kind(
     drawn=lambda rng: rng.normal(size=(2, 4)),
     named=lambda rng: [
@@ -33,6 +39,7 @@ JACOBIAN = Kind(
         *(rng.normal(size=shape) for shape in _SHAPES),
     ],
     beside=(("nearly equal singular values", _nearly_equal, SMALL),),
+    coarse=_coarse,
     small=True,
 )
 DAMPING = number(0.3, 5, 1.0, 0.01, 50.0).but(

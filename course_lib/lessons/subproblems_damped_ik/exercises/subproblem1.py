@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import NOT_A_NUMBER, Unreadable
 from course_lib.checks.exercise import Exercise, Property
+from course_lib.checks.kinds import quarters
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, PREDICTED
@@ -15,6 +16,7 @@ from course_lib.lessons.subproblems_damped_ik.exercises.shared import (
     nearly_along,
     of_all_lengths,
     off_axis,
+    on_the_grid,
     one_near,
     rotated,
     single,
@@ -52,6 +54,15 @@ def _cases(rng):
     ]
     missed += [(k, 100 * p, 30 * unit(rng) + 70 * across(k, g)), (k, g + 2 * k, p - 2 * k)]
     return plain + heights + whole + reached + missed + [(Z, 2 * Z, X), (Z, X, 0 - Z)]
+
+
+def _special(rng):
+    """Points of which one is the other, rotated by some quarters of a revolution, or any two."""
+    drawn = on_the_grid(rng)
+    if drawn is None:
+        return None
+    k, p, g, _ = drawn
+    return k, p, rotated(k, quarters(rng), p) if rng.random() < 0.5 else g
 
 
 def _rotating_by(angle):
@@ -137,6 +148,7 @@ EXERCISE = Exercise(
     library=lambda k, p, g: subproblem1(k, p, g).theta,
     alike=_same,
     distance=distance_of_angles,
+    special=_special,
     sweeps=(
         _rotating_by(0.0),
         _rotating_by(np.pi),

@@ -6,6 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.kinds import coarse_axis, quarters
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -81,6 +82,26 @@ _BETWEEN_AXES = (0.3, 0.1, 0.03, 0.01)
 
 def _nearly_parallel(rng, angle):
     return _meeting(rng, rng.choice([-1, 1]) * np.cos(angle), (0.7, -0.9), 1.0)
+
+
+def _special(rng):
+    """Points in whole numbers of a unit of length: those which quarters of a revolution take to
+    where their circles meet, or two that are equally far from the origin."""
+    drawn = shared.on_the_grid(rng)
+    k2, order = coarse_axis(rng), rng.permutation(3)
+    if drawn is None:
+        return None
+    k1, meet, _, unit_of_length = drawn
+    p1, p2 = (rotated(k, quarters(rng), meet) for k in (k1, k2))
+    if rng.random() < 0.5:
+        p1, p2 = meet, rng.choice([-1, 1], 3) * meet[order]
+    normal = np.cross(k1, k2)
+    if np.linalg.norm(normal) < 0.1:
+        return None
+    a, b = np.linalg.solve([[1, k1 @ k2], [k1 @ k2, 1]], [k1 @ p1, k2 @ p2])
+    middle = a * k1 + b * k2
+    touch = abs(p1 @ p1 - middle @ middle) < 1e-6 * unit_of_length**2
+    return None if touch else (k1, k2, p1, p2)
 
 
 def _cases(rng):
@@ -160,6 +181,7 @@ EXERCISE = Exercise(
     library=solutions,
     alike=same_list,
     distance=distance_of_lists,
+    special=_special,
     sweeps=(
         Sweep(
             "circles that just miss",
@@ -178,6 +200,7 @@ EXERCISE = Exercise(
         ),
         Sweep("axes with small entries, and a small angle", _small, SMALL_NUMBERS),
         shared.of_all_lengths(lambda rng: _meeting(rng, 0.5, (0.7, -0.9), 1.0), 0, 0, 1, 1),
+        shared.of_all_lengths(lambda rng: _apart(rng, rng.uniform(0.2, 0.6), 1), 0, 0, 1, 1),
         _near_its_axis(first=True),
         _near_its_axis(first=False),
         Sweep("nearly parallel axes", _nearly_parallel, _BETWEEN_AXES),

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.kinds import eighths
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -69,6 +70,19 @@ def _whole_points(rng):
     # Both are 3 long, and the angles are not whole.
     z, up, down = np.array([0, 0, 1]), np.array([2, 1, 2]), np.array([1, 2, -2])
     return [(k, p, g, drawn), *((z, up, down, d) for d in (5, 5.0, 4.5))]
+
+
+def _special(rng):
+    """Points in whole numbers of a unit of length, and the distance after some eighths of a
+    revolution, or one in whole numbers."""
+    drawn = shared.on_the_grid(rng)
+    if drawn is None:
+        return None
+    k, p, g, unit_of_length = drawn
+    d = float(np.linalg.norm(rotated(k, eighths(rng), p) - g))
+    if rng.random() < 0.3:
+        d = unit_of_length * float(rng.integers(0, 5))
+    return (k, p, g, d) if shared.is_clear(d**2, *np.square(_reach(k, p, g)[::-1])) else None
 
 
 # Without their signs, in metres: all of them clearly above 1e-8, to which somebody may compare
@@ -154,6 +168,7 @@ EXERCISE = Exercise(
     library=_solutions,
     alike=same_list,
     distance=distance_of_lists,
+    special=_special,
     sweeps=(
         _beyond(1),
         _beyond(-1),
@@ -163,6 +178,7 @@ EXERCISE = Exercise(
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep("points nearly at one height", _nearly_level, SMALL_NUMBERS),
         shared.of_all_lengths(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 1),
+        shared.of_all_lengths(lambda rng: _nearly_level(rng, 3e-4), 0, 1, 1, 1),
         *shared.one_near(_asking),
     ),
     properties=shared.all_of_them(

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
+from course_lib.checks.kinds import eighths
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -61,6 +62,19 @@ def _whole_points(rng):
     return [(k, h, p, float(h @ rotated(k, rng.uniform(0.5, 2.5), p)))]
 
 
+def _special(rng):
+    """Vectors in whole numbers of a unit of length, and the height after some eighths of a
+    revolution, or one in whole numbers."""
+    drawn = shared.on_the_grid(rng)
+    if drawn is None:
+        return None
+    k, h, p, unit_of_length = drawn
+    d = float(h @ rotated(k, eighths(rng), p))
+    if rng.random() < 0.3:
+        d = unit_of_length**2 * float(rng.integers(-4, 5))
+    return (k, h, p, d) if shared.is_clear(d, *_range(k, h, p)) else None
+
+
 def _small(rng, size):
     """An axis with small entries, and two solutions one of which is small."""
     return _reachable(rng, 0.8, 0.8 + 0.7 * size, 1, axis=shared.nearly_along(Z, rng, size))
@@ -84,6 +98,19 @@ def _beyond(side):
         return k, h, p, float(middle + side * (1 + beyond) * half)
 
     return Sweep("a height just out of reach", case, OUT_OF_REACH)
+
+
+def _beyond_near_the_axis(side):
+    """The same for a point near the axis, where the range is narrow."""
+
+    def case(rng, distance):
+        k = unit(rng)
+        h, p = off_axis(k, rng), off_axis(k, rng)
+        p = (k @ p) * k + distance * across(k, p)
+        low, high = _range(k, h, p)
+        return k, h, p, float((low + high) / 2 + side * (1 + 1e-5) * (high - low) / 2)
+
+    return Sweep("a height just out of a narrow range", case, (*shared.NEAR_THE_AXIS, 2e-6))
 
 
 def _within(side):
@@ -126,15 +153,19 @@ EXERCISE = Exercise(
     library=_solutions,
     alike=same_list,
     distance=distance_of_lists,
+    special=_special,
     sweeps=(
         _beyond(1),
         _beyond(-1),
         _within(1),
         _within(-1),
+        _beyond_near_the_axis(1),
+        _beyond_near_the_axis(-1),
         Sweep("an axis with small entries, and a small angle", _small, SMALL_NUMBERS),
         Sweep("a point nearly at height 0", _nearly_level, SMALL_NUMBERS),
         *shared.one_near(_asking),
         shared.of_all_lengths(lambda rng: _reachable(rng, 0.8, 1.1, 1), 0, 1, 1, 2),
+        shared.of_all_lengths(lambda rng: _nearly_level(rng, 3e-4), 0, 1, 1, 2),
         shared.of_all_lengths(lambda rng: _beyond(1).case(rng, 1e-3), 0, 1, 1, 2),
     ),
     properties=shared.all_of_them(

@@ -40,6 +40,6 @@ def wrong_cut_at_the_mean(q):
 
 
 def wrong_type_of_the_first_column(q):
-    """a small negative q2 counts as 0"""
+    """a sample does not have the label that its own q2 gives"""
     kind = int if np.array_equal(q[:, 0], np.rint(q[:, 0])) else float
     return q[:, 1].astype(kind) < 0

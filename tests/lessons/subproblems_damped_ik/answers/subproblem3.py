@@ -17,7 +17,21 @@ def _triangle(k, p, g, d):
 
 
 def right_by_half_angle_tangent(k, p, g, d):
-    """A cos + B sin = C with t = tan(theta/2): (A + C) t^2 - 2 B t + (C - A) = 0."""
+    """A cos + B sin = C with t = tan(theta/2): (A + C) t^2 - 2 B t + (C - A) = 0.
+
+    Where A + C is 0, one of the two t is infinite, and the formula is 0 / 0 for the other.
+    """
+    A, B = -g @ np.cross(k, np.cross(k, p)), g @ np.cross(k, p)
+    C = (p @ p + g @ g - d * d) / 2 - (k @ p) * (k @ g)
+    under = A * A + B * B - C * C
+    if d < 0 or under < 0:
+        return ()
+    root = B + np.copysign(np.sqrt(under), B)
+    return 2 * np.arctan2(root, A + C), 2 * np.arctan2(C - A, root)
+
+
+def wrong_by_half_angle_tangent(k, p, g, d):
+    """the list holds something that is no solution"""
     A, B = -g @ np.cross(k, np.cross(k, p)), g @ np.cross(k, p)
     C = (p @ p + g @ g - d * d) / 2 - (k @ p) * (k @ g)
     under = A * A + B * B - C * C

@@ -21,7 +21,8 @@ def right_by_components(k, h, p, d):
     under = A * A + B * B - C * C
     if under < 0:
         return np.empty(0)
-    return np.array([2 * math.atan2(B + s * math.sqrt(under), A + C) for s in (-1, 1)])[None]
+    root = B + math.copysign(math.sqrt(under), B)
+    return np.array([2 * math.atan2(root, A + C), 2 * math.atan2(C - A, root)])[None]
 
 
 def right_complex_numbers(k, h, p, d):
