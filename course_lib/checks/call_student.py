@@ -125,9 +125,11 @@ def reply(
 
 def _arguments(case, before, consult):
     """Return what the student's function is called with: copies, or the arrays of the call before
-    with the numbers of this case in them."""
+    with the numbers of this case in them, and its generators."""
     arguments = [_made_real(argument, consult) for argument in map(_copied, case)]
     for k, (array, new) in enumerate(zip(before, arguments, strict=False)):
+        if isinstance(array, np.random.Generator):
+            arguments[k] = array
         is_array = isinstance(array, np.ndarray) and isinstance(new, np.ndarray)
         if is_array and (array.shape, array.dtype) == (new.shape, new.dtype):
             array[...] = new

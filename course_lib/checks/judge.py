@@ -14,7 +14,7 @@ from course_lib.checks.exercise import PUBLIC_SEED
 from course_lib.checks.format_numbers import ALL_DIGITS, SHOWN_DIGITS, as_shown
 from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.reasons import CannotBeRead
-from course_lib.checks.special_cases import InPlace
+from course_lib.checks.special_cases import InPlace, SameGenerator
 from course_lib.checks.verdict import ERROR, RIGHT, UNCHANGED, WRONG, Verdict
 from course_lib.checks.wire import NotPlain, from_json, write
 
@@ -105,7 +105,9 @@ def questions_of(exercise, seed=PUBLIC_SEED, seconds=CPU_SECONDS):
     cases, consult = exercise.questions(seed)
     asked = {
         "cases": [list(case) for case in cases],
-        "in_place": [k for k, case in enumerate(cases) if isinstance(case, InPlace)],
+        "in_place": [
+            k for k, case in enumerate(cases) if isinstance(case, InPlace | SameGenerator)
+        ],
         "forbidden": list(exercise.forbidden),
         "seconds": seconds,
     }

@@ -1,10 +1,13 @@
 """What the checks of random rotations share: they judge by what is drawn, not by how."""
 
+import itertools
+
 import numpy as np
 
 from course_lib.checks.comparisons import attempt
 from course_lib.checks.exercise import Property
 from course_lib.checks.mistake import Mistake, Question
+from course_lib.checks.special_cases import SameGenerator
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import no_rotation
 from course_lib.checks.wire import Seed
@@ -17,10 +20,10 @@ _EDGES = range(0, 181, 30)  # degrees: of the intervals in which messages count 
 
 
 def cases(rng):
-    """Return the arguments of a sampler: a few draws, the same again, others, many, and several of
-    two seeds."""
+    """Return the arguments of a sampler: a few draws, the same again, others, others from the same
+    generator, many, and several of two seeds."""
     first, second, third, *two = (Seed(int(s)) for s in rng.integers(2**31, size=5))
-    few = [(3, first), (3, first), (3, second), (1, first)]
+    few = [(3, first), (3, first), (3, second), SameGenerator((3, second)), (1, first)]
     return [*few, (MANY, third), *((SEVERAL, seed) for seed in two)]
 
 
@@ -72,12 +75,48 @@ DRAWS = (
         ),
     ),
     Property(
+        "called again with the same generator, it draws others",
+        lambda values, cases: 3 if np.allclose(values[2], values[3]) else None,
+        across=True,
+        otherwise=Question(
+            "the generator that is passed in does not advance",
+            "A generator is meant to change: from where do the numbers of the next call come, if "
+            "it has not?",
+        ),
+    ),
+    Property(
         "n draws are n different ones",
         lambda value, n, rng: n < 2 or not np.allclose(value[0], value[1]),
         otherwise=Question(
             "one draw is repeated n times",
             "Each of the n needs numbers of its own. How many does your code draw, and when?",
         ),
+    ),
+)
+
+
+def _values_between(draws, i, j):
+    """Return how many directions the numbers i and j of each draw have, seen as coordinates."""
+    flat = draws.reshape(len(draws), -1)
+    return len(np.unique(np.arctan2(flat[:, i], flat[:, j]).round(9)))
+
+
+def _of_few_values(draws):
+    """Return whether two numbers of each draw come from an angle that takes few values, such as
+    whole degrees."""
+    some = draws[:SEVERAL]
+    pairs = itertools.combinations(range(some[0].size), 2)
+    return any(_values_between(some, i, j) < len(some) / 2 for i, j in pairs)
+
+
+CONTINUOUS = Property(
+    "each angle may be any number in its range",
+    lambda value, n, rng: not _of_few_values(value),
+    where=many,
+    otherwise=Question(
+        "an angle, or another number, takes few values only",
+        "Print some of your random numbers with all their digits. Which function of rng draws "
+        "numbers from a whole range, and not whole numbers?",
     ),
 )
 
@@ -266,6 +305,7 @@ def _depends_on_the_other_seed(matrices):
 def uniform_rotations(matrices):
     """Return the properties of uniform rotations; matrices(value): the rotations of an answer."""
     return (
+        CONTINUOUS,
         Property(
             "the angles follow the density (1 - cos a)/pi",
             lambda value, n, rng: angle_p_value(matrices(value)) > LEVEL,
