@@ -99,6 +99,37 @@ class Hostile:
     ) = subs = _touched
 
 
+def by_a_template(a, b):
+    """Replace symbols of its own by the arguments, one after the other."""
+    own = sp.symbols("a b")
+    return (own[0] + 2 * own[1]).subs(own[0], a).subs(own[1], b)
+
+
+def by_the_type_of_the_last(a, b):
+    return math.sin(a) if isinstance(b, float) else sp.sin(a)
+
+
+KEPT = sp.zeros(1, 1)
+
+
+def in_one_matrix(a, b):
+    KEPT[0, 0] = a + b
+    return KEPT
+
+
+@pytest.mark.parametrize(
+    ("function", "right"),
+    [
+        (by_a_template, lambda a, b: a + 2 * b),
+        (by_the_type_of_the_last, lambda a, b: math.sin(a)),
+        (in_one_matrix, lambda a, b: a + b),
+    ],
+)
+def test_other_symbols_and_symbols_beside_numbers_are_passed_too(function, right):
+    answer = put(function, a=0.5, b=0.25)
+    assert answer.get("value") != wire.to_json(right(0.5, 0.25))
+
+
 @pytest.mark.parametrize(
     "wrap", [lambda thing: thing, lambda thing: [thing], lambda thing: ([1, thing],)]
 )

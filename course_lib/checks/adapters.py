@@ -16,6 +16,10 @@ class NoNumber(ValueError):
     entry."""
 
 
+class Overwritten(ValueError):
+    """An answer of SymPy's that a later call of the function has changed."""
+
+
 def directly(function, names, arguments):
     """Return what the function answers, called with the arguments as they are.
 
@@ -33,11 +37,14 @@ def with_symbols(function, names, arguments):
     """Return what the function answers, called with SymPy symbols for its floats, as numbers for
     these floats.
 
-    The function is then called with the floats themselves. If it answers otherwise, this is what is
-    returned. Whole numbers are passed unchanged. The symbols are real, have the names of the
-    arguments, and differ from all symbols made elsewhere. Expressions are evaluated in SymPy's
-    matrices and arrays, and in numpy's arrays, lists and tuples; any other answer is passed on
-    unchanged. No text is ever parsed as an expression.
+    The function is then called with other symbols for half of the floats, and with the floats
+    themselves. The first answer that differs is returned. Whole numbers are passed unchanged. The
+    symbols are real, have the names of the arguments, and differ from all symbols made elsewhere.
+    Expressions are evaluated in SymPy's matrices and arrays, and in numpy's arrays, lists and
+    tuples; any other answer is passed on unchanged. No text is ever parsed as an expression.
+
+    The other symbols are plain ones, as sympy.symbols makes them, and have the names of the
+    arguments in reverse: somebody who has symbols of these names too may confuse them.
 
     Parameters
     ----------
@@ -50,6 +57,8 @@ def with_symbols(function, names, arguments):
     ------
     NoNumber
         If an expression contains other symbols.
+    Overwritten
+        If a later call has changed the matrix that an earlier one returned.
 
     Examples
     --------
@@ -58,17 +67,28 @@ def with_symbols(function, names, arguments):
     """
     import sympy
 
-    at, given = {}, []
-    for name, argument in zip(names, arguments, strict=True):
-        is_float = isinstance(argument, float)
-        given.append(sympy.Dummy(name, real=True) if is_float else argument)
-        if is_float:
-            at[given[-1]] = sympy.Float(argument)
-    by_symbols = _evaluated(function(*given), at)
-    if not at:
-        return by_symbols
-    by_numbers = _evaluated(function(*arguments), {})
-    return by_symbols if _agree(by_symbols, by_numbers) else by_numbers
+    floats = [k for k, argument in enumerate(arguments) if isinstance(argument, float)]
+    own = [sympy.Dummy(name, real=True) for name in names]
+    plain = [sympy.Symbol(name) for name in reversed(names)]
+
+    def asked(symbols, positions):
+        """Return the answer to symbols in place of the floats at these positions."""
+        given = [symbols[k] if k in positions else x for k, x in enumerate(arguments)]
+        answer = function(*given)
+        if isinstance(answer, sympy.MatrixBase):
+            answers.append((answer, answer.copy()))
+        return _evaluated(answer, {symbols[k]: sympy.Float(arguments[k]) for k in positions})
+
+    answers = []
+    first = asked(own, floats)
+    half = floats[: (len(floats) + 1) // 2]
+    for symbols, positions in ((plain, half), (own, [])) if floats else ():
+        other = asked(symbols, positions)
+        if not _agree(first, other):
+            return other
+    if any(answer != as_it_came for answer, as_it_came in answers):
+        raise Overwritten("a later call has changed this answer")
+    return first
 
 
 ADAPTERS = {"": directly, "symbols": with_symbols}

@@ -4,6 +4,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
+from course_lib.checks.examine import SHARED_RESULT
 from course_lib.checks.kinds import ANGLE, LENGTH
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
@@ -92,6 +93,7 @@ EXERCISE = declared(
     arguments={"a": _LENGTH, "alpha": _ANGLE, "d": _LENGTH, "theta": _ANGLE},
     cases=_cases,
     through="symbols",
+    special=None,  # each case takes milliseconds
     library=_symbolic,
     reads=numbers(lambda *case: (4, 4)),
     properties=(LAST_ROW,),
@@ -110,6 +112,7 @@ EXERCISE = declared(
         "numbers.",
     ),
     mistakes=(
+        Mistake(SHARED_RESULT.name, SHARED_RESULT.hint, raises=("Overwritten", "")),
         Mistake(*_NUMPY_USED, raises=("TypeError", "Cannot convert expression to float")),
         Mistake(*_NUMPY_USED, raises=("TypeError", "which has no callable")),
         Mistake(*_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute")),
