@@ -18,6 +18,7 @@ _GAPS = (0.3, -0.3, 0.1, -0.1, 0.03, -0.03, 0.01, -0.01, 1e-3, -1e-3)
 # has no damping, or one of the value itself, or of its square.
 _NEARLY_SINGULAR = (0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4, 1e-5)
 _LITTLE_DAMPING = (0.1, 0.03, 0.01, 3e-3, 1e-3)
+_SINGULAR = np.zeros(7), np.array([0.0, 0, 0, 0, 1, 1, 0]), np.array([0.3, 0, 0, 0, 0.5, 2, 0.4])
 _EARLY = np.array([0.0, 0.5, 0, -0.6, 0, 1.6, 0.8])  # nearly stretched
 
 
@@ -81,6 +82,8 @@ def _cases(rng):
         (q[0], 50 * v[1], 0.002, 2, 0.0, 0.01),  # fast joints
         (q[0], 1e-8 * v[1], 3600.0, 2, 0.0, 0.01),  # slow, and for long
         (q[0], v[1], 0.1, 0, 0.1, 0.01),
+        # At a singularity rounding makes the smallest eigenvalue of J J^T negative, or large.
+        *((singular, v[0], 0.02, 2, 0.1, 0.02) for singular in _SINGULAR),
         _leaves_the_limits(rng, v[0]),
         (np.array([0, -1, 0, -2, 0, 2, 1]), np.array([1, 0, -1, 0, 1, 0]), 0.1, 2, 0.01, 0.05),
     ]

@@ -82,6 +82,9 @@ _REACH = np.hypot(0.316, 0.0825) + np.hypot(0.384, 0.0825)
 _ELBOW = -np.arctan2(0.0825, 0.316) - np.arctan2(0.0825, 0.384)
 _STRETCHED = np.array([0.3, 0.5, 0, _ELBOW, 0, 2.0, 0.4])
 _WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
+# Elbow and wrist are bent so that the flange is as far from the shoulder as can be, but for 0.1 mm.
+_FARTHEST = np.array([0.3, 0.6, 0, -0.487, 0, 2.665, 0.5])
+_BACK_TO_FRONT = READY - [0, 0, 0, 0, 0, 0, np.pi]  # the flange is rotated by half a revolution
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
 
@@ -131,17 +134,22 @@ def _cases(rng):
         *((q, q) for q in (_BEYOND, _OUTSIDE)),
         (READY, _ABOUT_READY),
         (_LOW_DOWN, _ABOUT_LOW_DOWN),
+        (_FARTHEST, _FARTHEST),
+        (READY, _BACK_TO_FRONT),
         *((np.clip(q - 0.2, LOW, HIGH), q) for q in _AT_A_LIMIT),
         *((READY, q) for q in _HARD),
     ]
     poses = [at_ready @ transform(exp_so3(w), p) for w, p in errors]
     poses += [shifted, rotated]
     cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
-    out_of_reach = _moved(rng, _just_out_of_reach(), READY, READY)
+    out_of_reach = [
+        _moved(rng, _just_out_of_reach(gap), q0, q0)
+        for gap, q0 in ((3e-4, READY), (4e-5, _STRETCHED))
+    ]
     cases = [
         *cases[:4],
         *(_moved(rng, T, READY, READY) for T in poses),
-        out_of_reach,
+        *out_of_reach,
         *cases[4:],
     ]
     cases += _two_starts_that_solve(rng)
@@ -155,11 +163,11 @@ def solved(T, q0):
     return found.q if found.success else np.full(7, np.nan)
 
 
-def _just_out_of_reach():
-    """Return a pose of the flange that is farther from the shoulder than the stretched arm reaches,
-    by 0.3 mm."""
+def _just_out_of_reach(gap):
+    """Return a pose of the flange at which the wrist is farther from the shoulder than the
+    stretched arm reaches, by a gap in metres."""
     T, shoulder, wrist = flange(_STRETCHED), *frames(_STRETCHED)[[0, 5], :3, 3]
-    T[:3, 3] += 3e-4 * (wrist - shoulder) / _REACH
+    T[:3, 3] += gap * (wrist - shoulder) / _REACH
     return T
 
 
@@ -169,7 +177,7 @@ def _reachable(T, q0):
     The wrist is somewhere on a circle about the flange's axis.
     """
     x, y, z = T[:3, :3].T @ (T[:3, 3] - frames(READY)[0, :3, 3]) - [0, 0, 0.107]
-    return np.hypot(z, np.hypot(x, y) - 0.088) < _REACH + 1e-4
+    return np.hypot(z, np.hypot(x, y) - 0.088) < _REACH + 1e-5
 
 
 def _gaps(A, B):
@@ -186,7 +194,9 @@ def _inside(q, T, q0):
 
 
 def _near(T, q0):
-    return np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15
+    """Return whether a target within reach is close to the pose at q0."""
+    is_close = np.linalg.norm(_gaps(flange(np.clip(q0, LOW, HIGH)), T)) < 0.15
+    return bool(is_close and _reachable(T, q0))
 
 
 def _solved(q, T, q0):

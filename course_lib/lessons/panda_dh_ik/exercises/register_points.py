@@ -7,7 +7,7 @@ from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SIZES, SMALL_NUMBERS, Sweep
-from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose
+from course_lib.checks.vocabulary import SAME_TWICE, any_pose, away_from_zero, near, pose, unit
 from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     IS_A_POSE,
     POINTS_MOVED,
@@ -20,6 +20,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared_points import (
     moved,
     nearly_in_a_plane,
     noisy,
+    on_the_grid,
     product,
     read_pose,
     reflecting,
@@ -37,6 +38,7 @@ _WHOLE_WEIGHTS = np.array([1, 2, 1, 3])
 
 # A smaller one shows in no digit that is asked for.
 _SMALL_WEIGHTS = (0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-5)
+_WIDTHS = (1e-3, 0.02, 0.3, 10)  # metres: of the region in which the points lie
 _ROUNDING = 1e-12  # relative: a sum of squares that rounding alone has made
 
 
@@ -81,6 +83,10 @@ def _cases(rng):
     shift = np.array([100, -80, 60])
     away = [(src + shift, dst, four), (src, dst + shift, four), (src + 90, dst - 120, four)]
     small = [(1e-3 * a, 1e-3 * b, 1e-3 * four) for a, b, _ in (noise[2], over[2])]
+    # Two heavy points lie on a line, and light ones alone say how it is rotated about itself.
+    T, light = transform(any_pose(rng)[:3, :3], 1e-3 * away_from_zero(rng, 3)), 1e-3 * src
+    partners = moved(T, light) + 1e-4 * rng.normal(size=light.shape)
+    small.append((light, partners, np.array([1.0, 1, 1e-5, 1e-5])))
     others = [(centred, dst, four), (_WHOLE, _WHOLE_APART, _WHOLE_WEIGHTS), noise[2]]
     return [*named, *drawn, *planes, *weightless, *noise, *scaled, *over, *away, *small, *others]
 
@@ -102,6 +108,14 @@ def _small(rng, size):
     src[:3] *= [[size, 1, 1], [1, size, 1], [1, 1, size]]
     T = transform(exp_so3(size * away_from_zero(rng, 3)), size * away_from_zero(rng, 3))
     return src, moved(T, src), np.ones(5)
+
+
+def _far_out(rng, width):
+    """Points in a region of this width, 200 m away, two of them of little weight."""
+    weights = np.array([1.0, 2, 1, 1e-5, 1e-5])[rng.permutation(5)]
+    src, dst, _ = noisy(rng, weights)
+    away = np.round(200 * unit(rng), 1)
+    return away + width / 4 * src, width / 4 * dst - away, weights
 
 
 def _nearly_there(rng, size):
@@ -197,7 +211,9 @@ EXERCISE = Exercise(
         Sweep("a weight that is small compared with the others", _small_weight, _SMALL_WEIGHTS),
         Sweep("small coordinates, and a pose nearly the identity", _small, SMALL_NUMBERS),
         Sweep("points nearly where their partners are", _nearly_there, SMALL_NUMBERS),
+        Sweep("a region of some width, far out", _far_out, _WIDTHS),
     ),
+    special=on_the_grid,
     broken=_broken,
     forbidden=("course_lib.registration.register_points", "scipy.spatial.transform.Rotation"),
 )

@@ -5,6 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, numbers
 from course_lib.checks.exercise import Property
+from course_lib.checks.kinds import coarse_pose, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
 from course_lib.checks.vocabulary import (
@@ -115,6 +116,14 @@ def reflecting(rng, weights):
     return _drawn(draw, good)
 
 
+def on_the_grid(rng):
+    """Return an exact case in whole numbers, whose pose does so, too; None now and then."""
+    n = int(rng.integers(3, 6))
+    src, weights = whole_numbers(rng, (n, 3)), rng.integers(1, 4, n).astype(float)
+    case = src, moved(coarse_pose(rng), src), weights
+    return case if _certain(*case) else None
+
+
 def in_a_plane(rng):
     """Return exact cases in planes: with either order of the product, U V^T is a rotation in some,
     else a reflection.
@@ -203,6 +212,9 @@ def difference(T, right):
 
 
 def close(T, right):
-    """Return whether they agree as well as a search for the least sum of squares can achieve in
-    floating point."""
-    return np.abs(T - right).max() <= _SEARCHED * size(right)
+    """Return whether two poses, or parts of them, agree as the task says: in each entry to 1e-7,
+    relative to the entry if that is above 1, as a position far out is.
+
+    A search for the least sum of squares achieves no more in floating point.
+    """
+    return bool((np.abs(T - right) <= _SEARCHED * np.maximum(1, np.abs(right).max(0))).all())
