@@ -53,6 +53,15 @@ def _answering_up_to(distance):
     return lambda xy: two_link_angles(xy) if np.linalg.norm(xy) <= distance else closed_form(xy)
 
 
+def _answering_beyond_on_a_side(axis, sign):
+    """Return the Version that answers beyond 2 m where this coordinate has this sign."""
+    side = f"{'xy'[axis]} {'>' if sign > 0 else '<'} 0"
+    return Version(
+        f"that answers beyond 2 m for {side}",
+        lambda xy: two_link_angles(xy) if sign * xy[axis] > 0 else closed_form(xy),
+    )
+
+
 def _is_off_the_axes(xy):
     return np.abs(xy).min() > EXACT
 
@@ -115,6 +124,11 @@ EXERCISE = WriteTest(
             ),
         ),
         Version("that answers up to 5 cm beyond 2 m", _answering_up_to(2.05)),
+        *(_answering_beyond_on_a_side(*side) for side in ((0, -1), (1, 1), (1, -1))),
+        Version(
+            "whose tip is off by four millionths of the distance",
+            lambda xy: closed_form(xy / (1 + 4e-6) if np.linalg.norm(xy) < _REACH else xy),
+        ),
         Version(
             "that has no answer at 2 m, except on the axes",
             _changed(

@@ -44,6 +44,10 @@ def _beyond_90_degrees(T):
     return np.trace(T[BLOCK]) < 1
 
 
+_SLIGHTLY_OFF = np.zeros((6, 6))
+_SLIGHTLY_OFF[4, 4] = 0.0015
+
+
 def _near(T):
     return np.linalg.norm(T[COLUMN]) < 1
 
@@ -123,6 +127,10 @@ EXERCISE = WriteTest(
         Version("that is right for the identity only", lambda T: np.eye(6), example=True),
         Version("that is right to two digits only", lambda T: np.round(adjoint(T), 2)),
         Version("that is off by 0.2 % in one column beyond 90 degrees", _slightly_off),
+        Version(
+            "that is off by a small number only farther than 1 m",
+            lambda T: adjoint(T) + (0 if _near(T) else _SLIGHTLY_OFF),
+        ),
     ),
     shapes=((4, 4),),
     given=lambda adjoint: np.allclose(adjoint(at(1, 2, 3))[:, 3], np.eye(6)[3]),

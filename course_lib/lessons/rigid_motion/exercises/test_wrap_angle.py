@@ -31,6 +31,11 @@ def _bounded_by_315(angle):
     return angle - np.copysign(number * REVOLUTION, angle)
 
 
+def _bounded_by_314159(angle):
+    """Return the answer of somebody who clips it, so that it is off next to half a revolution."""
+    return np.clip(wrap_angle(angle), -3.14159, 3.14159)
+
+
 def _zero_at_half(angle):
     """Return 0 at half a revolution, where no strict comparison holds."""
     half = np.pi - abs(wrap_angle(angle)) < EXACT * max(1, abs(angle))
@@ -68,6 +73,9 @@ EXERCISE = WriteTest(
         ),
         # The error is below the 1e-9 of the task, and lets answers exceed pi.
         _right("whose last digits differ", lambda a: wrap_angle(a) + np.copysign(4e-10, a)),
+        _right(
+            "whose error grows with the angle", lambda a: wrap_angle(a) - 4e-10 * max(1, abs(a))
+        ),
         _right("of the library", wrap_angle, example=True),
         _wrong("that changes nothing", lambda a: a, example=True),
         _wrong("that subtracts one revolution at most", _one_revolution),
@@ -109,6 +117,8 @@ EXERCISE = WriteTest(
         ),
         _wrong("that takes angles below 0.3 for 0", lambda a: wrap_angle(a) if abs(a) > 0.3 else 0),
         _wrong("with 3.15 for the largest angle", _bounded_by_315),
+        _wrong("with 3.14159 for the largest angle", _bounded_by_314159),
+        _wrong("that takes 20 and -20 for 0", lambda a: wrap_angle(a) if abs(a) < 19.995 else 0),
         _wrong("that is wrong only at odd multiples of pi", _zero_at_half),
     ),
     shapes=((),),

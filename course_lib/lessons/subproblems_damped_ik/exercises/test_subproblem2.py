@@ -54,6 +54,13 @@ def _unit_points(k1, k2, p1, p2):
     )
 
 
+def _to_a_micrometre(k1, k2, p1, p2):
+    """Wrong for a small |p1|, by less than a micrometre."""
+    pairs = pairs_by_the_text(k1, k2, p1, p2)
+    is_small = np.linalg.norm(p1) < 2e-4
+    return np.array(pairs) + 3e-3 * _AWAY if is_small and len(pairs) else pairs
+
+
 def _crossed(pairs):
     return np.column_stack([pairs[:, 0], pairs[::-1, 1]])
 
@@ -135,6 +142,7 @@ EXERCISE = WriteTest(
         Version("that is right only for some angles between the axes", _acute),
         Version("that is right only for points of length one", _unit_points),
         Version("that is wrong only for points near the origin", _long),
+        Version("that is wrong only for points near the origin", _to_a_micrometre),
     ),
     given=lambda subproblem2: all(_joins(pair) for pair in subproblem2(*_GIVEN)),
 )

@@ -11,10 +11,11 @@ ANGLES = [0.0, *SIZES, *(-size for size in SIZES)]
 def right_range_and_direction(wrap_angle):
     for angle in ANGLES:
         value = wrap_angle(angle)
-        if abs(value) > np.pi + 1e-9:
+        allowed = 1e-9 * max(1, abs(angle))
+        if abs(value) > np.pi + allowed:
             return False
         if not np.allclose(
-            [np.cos(value), np.sin(value)], [np.cos(angle), np.sin(angle)], atol=1e-9
+            [np.cos(value), np.sin(value)], [np.cos(angle), np.sin(angle)], rtol=0, atol=allowed
         ):
             return False
     return True
@@ -23,9 +24,10 @@ def right_range_and_direction(wrap_angle):
 def right_against_a_version_of_its_own(wrap_angle):
     off = [abs(wrap_angle(a) - math.remainder(a, 2 * math.pi)) for a in ANGLES]
     half = [abs(math.cos(a / 2)) < 1e-9 for a in ANGLES]  # where the sign of pi is free
+    allowed = [1e-9 * max(1, abs(a)) for a in ANGLES]
     return all(
-        min(gap, abs(gap - 2 * math.pi)) < 1e-8 if either else gap < 1e-8
-        for gap, either in zip(off, half, strict=True)
+        min(gap, abs(gap - 2 * math.pi)) < bound if either else gap < bound
+        for gap, either, bound in zip(off, half, allowed, strict=True)
     )
 
 
