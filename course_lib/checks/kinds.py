@@ -468,14 +468,15 @@ LENGTH = Kind(
 
 def joint_angles(n, **more):
     """Return the Kind of the angles (n,) of an arm's joints: of either sign, below and above 90 and
-    180 degrees, several revolutions, and 0 of some joints or of all."""
+    180 degrees, several revolutions, in whole numbers too, and 0 of some joints or of all."""
 
     def named(rng):
         obtuse = away_from_zero(rng, n, 1.7, 3.0)
         reflex = away_from_zero(rng, n, 3.3, 6.0)
         some_still = np.where(np.arange(n) % 2, 0.0, away_from_zero(rng, n))
         whole = np.arange(1.0, n + 1)
-        return [away_from_zero(rng, n), obtuse, reflex, whole, some_still, np.zeros(n)]
+        far = (whole + 7) * np.where(np.arange(n) % 2, -1, 1)
+        return [away_from_zero(rng, n), obtuse, reflex, whole, far, some_still, np.zeros(n)]
 
     return Kind(
         drawn=lambda rng: away_from_zero(rng, n),

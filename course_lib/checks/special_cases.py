@@ -282,8 +282,8 @@ def _with_one_whole_argument(cases):
 
 
 def _with_all_free_arguments_whole(cases, names, free):
-    """Return the last case with an array of integers for each free argument that holds whole
-    numbers in some case; or none.
+    """Return the last case with integers for each free argument that holds whole numbers, or is
+    one, in some case; or none.
 
     An answer whose array has the common type of its arguments cuts off digits only then.
     """
@@ -294,11 +294,14 @@ def _with_all_free_arguments_whole(cases, names, free):
         alike = [array for array in whole if array.shape == np.shape(last[k])]
         if alike:
             changed[k] = max(alike, key=lambda array: _variety((array,)))
+        numbers = [round(case[k]) for case in cases if _is_whole_number(case[k])]
+        changed[k] = max(numbers, key=abs) if numbers else changed[k]
     return [tuple(changed)] if sum(map(_has_integers, changed)) > 1 else []
 
 
 def _has_integers(argument):
-    return isinstance(argument, np.ndarray) and argument.dtype.kind == "i"
+    is_array = isinstance(argument, np.ndarray) and argument.dtype.kind == "i"
+    return is_array or isinstance(argument, int)
 
 
 def _different(cases):

@@ -36,7 +36,10 @@ def _named(rng):
 
 _ANGLES = joint_angles(2).but(
     named=_named,
-    beside=(("nearly stretched", lambda rng, q2: np.array([rng.uniform(0.3, 2), q2]), BESIDE),),
+    beside=(
+        ("nearly stretched", lambda rng, q2: np.array([rng.uniform(0.3, 2), q2]), BESIDE),
+        ("nearly folded", lambda rng, gap: np.array([rng.uniform(0.3, 2), np.pi - gap]), BESIDE),
+    ),
     small=True,
 )
 

@@ -118,7 +118,7 @@ EXERCISE = declared(
         "J": table(6, 4),
         "T": _ANY_POSE,
         "T_target": _ANY_POSE,
-        "step": number(0.1, 1.0),
+        "step": number(0.1, 1.0, 0.5, 3.0),
     },
     distance=_distance,
     cases=_cases,

@@ -24,7 +24,8 @@ def _named(rng):
     bent = np.array([0.4, 0.5, -0.3, -1.6, 0.8, 1.9, 0.6])
     one = [np.where(np.arange(7) == i, np.pi / 2 if i % 2 else 0.5, 0.0) for i in range(7)]
     whole = np.array([1.0, -1, 0, -2, 0, 2, 1])
-    return [shared.READY, np.zeros(7), bent, *one, whole]
+    far = np.array([8.0, -9, 7, -10, 12, 9, -8])  # whole, and beyond one revolution
+    return [shared.READY, np.zeros(7), bent, *one, whole, far]
 
 
 def _found(T, q):

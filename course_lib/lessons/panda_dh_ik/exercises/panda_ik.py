@@ -82,8 +82,10 @@ _REACH = np.hypot(0.316, 0.0825) + np.hypot(0.384, 0.0825)
 _ELBOW = -np.arctan2(0.0825, 0.316) - np.arctan2(0.0825, 0.384)
 _STRETCHED = np.array([0.3, 0.5, 0, _ELBOW, 0, 2.0, 0.4])
 _WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
-# Elbow and wrist are bent so that the flange is as far from the shoulder as can be, but for 0.1 mm.
-_FARTHEST = np.array([0.3, 0.6, 0, -0.487, 0, 2.665, 0.5])
+_AT_TWO_LIMITS = np.where(np.arange(7) == 3, LOW, np.where(np.arange(7) == 5, HIGH, READY))
+# Elbow and wrist are bent so that the flange is as far from the shoulder as can be.
+_FARTHEST = np.array([0.3, 0.6, 0, -0.46700242, 0, 2.66495059, 0.5])
+_NEARLY_FARTHEST = _FARTHEST - [0, 0, 0, 0.02, 0, 0, 0]
 _BACK_TO_FRONT = READY - [0, 0, 0, 0, 0, 0, np.pi]  # the flange is rotated by half a revolution
 _ABOUT_LOW_DOWN = _LOW_DOWN + 0.02 * np.array([-1, 1, -1, 1, -1, -1, -1])
 
@@ -134,7 +136,8 @@ def _cases(rng):
         *((q, q) for q in (_BEYOND, _OUTSIDE)),
         (READY, _ABOUT_READY),
         (_LOW_DOWN, _ABOUT_LOW_DOWN),
-        (_FARTHEST, _FARTHEST),
+        (_NEARLY_FARTHEST, _NEARLY_FARTHEST),
+        (_AT_TWO_LIMITS, _AT_TWO_LIMITS),
         (READY, _BACK_TO_FRONT),
         *((np.clip(q - 0.2, LOW, HIGH), q) for q in _AT_A_LIMIT),
         *((READY, q) for q in _HARD),
@@ -143,8 +146,8 @@ def _cases(rng):
     poses += [shifted, rotated]
     cases = [_moved(rng, flange(q), q0, q) for q0, q in reached]
     out_of_reach = [
-        _moved(rng, _just_out_of_reach(gap), q0, q0)
-        for gap, q0 in ((3e-4, READY), (4e-5, _STRETCHED))
+        _moved(rng, _just_out_of_reach(), READY, READY),
+        _moved(rng, _just_beyond_the_farthest(), _FARTHEST, _FARTHEST),
     ]
     cases = [
         *cases[:4],
@@ -163,11 +166,19 @@ def solved(T, q0):
     return found.q if found.success else np.full(7, np.nan)
 
 
-def _just_out_of_reach(gap):
+def _just_out_of_reach():
     """Return a pose of the flange at which the wrist is farther from the shoulder than the
-    stretched arm reaches, by a gap in metres."""
+    stretched arm reaches, by 0.3 mm."""
     T, shoulder, wrist = flange(_STRETCHED), *frames(_STRETCHED)[[0, 5], :3, 3]
-    T[:3, 3] += gap * (wrist - shoulder) / _REACH
+    T[:3, 3] += 3e-4 * (wrist - shoulder) / _REACH
+    return T
+
+
+def _just_beyond_the_farthest():
+    """Return a pose 0.05 mm farther from the shoulder than the flange gets in any direction."""
+    T = flange(_FARTHEST)
+    away = T[:3, 3] - frames(_FARTHEST)[0, :3, 3]
+    T[:3, 3] += 5e-5 * away / np.linalg.norm(away)
     return T
 
 

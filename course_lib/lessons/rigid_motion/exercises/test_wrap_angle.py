@@ -36,6 +36,12 @@ def _bounded_by_314159(angle):
     return np.clip(wrap_angle(angle), -3.14159, 3.14159)
 
 
+def _other_sign_next_to_half(angle):
+    """Return an answer with the other sign within 0.01 of half a revolution."""
+    wrapped = wrap_angle(angle)
+    return -wrapped if abs(wrapped) > np.pi - 0.01 else wrapped
+
+
 def _zero_at_half(angle):
     """Return 0 at half a revolution, where no strict comparison holds."""
     half = np.pi - abs(wrap_angle(angle)) < EXACT * max(1, abs(angle))
@@ -118,7 +124,9 @@ EXERCISE = WriteTest(
         _wrong("that takes angles below 0.3 for 0", lambda a: wrap_angle(a) if abs(a) > 0.3 else 0),
         _wrong("with 3.15 for the largest angle", _bounded_by_315),
         _wrong("with 3.14159 for the largest angle", _bounded_by_314159),
-        _wrong("that takes 20 and -20 for 0", lambda a: wrap_angle(a) if abs(a) < 19.995 else 0),
+        _wrong("that takes 20 for 0", lambda a: wrap_angle(a) if a < 20 else 0),
+        _wrong("that takes -20 for 0", lambda a: wrap_angle(a) if a > -20 else 0),
+        _wrong("with the other sign next to odd multiples of pi", _other_sign_next_to_half),
         _wrong("that is wrong only at odd multiples of pi", _zero_at_half),
     ),
     shapes=((),),

@@ -180,6 +180,17 @@ def _special(rng):
     return X.reshape(shape), kind, TIGHT
 
 
+def _determinant_alone(kind):
+    """Sweep over errors of a size, with a tolerance that only the determinant exceeds."""
+
+    def case(rng, error):
+        R = (1 + error) * np.eye(3)
+        X = pose(R, rng.uniform(-1, 1, 3)) if kind == "pose" else R
+        return X, kind, 2.5 * error
+
+    return Sweep("an error of the determinant alone", case, _ERRORS)
+
+
 def _cases(rng):
     drawn = {"rotation": _rotations(rng), "pose": _poses(rng), "quaternion": _quaternions(rng)}
     # Off by exactly tol: all these numbers have few binary digits.
@@ -250,7 +261,10 @@ EXERCISE = Exercise(
     returns=boolean,
     library=is_valid,
     special=_special,
-    sweeps=tuple(_with_tolerance(kind, share) for kind in _SHAPES for share in (0, 0.4, 4)),
+    sweeps=(
+        *(_with_tolerance(kind, share) for kind in _SHAPES for share in (0, 0.4, 4)),
+        *map(_determinant_alone, ("rotation", "pose")),
+    ),
     properties=(
         Property(
             "for an array of another shape the answer is False",

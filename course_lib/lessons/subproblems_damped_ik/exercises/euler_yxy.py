@@ -97,6 +97,20 @@ def _beside(middle):
     return Sweep(f"b2 near {middle:.4g}", case, ON_BOTH_SIDES)
 
 
+# So near to an end, b1 and b3 are not to be read from what rounding leaves of a product.
+_ROUNDED_GAPS = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) < _AT_AN_END)
+
+
+def _beside_and_rounded(middle):
+    """The same with entries that differ in their last bits, as those of a product do."""
+
+    def case(rng, gap):
+        (R,) = _beside(middle).case(rng, gap)
+        return (R + _ULP * rng.integers(-1, 2, (3, 3)),)
+
+    return Sweep(f"b2 near {middle:.4g}, with rounded entries", case, _ROUNDED_GAPS)
+
+
 def _small(rng, size):
     """A rotation with small angles b1 and b3, so that entries of it are small."""
     return (_yxy(size, some_angle(rng, 1), -0.6 * size),)
@@ -138,6 +152,8 @@ EXERCISE = Exercise(
         _beside(0.0),
         _beside(np.pi),
         _beside(np.pi / 2),
+        _beside_and_rounded(0.0),
+        _beside_and_rounded(np.pi),
         Sweep("small b1 and b3", _small, SMALL_NUMBERS),
     ),
     properties=(

@@ -6,8 +6,9 @@ from course_lib.arms import planar_arm
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import QUARTER, joint_angles
 from course_lib.checks.mistake import Mistake
+from course_lib.checks.special_cases import SMALL, Sweep
 from course_lib.checks.tolerances import SOLVED
-from course_lib.checks.vocabulary import remembered
+from course_lib.checks.vocabulary import away_from_zero, remembered
 
 _ARM = planar_arm([1, 1, 1, 1])
 
@@ -43,6 +44,11 @@ def _cases(rng):
     return [*((np.array(q),) for q in simple), (np.full(4, 9e-9),)]
 
 
+def _nearly_at_a_joint(rng, gap):
+    """An arm whose tip is nearly at joint 3: its last two links lie on each other."""
+    return (np.array([*away_from_zero(rng, 3), rng.choice([-1, 1]) * np.pi + gap]),)
+
+
 def _of_links(directions, moved_by=_AFTER):
     """Return the Jacobian of links that point along directions(q), where joint j moves the links
     with moved_by[j]."""
@@ -65,6 +71,7 @@ EXERCISE = declared(
     cases=_cases,
     tolerance=SOLVED,
     library=jacobian,
+    sweeps=(Sweep("the tip is nearly at a joint", _nearly_at_a_joint, SMALL),),
     says="column j is the velocity of the tip when joint j alone moves, at 1 rad/s",
     hints=(
         "Link i points along a_i = q1 + ... + qi: a = np.cumsum(q). Its end moves at (-sin a_i, "

@@ -44,7 +44,7 @@ def right_whole_revolutions_with_assertions(wrap_angle):
 def wrong_compares_exactly(wrap_angle):
     """your test rejects right versions"""
     # For these angles most right versions are right to the last digit.
-    for angle in (0.0, 0.2, 0.5, 3.145, np.pi, 4.0, 7.0, -4.0, 18.0, 100.0):
+    for angle in (0.0, 0.2, 0.5, 3.145, np.pi, 4.0, 7.0, -4.0, 18.0, 100.0, -100.0):
         revolutions = (angle - wrap_angle(angle)) / (2 * np.pi)
         if abs(wrap_angle(angle)) > np.pi or revolutions != round(revolutions):
             return False
