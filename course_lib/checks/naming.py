@@ -568,8 +568,10 @@ class Naming:
         transform = mistake.answers[0]
         # Where the answer is nearly right, so is whatever explains it.
         clearly_wrong = [i for i in wrong if not self.looks_right(i)]
-        if not clearly_wrong or any(self._is_right(transform, i) for i in clearly_wrong):
-            # a list of solutions in reverse order, for example: this is not what is wrong
+        n_right = sum(self._is_right(transform, i) for i in clearly_wrong)
+        if 2 * n_right >= len(clearly_wrong):
+            # A list of solutions in reverse order, for example: this is not what is wrong. But 0
+            # degrees are 0 rad.
             return False
         explained = {
             str(value): np.size(value)

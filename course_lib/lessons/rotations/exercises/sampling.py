@@ -80,8 +80,8 @@ DRAWS = (
         across=True,
         otherwise=Question(
             "the generator that is passed in does not advance",
-            "A generator is meant to change: from where do the numbers of the next call come, if "
-            "it has not?",
+            "A generator is meant to change with each draw. From where do the numbers of your "
+            "function come, and has the generator that is passed in changed afterwards?",
         ),
     ),
     Property(
