@@ -171,7 +171,7 @@ def test_answers_that_lose_small_numbers_are_told_so():
 
 def test_answers_that_lose_revolutions_are_told_so():
     def with_rounded_revolutions(p, a):
-        return ROTATE_POINT.library(p, np.fmod(a, 6.283185))
+        return ROTATE_POINT.library(p, np.fmod(a, 6.283186))
 
     verdict = judged(ROTATE_POINT, LocalFunction(with_rounded_revolutions))
     assert verdict.mistake is FIRST_DIGITS_BEYOND_A_REVOLUTION

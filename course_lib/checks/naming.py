@@ -227,7 +227,8 @@ class Naming:
             if _is_array(argument) and argument.shape == right.shape:
                 # The answer may be a step from this argument: the step must be there, too.
                 changes = np.abs(right - argument)
-                near &= (gaps <= _MOST_OF_A_STEP * changes) | (changes == 0)
+                stays = changes <= _TO_ROUNDING * size
+                near &= stays | (gaps <= _MOST_OF_A_STEP * changes)
         return bool(near.all()) and self.distance(position) > 0
 
     def _begins_with_an_earlier_answer(self, position):
