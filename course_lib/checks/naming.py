@@ -220,9 +220,9 @@ class Naming:
             return False
         size = self._size(position)
         gaps, sizes = np.abs(value - right), np.abs(right)
-        # What is rounding in the right answer, as the cosine of pi/2, may be other rounding.
+        # The cosine of pi/2 is 6e-17, and 1e-6 with a short number for pi.
         is_zero = sizes <= _TO_ROUNDING * size
-        near = np.where(is_zero, gaps <= EXACT * size, gaps <= share * sizes)
+        near = np.where(is_zero, gaps <= _FEW_DIGITS * size, gaps <= share * sizes)
         for argument in self.cases[position]:
             if _is_array(argument) and argument.shape == right.shape:
                 # The answer may be a step from this argument: the step must be there, too.
