@@ -139,8 +139,8 @@ EXERCISE = Exercise(
             lambda a, b: off(a, b, HALF_THE_DIGITS),
             "A_i1 q1 + A_i2 q2 + b_i is the least-squares fit",
             "a model is not that of its own samples",
-            "Which samples does your fit of this row use, what does it fit by what, and what does "
-            "your code do with the coefficients afterwards?",
+            "Which samples does your fit of this row use, which numbers are fitted by which, and "
+            "what does your code do with the coefficients afterwards?",
             _tell_fit,
         ),
     ),

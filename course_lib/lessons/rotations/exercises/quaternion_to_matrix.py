@@ -7,7 +7,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.kinds import QUATERNION
 from course_lib.checks.mistake import Mistake
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import rotation
+from course_lib.checks.vocabulary import first_off, rotation
 from course_lib.rotations import exp_so3, hat, quaternion_to_matrix
 
 _HALF = np.sqrt(0.5)
@@ -15,7 +15,9 @@ _HALF = np.sqrt(0.5)
 
 def _found(R, q):
     w, v = (1 if q[0] >= 0 else -1) * q[0], q[1:]
-    return f"q rotates by {2 * np.arctan2(np.linalg.norm(v), w):.4g} rad about (x, y, z)."
+    angle = 2 * np.arctan2(np.linalg.norm(v), w)
+    column = first_off(R, quaternion_to_matrix(q))
+    return f"q rotates by {angle:.4g} rad about (x, y, z). " + column
 
 
 def _combination(two, three):
