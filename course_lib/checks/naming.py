@@ -38,7 +38,7 @@ _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 _MOST_OF_A_STEP = 0.3  # of which more is right than is lost
 _FEW_DIGITS = 1e-4  # relative: so near another idea does not come by chance
-_TO_ROUNDING = 1e-12
+_TO_ROUNDING = 2e-15  # relative: what a number that should be 0 may be
 _MAX_WRONG = 5  # answers that are looked at for this
 
 
