@@ -96,8 +96,16 @@ def changing(*index, to):
 @pytest.mark.parametrize(
     ("argument", "function", "change"),
     [
-        (np.array([1.0, 2.0]), changing(1, to=5.0), "x[1] was 2 before the call and is 5 after it"),
-        (np.eye(2), changing((0, 1), to=0.5), "x[0, 1] was 0 before the call and is 0.5 after it"),
+        (
+            np.array([1.0, 2.0]),
+            changing(1, to=5.0),
+            "x[1] was 2.0 before the call and is 5.0 after it",
+        ),
+        (
+            np.eye(2),
+            changing((0, 1), to=0.5),
+            "x[0, 1] was 0.0 before the call and is 0.5 after it",
+        ),
         (np.array([-1e-300]), changing(0, to=0.0), "x[0] was -1e-300 before the call and is 0"),
         (
             np.array([-0.0]),

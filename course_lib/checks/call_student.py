@@ -219,6 +219,14 @@ def _as_it_was(before, argument):
     return True  # numbers, texts and stand-ins cannot change
 
 
+def _written(number):
+    """Return a number in six digits, a float with a point or an exponent, or its repr."""
+    if not isinstance(number, float):
+        return repr(number)
+    text = f"{number:.6g}"
+    return text + ".0" if text.lstrip("-").isdigit() else text
+
+
 def _first_change(before, after, place=""):
     """Return in words which entry of an argument was changed in place, from what to what.
 
@@ -243,8 +251,8 @@ def _first_change(before, after, place=""):
             # repr shows eight digits of an array, and not all entries of a long one.
             if repr(old) != repr(new) or not _as_it_was(old, new):
                 return _first_change(old, new, f"{place}[{k}]")
-    old, new = (f"{x:.6g}" if isinstance(x, float) else repr(x) for x in (before, after))
-    if old == new or {old, new} == {"-0", "0"}:  # in what these do not show
+    old, new = map(_written, (before, after))
+    if old == new or {old, new} == {"-0.0", "0.0"}:  # in what these do not show
         old, new = repr(before), repr(after)
     if old == new:  # another type of numbers, for example
         return ""

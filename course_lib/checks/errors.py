@@ -31,7 +31,8 @@ _NUMBER_FOR_ARRAY = Mistake(
 _WHOLE_NUMBERS = Mistake(
     "an array of whole numbers is changed in place, by +=, -=, *= or /=, and the result has "
     "decimals",
-    "x = x + ... makes a new array, which holds decimals, and leaves the caller's array unchanged.",
+    "An array of whole numbers stays one, also in a part like x[1:]. Which of your names is an "
+    "array that may hold decimals, and is it yours or the caller's?",
 )
 _READ_ONLY = Mistake(
     "an array that was made outside the function is changed in place, by +=, @= or T[...] =",

@@ -289,7 +289,7 @@ def no_rotation(R):
     """Return in words why R is no rotation."""
     if orthogonality_error(R) < EXACT:
         return f"The determinant of your R is {np.linalg.det(R):.4g}."
-    return f"The largest entry of R^T R - I is {orthogonality_error(R):.2g}."
+    return f"An entry of R^T R differs by {orthogonality_error(R):.2g} from that of I."
 
 
 def rotation(

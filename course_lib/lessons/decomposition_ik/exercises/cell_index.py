@@ -173,8 +173,8 @@ def _found(index, xy, low, high, n):
             f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of the "
             f"box. {yours}"
         )
-    widths = format_tuple(np.round(_parts(xy, low, high, n)[k], 6))
-    return f"The position {format_tuple(xy[k])} is {widths} widths of a cell from low. {yours}"
+    widths = ", ".join(f"{part:.9g}" for part in _parts(xy, low, high, n)[k])
+    return f"The position {format_tuple(xy[k])} is ({widths}) widths of a cell from low. {yours}"
 
 
 _NOT_ITS_OWN = Question(

@@ -72,7 +72,7 @@ def _symbolic(a, alpha, d, theta):
 _COLUMN = Question(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
     "Multiply the four matrices on paper, and compare the column named above with yours, entry by "
-    "entry.",
+    "entry. Does each argument enter them as it came, also an angle of more than a revolution?",
 )
 _ROUNDED = Question(
     "the numbers in the matrix are rounded, or replaced by simple fractions",

@@ -129,8 +129,9 @@ _FASTER = Mistake(
 )
 _OTHERS_ARE_BETTER = Mistake(
     "other velocities within the bounds are better",
-    "Change one joint velocity of your answer by 0.01, up and down, within the bounds. For which "
-    "joint does the sum in the task become smaller?",
+    "Change a joint velocity of your answer a little, or several together, within the bounds. For "
+    "which change does the sum in the task become smaller? How does your code know that it may "
+    "stop?",
 )
 
 

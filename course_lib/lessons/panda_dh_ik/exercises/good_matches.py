@@ -208,8 +208,8 @@ EXERCISE = Exercise(
             "the good matches are the largest set within tol of one triple's pose",
             lambda good, *case: (good == right(*case)).all(),
             says=lambda good, *case: (
-                f"The number of matches in the largest set is {int(right(*case).sum())}, and in "
-                f"yours {int(good.sum())}."
+                f"The largest set has the matches {np.flatnonzero(right(*case)).tolist()}, counted "
+                f"from 0, and yours has {np.flatnonzero(good).tolist()}."
             ),
             otherwise=lambda good, *case: (
                 _TOO_MANY if good.sum() > right(*case).sum() else _NOT_LARGEST

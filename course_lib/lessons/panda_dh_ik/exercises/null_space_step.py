@@ -83,7 +83,7 @@ def _found(answer, q, J, *rest):
     if moved > EXACT:
         return f"J times the change in your answer has an entry of {moved:.3g}, and not 0."
     closer = changed(answer, _right(q, J, *rest), q)
-    return "J times the change in your answer is 0, and another change is closer. " + closer
+    return "J times the change in your answer is nearly 0, and the change is another one. " + closer
 
 
 _MOVES = Question(

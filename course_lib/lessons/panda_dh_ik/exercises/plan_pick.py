@@ -266,8 +266,8 @@ EXERCISE = Exercise(
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
             otherwise=Question(
                 "the plan is slower than necessary",
-                "By which factor may all times shrink until a speed or an acceleration reaches its "
-                "bound?",
+                "How long does each of the two legs take, and by which factor may its times shrink "
+                "until a speed or an acceleration of this leg reaches its bound?",
             ),
         ),
         Property(
@@ -304,7 +304,9 @@ EXERCISE.mistake(form=_other_form)
     "the arm comes too near to something on the path to the grasp",
     "Print the rows around the one that is named below. Do they belong to this plan, and to which "
     "leg? The arm moves between two rows, too: how far apart are they?",
-    seen=lambda x, *case: _begins(x, *case) and _ends(x, *case) and not _arrives(x, *case, _CLEAR),
+    seen=lambda x, *case: (
+        _begins(x, *case) and _ends(x, *case) and _inside(x) and not _arrives(x, *case, _CLEAR)
+    ),
 )
 def straight_to_the_grasp(q0, T_grasp):
     return timed(q0 + _EASED * (legs(q0, T_grasp)[1][-1] - q0))

@@ -40,7 +40,7 @@ _TINY = Question(
 _OTHER_ROTATION = Question(
     "phi does not take R to R_target",
     "Compute exp([phi]) R for your phi, and compare it with R_target. By which angle do the two "
-    "differ for small and for large rotations?",
+    "differ here, and for which rotations does your code use another formula?",
 )
 
 
@@ -139,7 +139,7 @@ def _off(e, *case):
     wanted = pose_error(*case)
     if not near(e[:3], wanted[:3]):
         return "p_target - p is " + compared(wanted[:3], e[:3]) + "."
-    between = f"The rotation between them is {length(wanted[3:]):.4g} rad, and phi is "
+    between = f"The rotation between them is {length(wanted[3:]):.7g} rad, and phi is "
     return between + compared(wanted[3:], e[3:]) + "."
 
 

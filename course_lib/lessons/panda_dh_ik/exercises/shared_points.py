@@ -192,7 +192,7 @@ IS_A_POSE = (
         "the block R of T has columns of length one at right angles: R^T R = I",
         lambda T, *case: orthogonality_error(T[:3, :3]) < EXACT,
         says=lambda T, *case: (
-            f"The largest entry of R^T R - I is {orthogonality_error(T[:3, :3]):.2g}."
+            f"An entry of R^T R differs by {orthogonality_error(T[:3, :3]):.2g} from that of I."
         ),
         otherwise=Question(
             "the block is not a rotation",

@@ -165,7 +165,10 @@ def _why(t, q, limits, row):
         return f"the first bad row is row {row}, {early:.2g} s before row {row - 1}"
     joint = int(np.argmax((q[row] < limits[:, 0]) | (q[row] > limits[:, 1])))
     beyond = max(limits[joint, 0] - q[row, joint], q[row, joint] - limits[joint, 1])
-    return f"the first bad row is row {row}; joint {joint + 1} is {beyond:.2g} rad beyond a limit"
+    return (
+        f"the first bad row is row {row}: q[{row}, {joint}] is {q[row, joint]:.8g}, "
+        f"{beyond:.2g} rad beyond a limit"
+    )
 
 
 def _found(row, *case):

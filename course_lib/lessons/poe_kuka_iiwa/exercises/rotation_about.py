@@ -88,7 +88,8 @@ def _otherwise(T, omega, point, theta):
         differs = f"The angle by which your R rotates differs from theta by {off:.2g} rad."
     return Question(
         "R rotates about omega, but its angle is not theta",
-        f"{differs} What does your code do with theta before it takes the sine and the cosine?",
+        f"{differs} Follow theta through your code, its sign and its revolutions: where do they "
+        "count, and which line is the first after which the angle is another one?",
     )
 
 

@@ -44,9 +44,10 @@ def _leads_out(k, row):
 
 def _outside(rows):
     i, j = np.argwhere((rows < _ARM.limits[:, 0]) | (rows > _ARM.limits[:, 1]))[0]
+    limit = _ARM.limits[j, int(rows[i, j] > 0)]
     return (
-        f"In row {i} joint {j + 1} is at {rows[i, j]:.4g} rad; its limit is "
-        f"{_ARM.limits[j, 1]:.4f}."
+        f"In row {i}, counted from 0, joint {j + 1} is at {rows[i, j]:.8g} rad; its limit there is "
+        f"{limit:.8g} rad."
     )
 
 

@@ -147,7 +147,8 @@ def lost_sign(*answers):
 
 _LONGER_ARC = Mistake(
     "the body takes the longer arc",
-    "Between which bounds should the difference of two directions lie?",
+    "By which angle should the body rotate in all, and by which does it in yours? Which line of "
+    "your code decides between the two directions of rotation?",
 )
 
 

@@ -89,7 +89,8 @@ _CHANGED = Mistake(
 )
 _LEFT = Mistake(
     "revolutions are left in the angle",
-    "An angle may hold many revolutions, of either sign. How many are left in your answer?",
+    "An angle may hold many revolutions, of either sign. How many are left in your answer, and are "
+    "as many left if this angle is asked alone?",
 )
 
 

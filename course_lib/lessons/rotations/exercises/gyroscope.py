@@ -85,7 +85,7 @@ def _with_R_bi(next_one):
 def _found(R, *case):
     right = _right(*case)
     k = int(np.argmax([not near(*pair) for pair in zip(R, right, strict=True)]))
-    return f"The orientations differ from number {k} on. " + first_off(R[k], right[k])
+    return f"R[{k}] is the first orientation that differs. " + first_off(R[k], right[k])
 
 
 def _otherwise(R, *case):
@@ -117,7 +117,8 @@ EXERCISE = declared(
             "every orientation is a rotation",
             lambda R, *case: max(map(orthogonality_error, R)) < EXACT,
             says=lambda R, *case: (
-                f"The largest entry of R^T R - I is {max(map(orthogonality_error, R)):.2g}."
+                "An entry of R^T R differs from that of I by "
+                f"{max(map(orthogonality_error, R)):.2g}."
             ),
         ),
         Property(
@@ -143,8 +144,9 @@ EXERCISE = declared(
     ),
     mistakes=(
         Mistake(
-            "R_0, or the last orientation, is missing",
-            "Is R_0 the first orientation, and does one more follow for each sample?",
+            "there is one orientation too few",
+            "Is R_0 the first orientation, and does one more follow for each sample, whatever the "
+            "sample is?",
             form=lambda array, R_0, log, *rest: array.shape == (len(log), 3, 3),
         ),
         Mistake(

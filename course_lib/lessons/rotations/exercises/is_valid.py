@@ -218,7 +218,7 @@ def _errors(ok, X, kind, tol):
         return f"|q| - 1 is {np.linalg.norm(X) - 1:.8g}, tol is {tol:g}."
     R = X[:-1, :-1] if kind == "pose" else X
     seen = (
-        f"The largest entry of R^T R - I is {orthogonality_error(R):.8g}, det R - 1 is "
+        f"An entry of R^T R differs by {orthogonality_error(R):.8g} from that of I, det R - 1 is "
         f"{np.linalg.det(R) - 1:.8g}, "
     )
     if kind == "pose":

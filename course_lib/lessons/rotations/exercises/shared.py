@@ -4,7 +4,7 @@ import numpy as np
 
 from course_lib.checks.kinds import whole_numbers
 from course_lib.checks.mistake import Question
-from course_lib.checks.vocabulary import any_rotation, compared
+from course_lib.checks.vocabulary import any_rotation, compared, first_off
 from course_lib.rotations import nearest_so, random_rotations
 
 # The block of the 4x4 matrix that the source report corrects: its determinant is negative.
@@ -106,14 +106,17 @@ def ones(M):
 
 NOT_NEAREST = Question(
     "the answer is a rotation, and another one is nearer",
-    "What are U V^T and its determinant here? If it is 1, U V^T is nearest. Else one sign changes "
-    "between U and V^T: where is M weakest?",
+    "What are U V^T and its determinant here, and does your code compute them for this matrix? If "
+    "the determinant is 1, U V^T is nearest. Else one sign changes between U and V^T: where is the "
+    "matrix weakest?",
 )
 
 
 def distances(R, M):
     """Return the Finding of the distances of R and of the nearest rotation to M."""
     of_yours, of_nearest = np.linalg.norm(M - R), np.linalg.norm(M - nearest_so(M))
+    if of_yours - of_nearest < 1e-6 * of_nearest:  # far from all rotations, the distances agree
+        return first_off(R, nearest_so(M))
     return (
         "The distance from M to the nearest rotation, in the Frobenius norm, is "
         + compared(of_nearest, of_yours)

@@ -193,10 +193,10 @@ EXERCISE = declared(
     ),
     otherwise=Question(
         "digits are lost, or all of them, where two rotations are nearly equal",
-        "Which formula does your code use for these two, and how many digits of it are right? "
-        "arccos is inaccurate near 1 and -1 and not defined beyond them, a sine that is nearly 0 "
-        "is a bad divisor, and a simpler formula is good enough only where the arc is nearly "
-        "straight.",
+        "Which formula does your code use for these two, with which signs of q0 and q1, and how "
+        "many digits of it are right? arccos is inaccurate near 1 and -1 and not defined beyond "
+        "them, a sine that is nearly 0 is a bad divisor, and a simpler formula is good enough only "
+        "where the arc is nearly straight.",
     ),
     hints=(
         "Draw the arc on the unit sphere. How long is it, and which of q1 and -q1 is nearer to q0?",
