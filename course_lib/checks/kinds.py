@@ -12,7 +12,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from course_lib.checks.special_cases import BESIDE, ON_BOTH_SIDES, SMALL, Sweep
-from course_lib.checks.vocabulary import any_pose, any_rotation, away_from_zero, pose, unit
+from course_lib.checks.vocabulary import (
+    any_pose,
+    any_rotation,
+    away_from_zero,
+    pose,
+    two_link_tip,
+    unit,
+)
 from course_lib.checks.wire import Seed
 from course_lib.rigid import transform
 from course_lib.rotations import exp_so3, hat, random_quaternions, rot_x, rot_y, rot_z
@@ -152,6 +159,15 @@ def eighths(rng, shape=()):
     return QUARTER / 2 * rng.integers(-16, 17, shape)
 
 
+def tip_on_the_grid(rng):
+    """Return a position (2,) for an arm with two links of one metre: at the edge of its reach, one
+    that angles of some eighths of a revolution lead to, or whole numbers."""
+    direction = rng.uniform(-np.pi, np.pi)
+    at_the_edge = 2 * np.array([np.cos(direction), np.sin(direction)])
+    tips = at_the_edge, two_link_tip(eighths(rng, 2)), whole_numbers(rng, 2)
+    return tips[rng.integers(len(tips))]
+
+
 def _turns_of_a_cube():
     """Return the 24 rotations whose matrices hold 0, 1 and -1 only."""
     signed = [
@@ -162,7 +178,7 @@ def _turns_of_a_cube():
     return [R + 0.0 for R in signed if np.linalg.det(R) > 0]
 
 
-_TURNS_OF_A_CUBE = _turns_of_a_cube()
+TURNS_OF_A_CUBE = _turns_of_a_cube()
 
 
 def coarse_axis(rng):
@@ -176,7 +192,7 @@ def coarse_axis(rng):
 def coarse_rotation(rng):
     """Return a rotation of a cube onto itself, or now and then one by an eighth of a revolution
     more."""
-    R = _TURNS_OF_A_CUBE[rng.integers(len(_TURNS_OF_A_CUBE))]
+    R = TURNS_OF_A_CUBE[rng.integers(len(TURNS_OF_A_CUBE))]
     if rng.random() < _ON_THE_GRID:
         return R
     return R @ (rot_x, rot_y, rot_z)[rng.integers(3)](QUARTER / 2)

@@ -6,7 +6,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import ORDINALS, format_tuple
-from course_lib.checks.kinds import eighths, whole_numbers
+from course_lib.checks.kinds import tip_on_the_grid
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL, Sweep
 from course_lib.checks.tolerances import EXACT, PREDICTED, SIX_DIGITS
@@ -58,13 +58,8 @@ def _cases(rng):
 
 
 def _special(rng):
-    """A position at the edge, or one that angles of some eighths of a revolution, or whole numbers,
-    lead to."""
-    xy = (
-        2 * _direction(rng.uniform(-3, 3)),
-        two_link_tip(eighths(rng, 2)),
-        whole_numbers(rng, 2),
-    )[rng.integers(3)]
+    """A position on a coarse grid, or at the edge; None if it is nearly at the base."""
+    xy = tip_on_the_grid(rng)
     return None if 0 < np.linalg.norm(xy) < _FOLDED else (xy,)
 
 

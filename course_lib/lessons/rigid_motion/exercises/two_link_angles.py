@@ -8,7 +8,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import ORDINALS
-from course_lib.checks.kinds import eighths, whole_numbers
+from course_lib.checks.kinds import tip_on_the_grid
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS
@@ -75,15 +75,8 @@ def _straight(tip):
 
 
 def _special(rng):
-    """A tip at the edge of the reach, or one that angles of some eighths of a revolution, or whole
-    numbers, lead to."""
-    direction = rng.uniform(-np.pi, np.pi)
-    tips = [
-        2 * np.array([np.cos(direction), np.sin(direction)]),
-        two_link_tip(eighths(rng, 2)),
-        whole_numbers(rng, 2),
-    ]
-    tip = tips[rng.integers(3)]
+    """A tip on a coarse grid, or at the edge; None if it is out of reach or nearly at the base."""
+    tip = tip_on_the_grid(rng)
     return (tip,) if _NEARLY_FOLDED[0] < np.hypot(*tip) < 2 + EXACT else None
 
 

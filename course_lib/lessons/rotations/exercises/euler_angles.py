@@ -9,7 +9,7 @@ from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import ROTATION
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep, rounded
 from course_lib.checks.tolerances import SIX_DIGITS
 from course_lib.checks.vocabulary import any_rotation, first_off, same_angles
 from course_lib.rotations import rot_x, rot_y, rot_z
@@ -73,8 +73,7 @@ _ROUNDED = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) < 1e-7)
 
 def _nearly_locked_and_rounded(rng, gap):
     """The same with entries that differ in their last bits, as those of a product do."""
-    (R,) = _nearly_locked(rng, gap)
-    return (R + 2.0**-53 * rng.integers(-1, 2, (3, 3)),)
+    return rounded(_nearly_locked(rng, gap), rng)
 
 
 def _cosine(R):

@@ -10,8 +10,9 @@ import numpy as np
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise, Property
 from course_lib.checks.format_numbers import format_array
+from course_lib.checks.kinds import TURNS_OF_A_CUBE
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep
+from course_lib.checks.special_cases import ON_BOTH_SIDES, SMALL_NUMBERS, Sweep, rounded
 from course_lib.checks.tolerances import EXACT, HALF_THE_DIGITS, SIX_DIGITS
 from course_lib.checks.vocabulary import distance_of_lists, first_off, remembered, same_list
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import counted, different
@@ -44,17 +45,6 @@ _SECOND = Question(
 )
 
 
-def _whole():
-    """Return the 24 rotations by quarters of a revolution, in whole numbers: any angle of them, or
-    its sine or cosine, may be 0."""
-    signed = (
-        np.diag(signs) @ np.eye(3)[list(order)] + 0.0
-        for order in itertools.permutations(range(3))
-        for signs in itertools.product((1.0, -1.0), repeat=3)
-    )
-    return [R for R in signed if np.linalg.det(R) > 0]
-
-
 def _yxy(b1, b2, b3):
     return rot_y(b1) @ rot_x(b2) @ rot_y(b3)
 
@@ -75,7 +65,7 @@ def _cases(rng):
         rot_y(a) @ _HALF - np.diag([0, 2 * _ULP, 0]),
     ]
     close = [_yxy(a, 1e-3, b), _yxy(b, np.pi - 1e-3, a)]
-    return [(R,) for R in named + quadrants + ends + close + _whole()]
+    return [(R,) for R in named + quadrants + ends + close + TURNS_OF_A_CUBE]
 
 
 def _sine(R):
@@ -104,11 +94,12 @@ _ROUNDED_GAPS = tuple(gap for gap in ON_BOTH_SIDES if abs(gap) < _AT_AN_END)
 def _beside_and_rounded(middle):
     """The same with entries that differ in their last bits, as those of a product do."""
 
-    def case(rng, gap):
-        (R,) = _beside(middle).case(rng, gap)
-        return (R + _ULP * rng.integers(-1, 2, (3, 3)),)
-
-    return Sweep(f"b2 near {middle:.4g}, with rounded entries", case, _ROUNDED_GAPS)
+    exact = _beside(middle)
+    return Sweep(
+        f"{exact.what}, with rounded entries",
+        lambda rng, gap: rounded(exact.case(rng, gap), rng),
+        _ROUNDED_GAPS,
+    )
 
 
 def _small(rng, size):
