@@ -17,7 +17,14 @@ class NoNumber(ValueError):
 
 
 class Overwritten(ValueError):
-    """An answer of SymPy's that a later call of the function has changed."""
+    """A later call of the function has changed the matrix that an earlier one returned.
+
+    value: what that was.
+    """
+
+    def __init__(self, value):
+        super().__init__("a later call has changed this answer")
+        self.value = value
 
 
 def directly(function, names, arguments):
@@ -87,7 +94,7 @@ def with_symbols(function, names, arguments):
         if not _agree(first, other):
             return other
     if any(answer != as_it_came for answer, as_it_came in answers):
-        raise Overwritten("a later call has changed this answer")
+        raise Overwritten(first)
     return first
 
 

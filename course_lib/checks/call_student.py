@@ -19,7 +19,7 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from course_lib.checks.adapters import ADAPTERS
+from course_lib.checks.adapters import ADAPTERS, Overwritten
 from course_lib.checks.clock import cpu_clock
 from course_lib.checks.replace_functions import functions_replaced, namespace_of, written_function
 from course_lib.checks.wire import Candidate, NotPlain, Seed, from_json, read, to_json, write
@@ -163,6 +163,8 @@ def _answer(function, case, arguments, through, names):
         return answer, value
     except NotPlain as kind:
         return _error("NotPlain", str(kind)), None
+    except Overwritten as earlier:
+        return {"value": to_json(earlier.value), "changed": [], "overwritten": True}, None
     # Also GeneratorExit, and exceptions that students derive from BaseException.
     except BaseException as raised:
         error = _error(

@@ -482,7 +482,7 @@ OTHER_FORMS = (
     (
         "an axis of length 1 is lost",
         "An axis is a dimension of the array here: if there is one item only, the answer still has "
-        "a row for it. Which line, or which branch for such an input, drops the dimension?",
+        "a place for it. Which line, or which branch for such an input, drops the dimension?",
         np.squeeze,
     ),
     (

@@ -72,7 +72,7 @@ class Property:
     def failing(self, cases, values):
         """Return the positions of the cases in which the property does not hold."""
         if self.across:
-            first = self.holds(values, cases)
+            first = attempt(self.holds, values, cases)  # they may be the first few only
             return [] if first is None else [first]
         asked = [i for i, case in enumerate(cases) if self.where is None or self.where(*case)]
         return [i for i in asked if not attempt(self.holds, values[i], *cases[i])]

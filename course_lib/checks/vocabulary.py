@@ -353,16 +353,18 @@ def part_is(text, right, part, otherwise=None, what="The {} column"):
     )
 
 
+# So much less than another column, a column is not what is wrong.
+_HARDLY = 1e-6
+
+
 def first_off(answer, expected, what="The {} column"):
-    """Return the Finding which column is the first that is off; for rows, give both transposed.
+    """Return the Finding which column is the first that is clearly off; for rows, give both
+    transposed.
 
     what: the column, with {} for "first" and {number} for 1.
     """
-    i = int(
-        np.argmax(
-            [not near(yours, right) for yours, right in zip(answer.T, expected.T, strict=True)]
-        )
-    )
+    gaps = np.nan_to_num(np.abs(answer - expected), nan=np.inf).max(0)
+    i = int(np.argmax(gaps > _HARDLY * gaps.max()))
     column = what.format(ORDINALS[i], number=i + 1)
     return f"{column} should be " + compared(expected[:, i], answer[:, i]) + "."
 

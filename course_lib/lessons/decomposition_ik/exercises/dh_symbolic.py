@@ -4,7 +4,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
-from course_lib.checks.examine import SHARED_RESULT
 from course_lib.checks.kinds import ANGLE, LENGTH
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
@@ -112,7 +111,6 @@ EXERCISE = declared(
         "numbers.",
     ),
     mistakes=(
-        Mistake(SHARED_RESULT.name, SHARED_RESULT.hint, raises=("Overwritten", "")),
         Mistake(*_NUMPY_USED, raises=("TypeError", "Cannot convert expression to float")),
         Mistake(*_NUMPY_USED, raises=("TypeError", "which has no callable")),
         Mistake(*_NUMPY_USED, raises=("AttributeError", "'Dummy' object has no attribute")),

@@ -91,7 +91,11 @@ def _found(model, terms, q):
     right = _right(terms, q)[j]
     rows = f"Row {j} should be " + compared(right, model[j])
     at_samples = f"{_off(model, terms, q)[j]:.2g} at one of the samples."
-    return rows + ". Times the terms and q2, the two rows differ by " + at_samples
+    return (
+        rows
+        + ". Times the terms and q2, this row of yours and the right one differ by "
+        + at_samples
+    )
 
 
 _OTHER_ROW_0 = Question(

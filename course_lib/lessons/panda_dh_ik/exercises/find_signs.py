@@ -324,7 +324,7 @@ EXERCISE = declared(
     ),
     mistakes=(
         Mistake(
-            "only positions are compared",
+            "a part of each pose is not compared",
             "Which joint may rotate the end-effector without changing its position?",
             _judged(lambda gaps: gaps[..., 0].max(1)),
         ),

@@ -135,9 +135,9 @@ EXERCISE = declared(
         Mistake(*_NO_PRODUCT, raises=("ValueError", "core dimension")),
         Mistake(*_NO_PRODUCT, raises=("ValueError", "not aligned")),
         Mistake(
-            "the identity matrix, or another array, does not have the size of the matrix to which "
-            "it is added",
-            "J may have any shape (m, n). Which shapes do J J^T and J^T J have?",
+            "two arrays are added, or multiplied entry by entry, whose shapes do not fit",
+            "J may have any shape (m, n). Print the shapes of the two arrays in this line: which "
+            "shape does each have for this J?",
             raises=("ValueError", "broadcast"),
         ),
         Mistake(

@@ -254,7 +254,7 @@ EXERCISE = declared(
             form=lambda array, *case: array.size > 1,
         ),
         Mistake(
-            "row 0 is not tested",
+            "row 0 is not tested for everything",
             "Row 0 has no time before it. What else can be bad in row 0?",
             lambda *case: _first(_bad(*case) & (np.arange(len(case[0])) > 0)),
         ),

@@ -99,7 +99,7 @@ EXERCISE = declared(
         "these torques do not hold the load",
         "How large is the weight of the load, in which direction does it pull, and where is its "
         "center of mass at these angles, all seen from the base? Which matrix takes a wrench to "
-        "joint torques?",
+        "joint torques, and what becomes of the torques before they are returned?",
     ),
     sweeps=(
         Sweep("an angle is nearly 0", _nearly_zero, shared.SMALL_ANGLES.values),

@@ -271,7 +271,7 @@ def same_rows(angles):
 
 
 def _ends(plan, dt):
-    ends = [f"{end:.4g}" for end in np.cumsum(steps(plan, dt)[1])]
+    ends = [f"{end:.8g}" for end in np.cumsum(steps(plan, dt)[1])]
     return ", ".join(ends if len(ends) < 8 else [*ends[:3], "...", *ends[-2:]])
 
 

@@ -37,8 +37,8 @@ _AT_THE_END = Mistake(
 
 _FIRST = Question(
     "the first triple does not rebuild R",
-    "Build an R from three angles that you know: which of b1, b2 and b3 is the first that your "
-    "function does not find again, and which line finds it?",
+    "Build an R from three angles that you know, such as those of the R below: which is the first "
+    "that your function does not find again, and which line finds it?",
 )
 _SECOND = Question(
     "the second triple is wrong, the first is right", "What do b1 and b3 become if b2 becomes -b2?"
