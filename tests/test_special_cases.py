@@ -181,6 +181,11 @@ def test_the_last_row_of_a_pose_is_never_rounded():
     assert np.array_equal(changed[3], T[3])
 
 
+def test_where_a_number_is_missing_the_others_stay():
+    (changed,) = rounded((np.array([np.nan, np.inf, 1.0]),), np.random.default_rng(0))
+    assert np.allclose(changed, [np.nan, np.inf, 1.0], rtol=0, atol=EXACT, equal_nan=True)
+
+
 # An answer that knows a special case by a sign that other inputs show as well.
 def by_a_sum(p):
     return np.zeros(3) if p.sum() == 0 else 2 * p

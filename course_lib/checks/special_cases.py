@@ -176,7 +176,8 @@ def rounded(case, rng, bits=1):
     def off(argument):
         if not _is_floats(argument) and not isinstance(argument, float):
             return argument
-        size = _LAST_BIT * np.abs(argument).max()
+        finite = np.abs(argument)[np.isfinite(argument)]
+        size = _LAST_BIT * finite.max(initial=0)
         noise = size * rng.integers(-bits, bits + 1, np.shape(argument))
         if np.ndim(argument) == 2 and _is_pose(argument):
             noise[-1] = 0
