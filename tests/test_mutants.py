@@ -82,7 +82,8 @@ def parts(exercise):
         return
     alone = tuple(wanted for wanted in exercise.properties if not wanted.across)
     cases, _ = exercise.questions(PUBLIC_SEED)
-    single = replace(exercise, properties=alone, broken=None, sweeps=(), angles=(), small=())
+    nothing_more = {"sweeps": (), "angles": (), "small": (), "free": (), "special": None}
+    single = replace(exercise, properties=alone, broken=None, **nothing_more)
     for case in cases:
         yield replace(single, cases=lambda rng, case=case: [case])
     if exercise.broken or alone != exercise.properties:
