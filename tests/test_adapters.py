@@ -109,6 +109,18 @@ def by_the_type_of_the_last(a, b):
     return math.sin(a) if isinstance(b, float) else sp.sin(a)
 
 
+@pytest.mark.parametrize(
+    ("function", "right"),
+    [
+        (by_a_template, lambda a, b: a + 2 * b),
+        (by_the_type_of_the_last, lambda a, b: math.sin(a)),
+    ],
+)
+def test_other_symbols_and_symbols_beside_numbers_are_passed_too(function, right):
+    answer = put(function, a=0.5, b=0.25)
+    assert answer.get("value") != wire.to_json(right(0.5, 0.25))
+
+
 KEPT = sp.zeros(1, 1)
 
 
@@ -118,16 +130,12 @@ def in_one_matrix(a, b):
 
 
 @pytest.mark.parametrize(
-    ("function", "right"),
-    [
-        (by_a_template, lambda a, b: a + 2 * b),
-        (by_the_type_of_the_last, lambda a, b: math.sin(a)),
-        (in_one_matrix, lambda a, b: a + b),
-    ],
+    ("function", "is_kept"), [(in_one_matrix, True), (lambda a, b: sp.Matrix([[a + b]]), False)]
 )
-def test_other_symbols_and_symbols_beside_numbers_are_passed_too(function, right):
+def test_a_matrix_that_a_later_call_changes_is_called_overwritten(function, is_kept):
     answer = put(function, a=0.5, b=0.25)
-    assert answer.get("value") != wire.to_json(right(0.5, 0.25))
+    assert wire.from_json(answer["value"]) == 0.75
+    assert answer.get("overwritten", False) is is_kept
 
 
 @pytest.mark.parametrize(

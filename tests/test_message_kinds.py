@@ -279,6 +279,15 @@ def test_a_shape_that_grows_from_call_to_call_is_called_kept():
     assert review(READ_UR5E, LocalFunction(grows)).mistake is KEPT_FOR_THE_NEXT_CALL
 
 
+def test_a_sampler_that_answers_one_call_in_another_shape_is_told_the_shape():
+    def none_of_one(n, rng):
+        return RANDOM_ROTATIONS.library(n, rng)[: n if n > 1 else 0]
+
+    verdict = judged(RANDOM_ROTATIONS, LocalFunction(none_of_one))
+    assert verdict.state == WRONG
+    assert "(1, 3, 3)" in str(verdict.reason)
+
+
 def test_a_list_that_lacks_solutions_is_shown_one():
     def without_the_last(center):
         return ARM_ANGLES.library(center)[:-1]

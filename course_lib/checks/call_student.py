@@ -48,9 +48,10 @@ def reply(
         The student's; None if there is none.
     questions : str
         JSON text of {"cases": [arguments, ...], "in_place": [positions of cases whose numbers are
-        put into the arrays of the case before], "forbidden": [dotted names], "seconds": CPU time
-        for all cases, "through": a key of ADAPTERS, "names": [names of the arguments], "exercise":
-        its name}, written by wire.write. Without "in_place", all arrays are new.
+        put into the arrays of the case before, and that go on with its generators], "forbidden":
+        [dotted names], "seconds": CPU time for all cases, "through": a key of ADAPTERS, "names":
+        [names of the arguments], "exercise": its name}, written by wire.write. Without "in_place",
+        all arrays and generators are new.
     consult : callable, optional
         Asks the process that judges for a candidate's answer: takes and returns JSON text. Needed
         only for exercises in which the student writes a test, and with `instead`.

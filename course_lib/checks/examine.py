@@ -90,10 +90,10 @@ def _verdict_on_form(exercise, position, cases, answers, other_kind):
 def _mistake_of_earlier_form(position, cases, answers):
     """Return the Mistake of an answer whose form is another one than that of an earlier answer to
     the same arguments, or that is the answer to an earlier call; else None."""
-    value = answers[position]["value"]
+    value, call = answers[position]["value"], write(list(cases[position]))
     for case, answer in zip(cases[:position], answers[:position], strict=True):
         earlier = answer["value"]
-        is_same_call = write(list(case)) == write(list(cases[position]))
+        is_same_call = write(list(case)) == call
         if is_same_call and attempt(np.shape, earlier) != attempt(np.shape, value):
             return KEPT_FOR_THE_NEXT_CALL
         is_repeated = not is_same_call and attempt(_is_repeated, value, earlier)

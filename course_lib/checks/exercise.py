@@ -28,7 +28,8 @@ class Property:
         What should hold, as a sentence that can follow "What should hold:".
     holds : callable
         holds(value, *arguments): whether it does. With across=True, holds(values, cases) looks at
-        all answers together and returns the position of the first wrong one, or None.
+        all answers together and returns the position of the first wrong one, or None. They are the
+        first few if a later one cannot be read.
     says : callable, optional
         says(value, *arguments): a sentence, or a Finding, on what was found instead.
     where : callable, optional
@@ -40,8 +41,8 @@ class Property:
     points : int
         Partial credit: the points earned if this property holds and another does not.
     compares : bool
-        Whether it compares the whole answer with the library's, so that an answer in which only
-        later digits are off is told so, and is asked nothing else.
+        Whether it compares the whole answer with the library's. Of an answer in which only later
+        digits are off the message then says this, and asks nothing else.
 
     Examples
     --------
@@ -72,7 +73,7 @@ class Property:
     def failing(self, cases, values):
         """Return the positions of the cases in which the property does not hold."""
         if self.across:
-            first = attempt(self.holds, values, cases)  # they may be the first few only
+            first = self.holds(values, cases)
             return [] if first is None else [first]
         asked = [i for i, case in enumerate(cases) if self.where is None or self.where(*case)]
         return [i for i in asked if not attempt(self.holds, values[i], *cases[i])]

@@ -51,8 +51,8 @@ class Kind:
         gap) of the second one beside this, and the gaps.
     coarse : callable, optional
         coarse(rng): a value on a coarse grid, of whole numbers from -2 to 2 or of quarters of a
-        revolution. There coincidences are usual: a sum or a sine that is 0, two equal entries,
-        opposite directions, sides that an answer takes for a special case of its own.
+        revolution. There coincidences are usual: a sum or a sine that is 0, two equal entries, or
+        opposite directions, by which an answer may know a special case.
     angle : bool
         Whether it may exceed one revolution.
     small : bool

@@ -296,7 +296,8 @@ def _with_all_free_arguments_whole(cases, names, free):
         if alike:
             changed[k] = max(alike, key=lambda array: _variety((array,)))
         numbers = [round(case[k]) for case in cases if _is_whole_number(case[k])]
-        changed[k] = max(numbers, key=abs) if numbers else changed[k]
+        if numbers:
+            changed[k] = max(numbers, key=abs)
     return [tuple(changed)] if sum(map(_has_integers, changed)) > 1 else []
 
 

@@ -163,8 +163,7 @@ def _tell_fit(index, models, xy, q, cell, count):
     return (
         f"Cluster {k} in cell {c} has {count_of_samples}. The row for q{j + 1} there is "
         + compared(least_squares, models[c, k, j])
-        + f". The sum of the squares of the residuals of your row is {yours - least:.3g} larger "
-        f"than the least one, {least:.3g}."
+        + f". The squares of your residuals add up to {yours - least:.3g} more."
     )
 
 

@@ -97,7 +97,7 @@ EXERCISE = Exercise(
             otherwise=Question(
                 "a configuration is not singular",
                 "Print the singular values of the Jacobian of each. The last of them must be 0, "
-                "and the one before it must not: which joints change them?",
+                "and the last but one must not: which joints change them?",
             ),
         ),
         Property(

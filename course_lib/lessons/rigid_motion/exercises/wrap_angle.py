@@ -57,9 +57,9 @@ ANGLE = Kind(
 def _distance(value, right, angle):
     """Return how far an answer is from the right direction, and from the bounds -pi and pi, of
     which both are right at half a revolution; relative to the angle, as rounding is."""
-    turned = np.abs(wrap_angle(value - angle))
+    missed = np.abs(wrap_angle(value - angle))
     beyond = np.abs(value) - np.pi
-    return np.max(np.maximum(turned, beyond) / np.maximum(1, np.abs(angle)))
+    return np.max(np.maximum(missed, beyond) / np.maximum(1, np.abs(angle)))
 
 
 def _found(value, angle):
@@ -78,8 +78,8 @@ def _found(value, angle):
     rest = (revolutions - np.round(revolutions)) * REVOLUTION
     number = int(np.round(revolutions))
     word = "revolution" if abs(number) == 1 else "revolutions"
-    turned = f"{number} {word} and " if number else ""
-    text = f"Yours differs by {turned}{rest:.4g} rad from the angle."
+    whole = f"{number} {word} and " if number else ""
+    text = f"Yours differs by {whole}{rest:.4g} rad from the angle."
     return Finding(text, abs(values[k] - angles[k]))
 
 

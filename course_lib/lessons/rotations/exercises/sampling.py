@@ -37,18 +37,27 @@ def of_many(seen):
     return lambda value, n, rng: n == MANY and bool(seen(value))
 
 
-def _has_a_common_draw(values, cases):
-    """Return the position of the other seed if one of its draws, or its negative, is that of the
-    first seed."""
-    pairs = zip(values[0], values[2], strict=True)
-    common = [np.allclose(a, b) or np.allclose(a, -b) for a, b in pairs]
-    return 2 if any(common) else None
+def _pair(first, second, is_wrong):
+    """Return the holds(values, cases) of two answers, by their positions, that must not be wrong
+    together; it holds if the second is not there."""
+
+    def position(values, cases):
+        is_there = second < len(values)
+        return second if is_there and is_wrong(values[first], values[second]) else None
+
+    return position
+
+
+def _have_a_common_draw(some, others):
+    """Return whether a draw, or its negative, is among the others in the same place."""
+    pairs = zip(some, others, strict=True)
+    return any(np.allclose(a, b) or np.allclose(a, -b) for a, b in pairs)
 
 
 DRAWS = (
     Property(
         "the same seed draws the same again",
-        lambda values, cases: None if np.array_equal(values[0], values[1]) else 1,
+        _pair(0, 1, lambda once, again: not np.array_equal(once, again)),
         across=True,
         otherwise=Question(
             "the numbers do not come from rng",
@@ -58,7 +67,7 @@ DRAWS = (
     ),
     Property(
         "another seed draws something else",
-        lambda values, cases: 2 if np.allclose(values[0], values[2]) else None,
+        _pair(0, 2, np.allclose),
         across=True,
         otherwise=Question(
             "a generator is made inside the function",
@@ -67,7 +76,7 @@ DRAWS = (
     ),
     Property(
         "with another seed each of the n draws is another one",
-        _has_a_common_draw,
+        _pair(0, 2, _have_a_common_draw),
         across=True,
         otherwise=Question(
             "a draw is the same for every seed",
@@ -76,7 +85,7 @@ DRAWS = (
     ),
     Property(
         "called again with the same generator, it draws others",
-        lambda values, cases: 3 if np.allclose(values[2], values[3]) else None,
+        _pair(2, 3, np.allclose),
         across=True,
         otherwise=Question(
             "the generator that is passed in does not advance",

@@ -5,7 +5,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import OTHER_FORM, Unreadable, rows
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import coarse_axis, whole_numbers
+from course_lib.checks.kinds import coarse_axis, eighths, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT, SIX_DIGITS
@@ -18,6 +18,7 @@ TOUCHING = SIX_DIGITS
 # Metres, down to 1e-5: a product of two lengths that is below 1e-12 may be taken for 0.
 SHORT = SMALL_NUMBERS[:4]
 _LONG = 400.0
+_ANOTHER = 0.3  # of the problems on a coarse grid, whose number is not made by an angle
 _UNITS = (1.0, 1.0, 1.0, 100.0, 1e-3, 1e-5)  # of length, in metres
 # How near to the axis a point comes, as a share of its distance from the origin: just inside round
 # numbers, below which somebody may take it for a point on the axis.
@@ -97,11 +98,27 @@ def on_the_grid(rng):
     return k, *(unit_of_length * points), unit_of_length
 
 
-def is_clear(d, low, high):
-    """Return whether a number d is neither near the lowest nor near the highest that can be
-    reached, where rounding decides how many solutions there are."""
-    gap = 1e-4 * (high - low)
-    return abs(d - low) > gap and abs(d - high) > gap
+def asking_on_the_grid(rng, measure, ends, multiples):
+    """Return vectors in whole numbers of a unit of length, and the number d that is reached after
+    some eighths of a revolution, or another one; None now and then.
+
+    It is none near the ends of what can be reached, where rounding decides how many solutions there
+    are.
+
+    measure(k, a, b, angle), ends(k, a, b): what the angle reaches, and the two ends.
+    multiples(unit_of_length): the other numbers, one of which is drawn.
+    """
+    drawn = on_the_grid(rng)
+    if drawn is None:
+        return None
+    *vectors, unit_of_length = drawn
+    d = float(measure(*vectors, eighths(rng)))
+    if rng.random() < _ANOTHER:
+        d = float(rng.choice(multiples(unit_of_length)))
+    first, last = ends(*vectors)
+    gap = 1e-4 * abs(last - first)
+    is_clear = abs(d - first) > gap and abs(d - last) > gap
+    return (*vectors, d) if is_clear else None
 
 
 def angle_about(k, p, g):

@@ -8,7 +8,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.kinds import eighths
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -25,7 +24,7 @@ from course_lib.subproblems import subproblem3, subproblem4
 
 def _asking(k, p, g, aside=0.8):
     """The problem with the distance at which p is rotated `aside` beyond the direction of g."""
-    return k, p, g, float(np.linalg.norm(rotated(k, angle_about(k, p, g) + aside, p) - g))
+    return k, p, g, float(_distance_after(k, p, g, angle_about(k, p, g) + aside))
 
 
 def _reachable(rng, aside, middle, size, axis=None):
@@ -72,17 +71,14 @@ def _whole_points(rng):
     return [(k, p, g, drawn), *((z, up, down, d) for d in (5, 5.0, 4.5))]
 
 
+def _distance_after(k, p, g, angle):
+    return np.linalg.norm(rotated(k, angle, p) - g)
+
+
 def _special(rng):
-    """Points in whole numbers of a unit of length, and the distance after some eighths of a
-    revolution, or one in whole numbers."""
-    drawn = shared.on_the_grid(rng)
-    if drawn is None:
-        return None
-    k, p, g, unit_of_length = drawn
-    d = float(np.linalg.norm(rotated(k, eighths(rng), p) - g))
-    if rng.random() < 0.3:
-        d = unit_of_length * float(rng.integers(0, 5))
-    return (k, p, g, d) if shared.is_clear(d**2, *np.square(_reach(k, p, g)[::-1])) else None
+    return shared.asking_on_the_grid(
+        rng, _distance_after, _reach, lambda unit_of_length: unit_of_length * np.arange(5)
+    )
 
 
 # Without their signs, in metres: all of them clearly above 1e-8, to which somebody may compare

@@ -5,7 +5,6 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.kinds import eighths
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
 from course_lib.checks.tolerances import EXACT
@@ -23,7 +22,7 @@ from course_lib.subproblems import subproblem4
 
 def _asking(k, h, p, aside=0.8):
     """The problem with the height at which p is rotated `aside` beyond the direction of h."""
-    return k, h, p, float(h @ rotated(k, angle_about(k, p, h) + aside, p))
+    return k, h, p, float(_height_after(k, h, p, angle_about(k, p, h) + aside))
 
 
 def _reachable(rng, aside, middle, size, axis=None):
@@ -62,17 +61,14 @@ def _whole_points(rng):
     return [(k, h, p, float(h @ rotated(k, rng.uniform(0.5, 2.5), p)))]
 
 
+def _height_after(k, h, p, angle):
+    return h @ rotated(k, angle, p)
+
+
 def _special(rng):
-    """Vectors in whole numbers of a unit of length, and the height after some eighths of a
-    revolution, or one in whole numbers."""
-    drawn = shared.on_the_grid(rng)
-    if drawn is None:
-        return None
-    k, h, p, unit_of_length = drawn
-    d = float(h @ rotated(k, eighths(rng), p))
-    if rng.random() < 0.3:
-        d = unit_of_length**2 * float(rng.integers(-4, 5))
-    return (k, h, p, d) if shared.is_clear(d, *_range(k, h, p)) else None
+    return shared.asking_on_the_grid(
+        rng, _height_after, _range, lambda unit_of_length: unit_of_length**2 * np.arange(-4, 5)
+    )
 
 
 def _small(rng, size):
