@@ -18,6 +18,7 @@ import nbformat
 import numpy as np
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
+from playwright.sync_api import TimeoutError as NoRequest
 from playwright.sync_api import expect
 from site_visits import CONTRAST, be_patient
 
@@ -180,13 +181,25 @@ def all_have_run(page, path, number):
     return saved(page, path)
 
 
+def is_save(request):
+    return request.method == "PUT" and "/contents/" in request.url
+
+
+def save_once(page):
+    """Ask for a save until one begins, and wait for its end: JupyterLab passes over the command
+    without a word while another save of its own, or the checkpoint after it, is under way."""
+    for _ in range(20):
+        with suppress(NoRequest):
+            with page.expect_request(is_save, timeout=5000) as begun:
+                choose(page, "File", "Save Notebook")
+            return begun.value.response()
+    raise AssertionError("JupyterLab began no save.")
+
+
 def saved(page, path):
     """Save the notebook and return its code cells."""
-    for _ in range(2):  # what is answered first may be JupyterLab's own save, of what it had before
-        with page.expect_response(
-            lambda answer: answer.request.method == "PUT" and "/contents/" in answer.url
-        ):
-            choose(page, "File", "Save Notebook")
+    for _ in range(2):  # the first may be JupyterLab's own save, of what it had before
+        save_once(page)
     return code_cells(path)
 
 
