@@ -24,6 +24,7 @@ from course_lib.checks.special_cases import (
     OneChanged,
     Sweep,
     made_cases,
+    nearly,
     rounded,
     special_at_once,
 )
@@ -160,10 +161,14 @@ def special(rng):
     return rng.integers(-2, 3, 3).astype(float), exp_so3([0.0, 0, np.pi])
 
 
+def admits_all(*arguments):
+    return True
+
+
 def test_special_arguments_are_asked_together_and_rounded():
     rng = np.random.default_rng(0)
-    exact = special_at_once(special, rng, is_exact=True)
-    both = special_at_once(special, rng, is_exact=False)
+    exact = special_at_once(special, admits_all, rng, is_exact=True)
+    both = special_at_once(special, admits_all, rng, is_exact=False)
     assert len(both) > len(exact)
     assert any((case[0] == 0).any() for case in exact)  # coincidences are usual
     assert any(0 < abs(entry) < EXACT for case in both for entry in case[0])
@@ -171,7 +176,43 @@ def test_special_arguments_are_asked_together_and_rounded():
 
 
 def test_where_there_is_no_special_case_none_is_asked():
-    assert special_at_once(lambda rng: None, np.random.default_rng(0), is_exact=False) == []
+    rng = np.random.default_rng(0)
+    assert special_at_once(lambda rng: None, admits_all, rng, is_exact=False) == []
+    assert special_at_once(special, lambda *arguments: False, rng, is_exact=False) == []
+
+
+def test_some_special_arguments_are_integers():
+    cases = special_at_once(special, admits_all, np.random.default_rng(0), is_exact=True)
+    kinds = {case[0].dtype.kind for case in cases}
+    assert kinds == {"f", "i"}
+
+
+def screw_axis(rng):
+    w = np.eye(3)[rng.integers(3)]
+    return np.append(w, -np.cross(w, rng.integers(-2, 3, 3)))
+
+
+def nearly_special(rng):
+    table = rng.integers(-2, 3, (rng.integers(2, 5), 3)).astype(float)
+    table[0] = 0
+    poses = np.array([pose(exp_so3([0, 0, np.pi]), rng.integers(-2, 3, 3)) for _ in range(2)])
+    screws = np.array([screw_axis(rng) for _ in range(3)])
+    return table, poses, screws, np.eye(3)[rng.integers(3)], float(rng.integers(5))
+
+
+def test_nearly_special_arguments_stay_what_they_are():
+    rng = np.random.default_rng(0)
+    before = [nearly_special(rng) for _ in range(20)]
+    after = nearly(before, rng)
+    for k in range(len(before[0])):
+        gaps = [np.abs(new[k] - old[k]).max() for old, new in zip(before, after, strict=True)]
+        assert 0 < max(gaps) < 0.1
+    for table, poses, screws, axis, _ in after:
+        assert not table[0].any(), "what is the same in all cases stays"
+        assert all(is_se(T) for T in poses)
+        assert np.allclose(np.linalg.norm(screws[:, :3], axis=1), 1, rtol=0, atol=1e-12)
+        assert np.allclose((screws[:, :3] * screws[:, 3:]).sum(1), 0, rtol=0, atol=1e-12)
+        assert np.isclose(np.linalg.norm(axis), 1, rtol=0, atol=1e-12)
 
 
 def test_the_last_row_of_a_pose_is_never_rounded():
@@ -195,17 +236,24 @@ def by_an_exact_zero(p):
     return 2 * p if (p == 0).any() or (p != np.rint(p)).all() else p
 
 
+def by_nearly_equal_numbers(p):
+    """Return 2 p, with the first two numbers taken for equal when they nearly are."""
+    return 2 * (p[[0, 0, 2]] if np.isclose(p[0], p[1], rtol=1e-4) else p)
+
+
 TWICE = replace(
     DOUBLE,
     arguments=("p",),
     cases=lambda rng: [(rng.uniform(0.5, 1, 3),) for _ in range(9)],
     returns=numbers(lambda p: (3,)),
-    properties=(Property("the answer is 2 p", lambda value, p: np.allclose(value, 2 * p)),),
+    properties=(
+        Property("the answer is 2 p", lambda value, p: np.allclose(value, 2 * p, rtol=1e-9)),
+    ),
     special=lambda rng: (rng.integers(-2, 3, 3).astype(float),),
 )
 
 
-@pytest.mark.parametrize("answer", [by_a_sum, by_an_exact_zero])
+@pytest.mark.parametrize("answer", [by_a_sum, by_an_exact_zero, by_nearly_equal_numbers])
 def test_an_answer_that_knows_a_special_case_by_the_wrong_sign_is_refused(answer):
     assert judge(TWICE, LocalFunction(answer)).state == WRONG
     assert judge(replace(TWICE, special=None), LocalFunction(answer)).state == RIGHT
@@ -217,7 +265,8 @@ SPECIAL = [each for each in ALL if each.special and each.library]
 @pytest.mark.parametrize("exercise", SPECIAL, ids=[each.name for each in SPECIAL])
 def test_special_cases_are_those_of_the_task(exercise):
     """The library's answer, right for what the task admits, is right for them."""
-    cases = special_at_once(exercise.special, np.random.default_rng(1), exercise.is_exact)
+    rng = np.random.default_rng(1)
+    cases = special_at_once(exercise.special, exercise.admits, rng, exercise.is_exact)
     answers = [{"value": exercise.library(*case), "changed": [], "warning": ""} for case in cases]
     assert exercise.verdict(cases, answers).state == RIGHT
 

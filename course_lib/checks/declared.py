@@ -49,7 +49,6 @@ def declared(
     reads=None,
     sweeps=(),
     special=OF_THE_KINDS,
-    admits=None,
     **more,
 ):
     """Return an Exercise.
@@ -95,8 +94,6 @@ def declared(
     special : callable, optional
         As of an Exercise. Without it, all arguments are special values of their kinds, unless the
         exercise makes its cases itself; None if there are no such cases.
-    admits : callable, optional
-        admits(*arguments): whether the task admits these special arguments together.
     **more
         As of an Exercise.
 
@@ -113,12 +110,8 @@ def declared(
         own = cases(rng) if callable(cases) else list(cases)
         return own if makes_own_cases else [*own, *cases_of(kinds, rng)]
 
-    def special_of_kinds(rng):
-        case = special_case(kinds, rng)
-        return case if admits is None or admits(*case) else None
-
     if special is OF_THE_KINDS:
-        special = None if makes_own_cases else special_of_kinds
+        special = None if makes_own_cases else functools.partial(special_case, kinds)
 
     @_remembered
     def right_answer(*case):

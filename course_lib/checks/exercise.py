@@ -79,6 +79,10 @@ class Property:
         return [i for i in asked if not attempt(self.holds, values[i], *cases[i])]
 
 
+def _all(*arguments):
+    return True
+
+
 @dataclass(frozen=True, eq=False)
 class Exercise:
     """One task of a notebook.
@@ -135,7 +139,9 @@ class Exercise:
         alone is changed.
     special : callable, optional
         special(rng): a case whose arguments are all special at once, on a coarse grid for example;
-        None where there is no such case. The engine asks many of them.
+        None where there is no such case. The engine asks many of them, and others beside them.
+    admits : callable
+        admits(*arguments): whether the task admits these special arguments together.
     is_exact : bool
         Whether the last bits of the arguments decide which answer is right.
     tries_arguments : bool
@@ -179,6 +185,7 @@ class Exercise:
     small: tuple[str, ...] = ()
     free: tuple[str, ...] = ()
     special: Callable | None = None
+    admits: Callable = _all
     is_exact: bool = False
     tries_arguments: bool = True
     sets: int = PUBLIC_SETS
@@ -219,7 +226,8 @@ def _drawn_cases(exercise, seed):
         small, free = exercise.small, exercise.free
         cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small, free)
         if exercise.special is not None:
-            cases += special_at_once(exercise.special, rng, exercise.is_exact)
+            special, admits = exercise.special, exercise.admits
+            cases += special_at_once(special, admits, rng, exercise.is_exact)
     return tuple(map(_unchangeable, cases))
 
 

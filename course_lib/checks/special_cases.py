@@ -5,6 +5,7 @@ pi - 1e-9 and wrong between the two, or right for floats and wrong for whole num
 names its special values (`Sweep`) and its angles; the rest the engine does for every exercise.
 """
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,13 +14,17 @@ import numpy as np
 from course_lib.checks.comparisons import attempt
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import write
+from course_lib.rigid import adjoint
 from course_lib.rotations import exp_so3, is_so
 
 _MAX_WHOLE = 4  # cases repeated with whole numbers in their arrays
 _MAX_ZEROS = 2  # cases repeated with -0.0 in place of 0.0
 _ROUNDING = 1e-12  # 6e-17, the cosine of pi/2, is taken for 0
 _MAX_WHOLE_NUMBER = 1e6
-_SPECIAL, _ROUNDED = 40, 20  # cases of special arguments, and how many of them come rounded, too
+# Cases of special arguments, and how many of them come rounded, too, and as integers.
+_SPECIAL, _ROUNDED, _INTEGERS = 40, 20, 10
+# By so much numbers are off that are nearly special: a tolerance of np.isclose, or a wider one.
+_OFF_BY = (3e-3, 3e-4, 3e-5, 3e-6, 3e-7)
 _LAST_BIT = 2.0**-53  # of numbers near 1
 
 # From 0.3 down to the rounding of numbers near 1, four to a power of ten. Whoever changes formulas
@@ -144,17 +149,21 @@ def made_cases(cases, names, sweeps, angles, rng, small=(), free=()):
     return [*map(MadeCase, made), *of_small_numbers, *in_place]
 
 
-def special_at_once(special, rng, is_exact):
-    """Return cases whose arguments are all special at once, and some of them as they come out of a
-    computation, changed in the last bits.
+def special_at_once(special, admits, rng, is_exact):
+    """Return cases whose arguments are all special at once; some of them as they come out of a
+    computation, changed in the last bits; some changed by a little more; and some with integers
+    in place of whole numbers.
 
     An answer that knows a special case by the wrong sign, such as a sum that is 0, is wrong where
-    the sign is there by coincidence; one that compares with ==, where rounding takes it away.
+    the sign is there by coincidence; one that compares with ==, where rounding takes it away; and
+    one that compares with a tolerance, where numbers are nearly equal, or nearly 0, and count.
 
     Parameters
     ----------
     special : callable
         special(rng): the arguments of one case; None where there is no such case.
+    admits : callable
+        admits(*arguments): whether the task admits these arguments together.
     rng : numpy.random.Generator
     is_exact : bool
         Whether the last bits decide which answer is right, so that they may not change.
@@ -164,9 +173,66 @@ def special_at_once(special, rng, is_exact):
     list of tuple
     """
     drawn = [special(rng) for _ in range(_SPECIAL)]
-    cases = [case for case in drawn if case is not None]
-    again = [] if is_exact else [rounded(case, rng) for case in cases[:_ROUNDED]]
+    cases = [case for case in drawn if case is not None and admits(*case)]
+    again = [with_some_integers(case, rng) for case in cases[:_INTEGERS]]
+    if not is_exact:
+        again += [rounded(case, rng) for case in cases[:_ROUNDED]]
+        again += [case for case in nearly(cases, rng) if admits(*case)]
     return [MadeCase(case) for case in (*cases, *again)]
+
+
+def with_some_integers(case, rng):
+    """Return the case with integers for the whole numbers of some of its arguments."""
+
+    def changed(argument):
+        if rng.random() < 0.5:
+            return argument
+        if _is_whole(argument):
+            return np.rint(argument).astype(int)
+        return round(argument) if _is_whole_number(argument) else argument
+
+    return tuple(map(changed, case))
+
+
+def nearly(cases, rng):
+    """Return the cases with numbers that are off by a little, relative to the largest.
+
+    What is a rotation, a pose, a unit vector or a screw in all cases stays one, and a number that
+    is the same in all of them is not changed.
+    """
+    if not cases:
+        return []
+    movers = [_mover([case[k] for case in cases]) for k in range(len(cases[0]))]
+    sizes = itertools.cycle(_OFF_BY)
+    return [
+        tuple(
+            argument if move is None else _in_the_form_of(argument, move(rng, argument, size))
+            for move, argument in zip(movers, case, strict=True)
+        )
+        for case, size in zip(cases, sizes, strict=False)
+    ]
+
+
+def _mover(arguments):
+    """Return the function that moves an argument by a little; None if these do not move."""
+    if not all(_is_floats(argument) or isinstance(argument, float) for argument in arguments):
+        return None
+    arrays = list(map(np.asarray, arguments))
+    for is_of_kind, move in _MOVED:
+        if all(map(is_of_kind, arrays)):
+            return move
+    if len({array.ndim for array in arrays}) > 1:
+        return _moved_numbers
+    # Of arrays with another number of rows those are compared that all of them have.
+    common = tuple(slice(n) for n in np.min([array.shape for array in arrays], axis=0).astype(int))
+    fixed = np.all([array[common] == arrays[0][common] for array in arrays], axis=0)
+
+    def move(rng, argument, size):
+        moved = _moved_numbers(rng, argument, size)
+        moved[common] = np.where(fixed, np.asarray(argument)[common], moved[common])
+        return moved
+
+    return move
 
 
 def rounded(case, rng, bits=1):
@@ -453,6 +519,52 @@ def _unit_vector(rng, v, size, way):
     return made / np.linalg.norm(made)
 
 
+def _moved_numbers(rng, argument, size):
+    array = np.asarray(argument)
+    largest = np.abs(array).max(initial=0)
+    return np.array(array + size * largest * rng.choice([-1, 0, 1], array.shape))
+
+
+def _moved_rotation(rng, R, size):
+    return R @ _rotation(rng, R, size, None)
+
+
+def _moved_pose(rng, T, size):
+    return T @ _pose(rng, T, size, None)
+
+
+def _moved_poses(rng, poses, size):
+    return np.array([_moved_pose(rng, T, size) for T in poses])
+
+
+def _moved_unit_vector(rng, v, size):
+    moved = v + _drawn(rng, len(v), size)
+    return moved / np.linalg.norm(moved)
+
+
+def _moved_screws(rng, screws, size):
+    return np.array([adjoint(_pose(rng, np.eye(4), size, None)) @ S for S in screws])
+
+
+def _are_poses(array):
+    return array.ndim == 3 and all(map(_is_pose, array))
+
+
+def _are_screws(array):
+    """Return whether the rows are screw axes (omega, v) of joints."""
+    if array.ndim != 2 or array.shape[1] != 6:
+        return False
+    lengths = np.linalg.norm(array[:, :3], axis=1)
+    return bool(np.all((lengths == 0) | (np.abs(lengths - 1) < EXACT)))
+
+
+_MOVED = (
+    (_is_rotation, _moved_rotation),
+    (_is_pose, _moved_pose),
+    (_are_poses, _moved_poses),
+    (_is_unit_vector, _moved_unit_vector),
+    (_are_screws, _moved_screws),
+)
 _KINDS = (
     (_is_rotation, _rotation),
     (_is_pose, _pose),

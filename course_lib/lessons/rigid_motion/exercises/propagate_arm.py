@@ -6,7 +6,12 @@ from course_lib.checks.answer_types import rows
 from course_lib.checks.declared import declared
 from course_lib.checks.tolerances import EXACT
 from course_lib.lessons.rigid_motion.exercises import shared
-from course_lib.lessons.rigid_motion.exercises.propagate_body import PLAN, drawn_case, special
+from course_lib.lessons.rigid_motion.exercises.propagate_body import (
+    PLAN,
+    drawn_case,
+    quarters_of_steps,
+    special,
+)
 from course_lib.planar import propagate_arm
 
 ARM = (True, True)  # both columns are angles
@@ -65,6 +70,7 @@ EXERCISE = declared(
     cases=_cases,
     sweeps=(shared.slow_motions(2),),
     special=special(2),
+    admits=quarters_of_steps,
     tolerance=EXACT,
     reads=rows(2, "joint angles, an array of shape (n, 2)", most=2000),
     properties=shared.form(ARM),

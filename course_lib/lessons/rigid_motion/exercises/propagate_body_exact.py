@@ -93,6 +93,7 @@ EXERCISE = declared(
     arguments=propagate_body.PLAN,
     cases=_cases,
     special=propagate_body.special(3),
+    admits=propagate_body.quarters_of_steps,
     sweeps=(
         Sweep("omega near 0", _slow, ON_BOTH_SIDES),
         shared.slow_motions(3),

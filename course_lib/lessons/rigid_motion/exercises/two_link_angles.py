@@ -74,10 +74,9 @@ def _straight(tip):
     return np.hypot(*tip) > 2 - 1e-9
 
 
-def _special(rng):
-    """A tip on a coarse grid, or at the edge; None if it is out of reach or nearly at the base."""
-    tip = tip_on_the_grid(rng)
-    return (tip,) if _NEARLY_FOLDED[0] < np.hypot(*tip) < 2 + EXACT else None
+def _is_within_reach(tip):
+    """Return whether a tip is neither out of reach nor nearly at the base."""
+    return _NEARLY_FOLDED[0] < np.hypot(*tip) < 2 + EXACT
 
 
 def _where_the_rows_lead(angles, tip):
@@ -94,7 +93,8 @@ EXERCISE = Exercise(
     arguments=("tip",),
     tolerance=HALF_THE_DIGITS,
     cases=_cases,
-    special=_special,
+    special=lambda rng: (tip_on_the_grid(rng),),
+    admits=_is_within_reach,
     returns=numbers(lambda tip: (2, 2)),
     properties=(
         Property(

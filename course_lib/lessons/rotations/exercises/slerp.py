@@ -158,6 +158,11 @@ def _chord_below(size, bound):
     return answer
 
 
+def _admits(q0, q1, t):
+    """Return whether t is between 0 and 1, and the rotations are less than 170 degrees apart."""
+    return 0 <= t <= 1 and abs(q0 @ q1) > np.cos(np.deg2rad(85))
+
+
 EXERCISE = declared(
     "slerp",
     points=2,
@@ -167,7 +172,7 @@ EXERCISE = declared(
         "t": number(0, 1, 0.3, 0.0, 1.0, 0.999),
     },
     tolerance=EXACT,
-    admits=lambda q0, q1, t: abs(q0 @ q1) > np.cos(np.deg2rad(85)),  # 170 degrees, halved
+    admits=_admits,
     cases=_cases,
     reads=numbers(lambda q0, q1, t: (4,), gaps=True),
     library=slerp,

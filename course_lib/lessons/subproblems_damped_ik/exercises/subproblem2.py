@@ -91,17 +91,21 @@ def _special(rng):
     k2, order = coarse_axis(rng), rng.permutation(3)
     if drawn is None:
         return None
-    k1, meet, _, unit_of_length = drawn
+    k1, meet, *_ = drawn
     p1, p2 = (rotated(k, quarters(rng), meet) for k in (k1, k2))
     if rng.random() < 0.5:
         p1, p2 = meet, rng.choice([-1, 1], 3) * meet[order]
-    normal = np.cross(k1, k2)
-    if np.linalg.norm(normal) < 0.1:
-        return None
+    return k1, k2, p1, p2
+
+
+def _admits(k1, k2, p1, p2):
+    """Return whether the axes are not parallel, and the circles on one sphere, and far from
+    touching."""
+    if np.linalg.norm(np.cross(k1, k2)) < 0.1 or abs(p1 @ p1 / (p2 @ p2) - 1) > EXACT:
+        return False
     a, b = np.linalg.solve([[1, k1 @ k2], [k1 @ k2, 1]], [k1 @ p1, k2 @ p2])
     middle = a * k1 + b * k2
-    touch = abs(p1 @ p1 - middle @ middle) < 1e-6 * unit_of_length**2
-    return None if touch else (k1, k2, p1, p2)
+    return abs(1 - middle @ middle / (p1 @ p1)) > 1e-6
 
 
 def _cases(rng):
@@ -182,6 +186,7 @@ EXERCISE = Exercise(
     alike=same_list,
     distance=distance_of_lists,
     special=_special,
+    admits=_admits,
     sweeps=(
         Sweep(
             "circles that just miss",
