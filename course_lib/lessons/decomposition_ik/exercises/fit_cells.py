@@ -26,6 +26,8 @@ _EMPTY = Mistake(
     "a model is fitted to a cluster without samples", "How many samples does a model need at least?"
 )
 
+_SMALLEST = 5e-5  # m: half of the tenth of a millimetre that the task names
+
 
 def _both(rng, middle, up, down, half=0.16):
     """Positions and joint angles of one cell: `up` samples with q2 > 0, `down` with q2 < 0.
@@ -55,6 +57,16 @@ def _both_signs_in_a_cluster(rng):
     """Samples of which one cluster is of the nearly stretched arm, with q2 of both signs."""
     q = lumps(rng, (0.4, 1.6, 0.1, 0.1, 10), (1.0, 0.0, 0.1, 0.3, 14))
     return two_link_tip(q), q
+
+
+def _steep(rng, middle, n):
+    """Samples of a cell in which the angles of each cluster differ by more than a revolution.
+
+    The models are steep, and the clusters lie farther apart than they are long.
+    """
+    xy, _ = _both(rng, middle, n, n)
+    steep = rng.uniform(20, 25, (2, 2)) * rng.choice([-1, 1], (2, 2))
+    return xy, (xy - middle) @ steep + np.repeat([[30.0, 40.0], [0.0, 0.0]], n, axis=0)
 
 
 def _revolved(xy, q, *rest):
@@ -109,6 +121,8 @@ def _cases(rng):
         _mixed(rng, 6, **few),
         _mixed(rng, 1, c0=_both_signs_in_a_cluster(rng)),
         _mixed(rng, 1, c0=_both(rng, a, 9, 9, half=1e-3)),
+        _mixed(rng, 1, c0=_both(rng, b, 4, 5, half=_SMALLEST)),
+        _mixed(rng, 1, c0=_steep(rng, a, 5)),
         _with_some_twice(*_mixed(rng, 1, c0=_both(rng, b, 9, 9))),
         _revolved(*_mixed(rng, 2, c0=_both(rng, c, 9, 7), c1=_both(rng, d, 6, 8))),
     ]

@@ -25,12 +25,13 @@ def _models(xy, q, cell, count, fit, least=3):
     return models
 
 
-def right_linear_regression(xy, q, cell, count):
-    def fit(xy, q):
-        line = LinearRegression().fit(xy, q)
-        return np.column_stack([line.coef_, line.intercept_])
+def _plane(xy, q):
+    line = LinearRegression().fit(xy, q)
+    return np.column_stack([line.coef_, line.intercept_])
 
-    return _models(xy, q, cell, count, fit)
+
+def right_linear_regression(xy, q, cell, count):
+    return _models(xy, q, cell, count, _plane)
 
 
 def right_normal_equations(xy, q, cell, count):
@@ -92,3 +93,18 @@ def wrong_cells_of_fewer_than_six_samples_left_out(xy, q, cell, count):
     models = right_linear_regression(xy, q, cell, count)
     models[[np.sum(cell == c) < 6 for c in range(count)]] = np.nan
     return models
+
+
+def wrong_unwrapped_angles(xy, q, cell, count):
+    """a model is not that of its own samples"""
+    return _models(xy, q, cell, count, lambda x, t: _plane(x, np.unwrap(t, axis=0)))
+
+
+def wrong_small_cells_taken_for_lines(xy, q, cell, count):
+    """a cluster with enough samples has no model"""
+
+    def fit(xy, q):
+        A = np.column_stack([xy, np.ones(len(xy))])
+        return _plane(xy, q) if np.linalg.det(A.T @ A) > 1e-12 else np.full((2, 3), np.nan)
+
+    return _models(xy, q, cell, count, fit)
