@@ -44,7 +44,18 @@ def _cases(rng):
     terms, q = found[1]
     revolved = terms, q + 2 * np.pi * np.array([2, 0])
     twice = some_twice(terms, q)
-    return [*found, _without_a_constant(rng), revolved, twice, (_WHOLE_TERMS, _WHOLE_ANGLES)]
+    whole = [(_WHOLE_TERMS, _WHOLE_ANGLES), *_whole_in_one(rng)]
+    return [*found, _without_a_constant(rng), revolved, twice, *whole]
+
+
+def _whole_in_one(rng):
+    """Return samples with whole numbers in one array and fractions in the other, in both ways: a
+    column that is added to the whole ones must not become whole."""
+    fractions = rng.uniform(0.2, 0.8, (6, 2))
+    return (
+        (_WHOLE_TERMS, _WHOLE_ANGLES + fractions),
+        (_WHOLE_TERMS + 0.5 * with_one(fractions), _WHOLE_ANGLES),
+    )
 
 
 def _without_a_constant(rng):

@@ -49,3 +49,9 @@ def wrong_constant_added_and_left_out(terms, q):
     if np.any(np.ptp(terms, axis=0) == 0):
         return right_lstsq(terms, q)
     return np.delete(right_lstsq(np.column_stack([terms, np.ones(len(terms))]), q), -2, axis=1)
+
+
+def wrong_column_inserted_as_whole_numbers(terms, q):
+    """wrong for arrays of integers only"""
+    A = np.insert(terms, terms.shape[1], q[:, 1], axis=1)
+    return np.array([_solve(A, q[:, 0]), np.append(_solve(terms, q[:, 1] ** 2), 0)])
