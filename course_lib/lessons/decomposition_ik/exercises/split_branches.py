@@ -113,6 +113,7 @@ _FRACTIONS = (
     [[0, 1], [0, 0], [9, 0], [9, 0], [9, 1]],
     [[9, 0], [9, 0], [9, 1], [0, 1], [0, 0]],
 )
+_NEAR = 1e-6  # rad: np.allclose takes angles for equal that differ by less than 1e-5 of their size
 _TOWERS = [(0.6, 0.1, 8), (0.6, -0.1, 4), (1.4, 0.1, 4), (1.4, -0.1, 8)]
 
 
@@ -128,6 +129,7 @@ def _cases(rng):
     ]
     cells = [((0.2, 1.75), 12, 12), ((1.1, 1.4), 22, 3), ((-0.3, 1.8), 3, 22)]
     cells = [rng.permutation(_both_elbows(rng, *cell)) for cell in cells]
+    near = rng.uniform(0.4, 1.6, 2) + _NEAR * np.array([[0, 0], [1, -1]])
     pair = _both_elbows(rng, (0.4, 1.6), 1, 1)[::-1]
     whole = np.array([[0, 1], [1, -1], [0, 2], [2, -1]])
     whole_with_fractions = map(np.array, _FRACTIONS)
@@ -138,6 +140,7 @@ def _cases(rng):
         first[::-1],
         pair,
         *equal,
+        near[[0, 1, 0, 1, 1]],
         *cells,
         *_one_elbow(rng),
         np.zeros((0, 2)),

@@ -71,3 +71,11 @@ def wrong_medians_compared(q):
         return labels
     first, second = (np.median(q[labels == k, 1]) for k in (0, 1))
     return labels if first > second else 1 - labels
+
+
+def wrong_nearly_equal_samples_taken_for_equal(q):
+    """all samples have the same label"""
+    q = np.asarray(q, float)
+    if len(q) == 0 or np.allclose(q, q[0]):
+        return np.zeros(len(q), int)
+    return right_kmeans_with_its_labels_flipped(q)
