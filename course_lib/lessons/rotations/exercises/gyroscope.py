@@ -7,7 +7,7 @@ import numpy as np
 from course_lib.checks.comparisons import difference
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.kinds import FACTOR, ROTATION, Kind, number, whole_numbers
+from course_lib.checks.kinds import FACTOR, ROTATION, Kind, leaning_axis, number, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error, unit
@@ -17,6 +17,16 @@ _NEARLY = 1e-5  # off by less than a small rotation
 _ROLL = np.array([[1.0, 0, 0], [1, 0, 0]])
 # rad/s: at these the error of the second order is too small to be seen in one step, and adds up.
 _SLOW = (1e-2, 5.6e-3, 3.1e-3, 1.8e-3, 1e-3)
+
+
+# rad/s: in a tenth of a second the slowest of these rotates the body by two thirds of a revolution.
+_FAST = (42.0, -75.0, 120.0, -63.0)
+
+
+def _fast_samples(rng):
+    """Return samples by which the body rotates far. In each some entry of the rotation vector is
+    beyond pi."""
+    return np.array([[rate * entry for entry in leaning_axis(rng)] for rate in _FAST])
 
 
 def _slow_samples(rng, rate):
@@ -35,6 +45,7 @@ LOG = Kind(
         _ROLL,
         2 * rng.normal(size=(1, 3)),
         np.zeros((0, 3)),
+        _fast_samples(rng),
         # Rates that are whole along the sensor's axes, and not whole along the body's. With as many
         # rows as a drawn log it is asked with whole matrices, too.
         np.array([[1.0, -2, 0], [0, 1, 2], [2, 0, -1], [1, 1, 0]]),

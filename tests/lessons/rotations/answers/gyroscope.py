@@ -75,3 +75,11 @@ def wrong_fixed_axes_and_transposed_mounting(R_0, log, dt, R_bi):
     for omega in log:
         R.append(exp_so3(R_bi.T @ omega * dt) @ R[-1])
     return np.array(R)
+
+
+def wrong_entries_of_the_rotation_vector_wrapped(R_0, log, dt, R_bi):
+    """unnamed"""
+    R = [R_0]
+    for omega in log:
+        R.append(R[-1] @ exp_so3((R_bi @ omega * dt + np.pi) % (2 * np.pi) - np.pi))
+    return np.array(R)
