@@ -30,7 +30,11 @@ def _damaged_poses(rng):
     slightly = any_rotation(rng) @ np.diag([1.003, 0.999, 1])
     whole = pose(shared.SINGULAR, [1.0, 2.0, 3.0], 4.0, 3.0, 2.0, 1.0)
     damaged = [_damaged_pose(M, p) for M in (*shared.damaged_rotations(rng), slightly)]
-    return [*damaged, any_pose(rng), np.eye(3), np.eye(4), whole]
+    large = [
+        pose(shared.large_whole_numbers(rng, sign), [1, 2, 3], 4, 3, 2, 1).astype(int)
+        for sign in (1, -1)
+    ]
+    return [*damaged, any_pose(rng), np.eye(3), np.eye(4), whole, *large]
 
 
 def _nearly_the_identity(rng, size):

@@ -17,7 +17,13 @@ from course_lib.rotations import nearest_so
 
 DAMAGED = Kind(
     drawn=lambda rng: any_rotation(rng) @ np.diag([2.0, 1.0, 0.5]),
-    named=lambda rng: [*shared.damaged_rotations(rng), any_rotation(rng), np.eye(2), np.eye(3)],
+    named=lambda rng: [
+        *shared.damaged_rotations(rng),
+        any_rotation(rng),
+        np.eye(2),
+        np.eye(3),
+        *(shared.large_whole_numbers(rng, sign) for sign in (1, -1)),
+    ],
     beside=(
         ("small entries", shared.nearly_diagonal, SMALL_NUMBERS),
         ("nearly a rotation", shared.nearly_rotation, SMALL),

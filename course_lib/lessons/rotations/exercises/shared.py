@@ -22,6 +22,18 @@ _PUBLISHED = np.array(
 SINGULAR = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [1.0, 0.0, 1.0]])
 
 
+# A determinant between 2^63 and 2^64, which an integer of 64 bits holds with the wrong sign. The
+# square of the largest entry fits.
+_OVERFLOWING = 1.3e19
+
+
+def large_whole_numbers(rng, sign):
+    """Return a matrix (3, 3) of large whole numbers, whose determinant has this sign and is too
+    large for an integer. The numbers are of type int."""
+    M = any_rotation(rng) @ np.diag([1.2, 1.0, 0.8 * sign]) @ any_rotation(rng)
+    return np.rint(np.cbrt(_OVERFLOWING / abs(np.linalg.det(M))) * M).astype(int)
+
+
 def damaged_rotations(rng):
     """Return square matrices, each with one nearest rotation: the singular values are well
     apart."""

@@ -66,3 +66,12 @@ def wrong_a_few_steps_of_newtons_method(M):
     for _ in range(12):
         X = (X + np.linalg.inv(X).T) / 2
     return X
+
+
+def wrong_determinant_by_products_of_whole_numbers(M):
+    """the answer is wrong for arrays of integers only"""
+    U, s, Vt = np.linalg.svd(M)
+    det = M[0, 0] * M[1, 1] - M[0, 1] * M[1, 0] if len(M) == 2 else M[0] @ np.cross(M[1], M[2])
+    if s[-1] < 1e-12 * s[0]:
+        det = np.linalg.det(U @ Vt)
+    return U @ np.diag([*np.ones(len(M) - 1), np.sign(det)]) @ Vt
