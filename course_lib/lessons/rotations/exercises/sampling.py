@@ -15,16 +15,20 @@ from course_lib.checks.wire import Seed
 LEVEL = 1e-6  # each test rejects a right sampler for one seed in a million
 MANY = 20_000
 SEVERAL = 2_000  # of two seeds, which are compared
+# Calls for one draw. A sampler that draws some candidates and rejects most of them now and then has
+# none left: if it happens in one call of twenty, it is missed in 200 calls once in 30,000 times.
+_SINGLE = 200
 CIRCLE = (-np.pi, np.pi)
 _EDGES = range(0, 181, 30)  # degrees: of the intervals in which messages count rotation angles
 
 
 def cases(rng):
     """Return the arguments of a sampler: a few draws, the same again, others, others from the same
-    generator, many, and several of two seeds."""
+    generator, one draw of each of many seeds, many draws, and several of two seeds."""
     first, second, third, *two = (Seed(int(s)) for s in rng.integers(2**31, size=5))
     few = [(3, first), (3, first), (3, second), SameGenerator((3, second)), (1, first)]
-    return [*few, (MANY, third), *((SEVERAL, seed) for seed in two)]
+    single = [(1, Seed(int(s))) for s in rng.integers(2**31, size=_SINGLE)]
+    return [*few, *single, (MANY, third), *((SEVERAL, seed) for seed in two)]
 
 
 def many(n, rng):

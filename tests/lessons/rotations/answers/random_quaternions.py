@@ -61,3 +61,10 @@ def wrong_an_angle_from_a_generator_of_its_own(n, rng):
     return np.stack(
         [np.cos(two) * far, np.sin(one) * near, np.cos(one) * near, np.sin(two) * far], axis=1
     )
+
+
+def wrong_of_candidates_that_are_now_and_then_too_few(n, rng):
+    """the answer does not have the form asked for"""
+    q = rng.uniform(-1, 1, (8 * n, 4))
+    lengths = np.linalg.norm(q, axis=1)
+    return (q / lengths[:, None])[lengths < 1][:n]
