@@ -16,7 +16,21 @@ from course_lib.lessons.panda_dh_ik.exercises.shared import HIGH, LOW, panda_jac
 _FLAT = np.array([[1.0, 1, 0], [0, 1, 1]])
 # A Jacobian and a velocity for which an iteration must go on for long, because two singular values
 # differ tenfold and two joints have little to do: projected gradients need 1,671 steps.
-_SLOW = np.array([[0.3, -0.1, 1.9, 0.5], [-0.1, -0.1, -0.3, -0.2]]), np.array([0.8, 0.0])
+_SLOW = (
+    np.array([[0.3, -0.1, 1.9, 0.5], [-0.1, -0.1, -0.3, -0.2]]),
+    np.array([0.8, 0.0]),
+    0.3,
+    0.01,
+)
+# Joints that move the flange in nearly the same way, with hardly more than the least eps that the
+# task allows. In these two cases projected gradients need more than 10,000 steps, and joint by joint
+# it takes more than 2,000 rounds: only an answer that looks at its progress goes on for so long.
+_ALIKE = np.array([[1.0, 1, 1], [0, 0.02, 0.01]])
+_LEAST_EPS = 0.00101
+_SLOWEST = (
+    (_ALIKE, np.array([0.5, 0.05]), 1.0, _LEAST_EPS),  # no joint is at its bound
+    (_ALIKE, np.array([0.5, 0.03]), 0.3, _LEAST_EPS),  # one joint is
+)
 
 
 def _stacked(J, v, eps):
@@ -66,14 +80,14 @@ def _any_panda_jacobian(rng):
     return panda_jacobian(np.round(rng.uniform(LOW, HIGH), 2))
 
 
-def _slow(rng):
-    """Return a case as hard as _SLOW, whatever is drawn: its task space is rotated, and its joints
-    are numbered and directed otherwise."""
-    J, v = _SLOW
+def _as_hard_as(case, rng):
+    """Return a case as hard as this one, whatever is drawn: its task space is rotated, and its
+    joints are numbered and directed otherwise."""
+    J, v, bound, eps = case
     angle = rng.uniform(0.3, 2.8)
     R = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     J = J[:, rng.permutation(J.shape[1])] * rng.choice([-1, 1], J.shape[1])
-    return R @ J, R @ v, 0.3, 0.01
+    return R @ J, R @ v, bound, eps
 
 
 def _cases(rng):
@@ -89,7 +103,7 @@ def _cases(rng):
         (away_from_zero(rng, (3, 5)), away_from_zero(rng, 3), 50.0, 0.02),
         (away_from_zero(rng, (2, 1)), away_from_zero(rng, 2), 0.2, 0.02),
     ]
-    drawn.append(_slow(rng))
+    drawn += [_as_hard_as(case, rng) for case in (_SLOW, *_SLOWEST)]
     return [(_FLAT, np.array([2.0, 0]), 0.8, 0.1), *free, *drawn, (_FLAT, np.zeros(2), 0.5, 0.1)]
 
 

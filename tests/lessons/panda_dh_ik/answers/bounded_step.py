@@ -12,22 +12,22 @@ def right_by_lsq_linear(J, v, bound, eps):
 def right_by_projected_gradients(J, v, bound, eps):
     H = J.T @ J + eps * np.eye(J.shape[1])
     x, rate = np.zeros(J.shape[1]), 1 / np.linalg.norm(H, 2)
-    for _ in range(4000):
+    step = np.inf
+    while step > 1e-10 * bound:
         before, x = x, np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
-        if np.array_equal(x, before):
-            break
+        step = np.abs(x - before).max()
     return x[:, None]
 
 
 def right_by_coordinates(J, v, bound, eps):
     H, g = J.T @ J + eps * np.eye(J.shape[1]), J.T @ v
     x = [0.0] * len(g)
-    for _ in range(2000):
+    step = np.inf
+    while step > 1e-10 * bound:
         before = list(x)
         for i in range(len(g)):
             x[i] = min(max((g[i] - H[i] @ x + H[i, i] * x[i]) / H[i, i], -bound), bound)
-        if x == before:
-            break
+        step = np.abs(np.subtract(x, before)).max()
     return x
 
 
@@ -36,6 +36,15 @@ def wrong_projected_gradients_of_too_few_steps(J, v, bound, eps):
     H = J.T @ J + eps * np.eye(J.shape[1])
     x, rate = np.zeros(J.shape[1]), 1 / np.linalg.norm(H, 2)
     for _ in range(1000):
+        x = np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
+    return x
+
+
+def wrong_projected_gradients_of_many_steps(J, v, bound, eps):
+    """other velocities within the bounds are better"""
+    H = J.T @ J + eps * np.eye(J.shape[1])
+    x, rate = np.zeros(J.shape[1]), 1 / np.linalg.norm(H, 2)
+    for _ in range(5000):
         x = np.clip(x - rate * (H @ x - J.T @ v), -bound, bound)
     return x
 
