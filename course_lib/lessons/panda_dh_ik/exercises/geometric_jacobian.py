@@ -3,7 +3,7 @@
 import numpy as np
 
 from course_lib.checks.declared import declared
-from course_lib.checks.kinds import QUARTER, Kind, coarse_pose
+from course_lib.checks.kinds import QUARTER, Kind, coarse_pose, leaning_axis
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.naming import KEPT_FOR_THE_NEXT_CALL
 from course_lib.checks.special_cases import SIZES, SMALL
@@ -18,6 +18,10 @@ from course_lib.checks.vocabulary import (
 from course_lib.lessons.panda_dh_ik.exercises import shared
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
+
+
+# Metres. Differences of positions lose their last digits there, and a right answer keeps 1e-12.
+_DISTANCES = (100.0, 1000.0, 1500.0)
 
 
 def _drawn(rng, n):
@@ -51,10 +55,21 @@ def _short(rng, size):
     return np.array([first, first @ steps[0], first @ steps[0] @ steps[1]])
 
 
+def _far(rng, distance):
+    """Return the frames of an arm of usual size, so far from the world's origin."""
+    frames = _drawn(rng, 4)
+    frames[:, :3, 3] += distance * leaning_axis(rng)
+    return frames
+
+
 _FRAMES = Kind(
     drawn=lambda rng: _drawn(rng, int(rng.integers(1, 7))),
     named=_named,
-    beside=(("the number of joints", _drawn, SIZES), ("a short, straight arm", _short, SMALL)),
+    beside=(
+        ("the number of joints", _drawn, SIZES),
+        ("a short, straight arm", _short, SMALL),
+        ("an arm far from the world's origin", _far, _DISTANCES),
+    ),
     coarse=lambda rng: np.array([coarse_pose(rng) for _ in range(rng.integers(2, 6))]),
 )
 
