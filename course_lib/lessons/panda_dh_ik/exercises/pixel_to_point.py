@@ -12,6 +12,8 @@ from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, rot_x
 
+# With focal lengths that differ by less than one pixel, as those of a calibrated camera do
+_K_NEARLY_SQUARE = np.array([[615.3, 0, 321.1], [0, 615.7, 238.4], [0, 0, 1]])
 _K = np.array([[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]])  # with two focal lengths
 
 
@@ -29,7 +31,8 @@ def _cases(rng):
     pixels, _, K, T_wc = _drawn(rng, 3)
     distant = pixels, np.round(rng.uniform(200, 900, 3)), K, T_wc
     whole = three, np.array([1.0, 2, 1]), K, T_wc
-    return [*named, _drawn(rng, 4), distant, whole, _drawn(rng, 5)]
+    nearly_square = pixels, np.array([0.7, 0.6, 0.9]), _K_NEARLY_SQUARE, T_wc
+    return [*named, _drawn(rng, 4), distant, whole, nearly_square, _drawn(rng, 5)]
 
 
 def _on_the_axis(rng, size):
