@@ -23,8 +23,8 @@ _SLOW = (
     0.01,
 )
 # Joints that move the flange in nearly the same way, with hardly more than the least eps that the
-# task allows. In these two cases projected gradients need more than 10,000 steps, and joint by joint
-# it takes more than 2,000 rounds: only an answer that looks at its progress goes on for so long.
+# task allows. In these two cases projected gradients need more than 5,000 steps, and an answer
+# that goes joint by joint needs more than 2,000 rounds: it has to look at its progress.
 _ALIKE = np.array([[1.0, 1, 1], [0, 0.02, 0.01]])
 _LEAST_EPS = 0.00101
 _SLOWEST = (

@@ -19,7 +19,6 @@ from course_lib.lessons.panda_dh_ik.exercises import shared
 from course_lib.rigid import transform
 from course_lib.rotations import rot_x, rot_y
 
-
 # Metres. Differences of positions lose their last digits there, and a right answer keeps 1e-12.
 _DISTANCES = (100.0, 1000.0, 1500.0)
 
