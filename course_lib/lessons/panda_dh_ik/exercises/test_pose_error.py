@@ -121,6 +121,12 @@ EXERCISE = WriteTest(
         Version(_ANGLE, _stretched(lambda angle: 2 * np.sin(angle / 2))),
         Version(_ANGLE, _stretched(lambda angle: np.minimum(angle, np.pi - angle))),
         Version(_ANGLE, _stretched(lambda angle: np.where(angle > 2.95, np.pi, angle))),
+        Version(
+            "that changes the sign of phi near half a revolution, where it matters",
+            _stretched(
+                lambda angle: np.where((angle > 2.95) & (angle < _NEARLY_PI), -angle, angle)
+            ),
+        ),
         Version("that takes the longer rotation", _stretched(lambda angle: angle - 2 * np.pi)),
         Version(
             "that loses small rotations", _stretched(lambda angle: np.where(angle < 1e-3, 0, angle))
@@ -130,7 +136,7 @@ EXERCISE = WriteTest(
         ),
         Version("that returns nan if the rotations are equal", _with_phi(_divided_by_zero)),
         Version("in degrees", _scaled(1, 180 / np.pi)),
-        # As if from degrees by a rounded factor: off by 4e-7 of the angle.
-        Version("that is off in the seventh digit", _scaled(1, 180 / np.pi / 57.2958)),
+        # By 3e-7 for half a revolution: a tolerance of 1e-6 does not see it, and one of 1e-8 does.
+        Version("that is off in the seventh digit", _scaled(1, 1 - 1e-7)),
     ),
 )
