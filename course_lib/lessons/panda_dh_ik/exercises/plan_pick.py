@@ -22,6 +22,12 @@ _MUGS = (0.5, 0.75, -0.1), (0.42, -0.7, 1.2), (0.42, 0.7, -0.5)
 # is too long; and where the mug is.
 _FAR = np.array([0.37, -0.81, -0.42, -2.31, -0.26, 1.1, 1.22])
 _FAR_MUG = 0.348, 0.322, -0.918
+# A start from which panda_ik finds other angles for the last poses than from those of the previous
+# pose, by 0.9 rad or more, whatever the angle of joint 1; and where the mug is.
+_ASIDE = np.array([-0.325, -0.823, -0.009, -2.412, 0.069, 1.564, 1.778])
+_ASIDE_MUG = 0.39, -1.369, 0.847
+# A start in whole numbers
+_WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
 _ANGLES_ONLY = Mistake(
@@ -74,12 +80,14 @@ def right(q0, T_grasp):
 
 
 def _cases(rng):
-    """Return five tasks, each rotated as a whole about the axis of joint 1, which makes none of
-    them easier.
+    """Return eight tasks, each but the last rotated as a whole about the axis of joint 1, which
+    makes none of them easier.
 
     In the second, speed decides; in the second and third a straight line in joint space is no way
     down. The fourth has the mug of the first, and begins far from it, with joint 6 beyond pi. In
-    the last the way to the mug is long.
+    the fifth the way to the mug is long. In the sixth the arm jumps if every solution begins at q0.
+    The seventh begins less than 0.05 rad from the place above the grasp, and the last with whole
+    numbers.
     """
     cases = []
     bearings = rng.uniform(-0.4, 0.4, 4)
@@ -93,10 +101,18 @@ def _cases(rng):
     radius, aside, yaw = _FAR_MUG
     far = _FAR + bearings[3] * np.eye(7)[0]
     mug = _at(radius, bearings[3] + aside)
+    radius, aside, yaw = _ASIDE_MUG
+    mug_aside = _at(radius, bearings[3] + aside) @ transform(rot_z(yaw), np.zeros(3)) @ IN_MUG
+    above = legs(*cases[0])[1][0]
+    # In each joint, so that the first leg takes longer than 0.1 s
+    nearly_above = above + rng.choice([-1, 1], 7) * rng.uniform(0.03, 0.045, 7)
     return [
         *cases,
         (back, cases[0][1]),
         (far, mug @ IN_MUG @ transform(rot_z(yaw), np.zeros(3))),
+        (_ASIDE + bearings[3] * np.eye(7)[0], mug_aside),
+        (nearly_above, cases[0][1]),
+        (_WHOLE, cases[1][1]),
     ]
 
 
@@ -197,11 +213,22 @@ _TOO_SHORT = Question(
 )
 
 
-def _too_fast(x, *case):
-    """Return the Mistake of joints that are too fast: a jump, of at least 0.2 rad and five times as
-    far as in half of the rows, or a leg whose time is too short."""
-    steps = np.abs(np.diff(x[:, 1:], axis=0)).max(1)
-    return _JUMPS if steps.max() > max(0.2, 5 * np.median(steps)) else _TOO_SHORT
+_TOO_SLOW = Question(
+    "the plan is slower than necessary",
+    "How long does each of the two legs take, and by which factor may its times shrink until a "
+    "speed or an acceleration of this leg reaches its bound?",
+)
+
+
+def _jumps_or(otherwise):
+    """Return what names a jump of the joints, of at least 0.2 rad and five times as far as in half
+    of the rows, and else this Mistake."""
+
+    def mistake(x, *case):
+        steps = np.abs(np.diff(x[:, 1:], axis=0)).max(1)
+        return _JUMPS if steps.max() > max(0.2, 5 * np.median(steps)) else otherwise
+
+    return mistake
 
 
 EXERCISE = Exercise(
@@ -248,7 +275,7 @@ EXERCISE = Exercise(
             "no joint is too fast",
             lambda x, *case: shares(x)[0].max() < _BOUND,
             _too_much(0, "speed"),
-            otherwise=_too_fast,
+            otherwise=_jumps_or(_TOO_SHORT),
         ),
         Property(
             "no joint accelerates more than its bound, including the start and the end, because "
@@ -262,11 +289,7 @@ EXERCISE = Exercise(
             f"it takes at most {_LONGEST:.0f} s",
             lambda x, *case: x[-1, 0] <= _LONGEST,
             lambda x, *case: f"Yours takes {x[-1, 0]:.3g} s.",
-            otherwise=Question(
-                "the plan is slower than necessary",
-                "How long does each of the two legs take, and by which factor may its times shrink "
-                "until a speed or an acceleration of this leg reaches its bound?",
-            ),
+            otherwise=_jumps_or(_TOO_SLOW),
         ),
         Property(
             "each row is at most 0.2 s after the previous row",

@@ -81,3 +81,19 @@ def wrong_one_second_for_each_leg(q0, T_grasp):
     x = planned(q0, T_grasp)
     x[:, 0] = np.linspace(0, 2, len(x))
     return x
+
+
+def wrong_each_solution_from_the_start(q0, T_grasp):
+    """the joint angles jump between two rows"""
+    s = EASED[:, 0]
+    down = np.array([reach(lifted(T_grasp, 0.15 * (1 - part)), q0) for part in s])
+    over = timed(q0 + EASED * (down[0] - q0))
+    return np.vstack([over, timed(down, over[-1, 0])[1:]])
+
+
+def wrong_without_a_short_first_leg(q0, T_grasp):
+    """the plan does not begin at time 0 and q0"""
+    x = planned(q0, T_grasp)
+    if np.allclose(q0, x[40, 1:], rtol=0, atol=0.05):
+        x = x[40:] - x[40, 0] * np.eye(8)[0]
+    return x
