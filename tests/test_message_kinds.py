@@ -36,6 +36,7 @@ from course_lib.lessons.poe_kuka_iiwa.exercises.rotation_about import EXERCISE a
 from course_lib.lessons.rigid_motion.exercises.cubic_time_scaling import (
     EXERCISE as CUBIC_TIME_SCALING,
 )
+from course_lib.lessons.rigid_motion.exercises.exp_se2 import EXERCISE as EXP_SE2
 from course_lib.lessons.rigid_motion.exercises.interpolate_body import (
     EXERCISE as INTERPOLATE_BODY,
 )
@@ -55,6 +56,7 @@ from course_lib.lessons.rotations.exercises.random_quaternions import (
 )
 from course_lib.lessons.rotations.exercises.random_rotations import EXERCISE as RANDOM_ROTATIONS
 from course_lib.lessons.rotations.exercises.rotate_point import EXERCISE as ROTATE_POINT
+from course_lib.lessons.rotations.exercises.slerp import EXERCISE as SLERP
 from course_lib.lessons.subproblems_damped_ik.exercises.arm_angles import EXERCISE as ARM_ANGLES
 from course_lib.lessons.subproblems_damped_ik.exercises.shared import reached
 from course_lib.lessons.subproblems_damped_ik.exercises.subproblem1 import (
@@ -207,6 +209,34 @@ def test_an_array_that_each_call_changes_is_seen_in_answers_to_the_same_question
 
 
 # What is claimed, and what is asked
+
+
+def test_of_few_wrong_answers_nothing_is_asked_that_concerns_all():
+    def with_another_end_of_a_whole_revolution(twist):
+        T = EXP_SE2.library(twist)
+        is_whole = abs(abs(twist[0]) - 2 * np.pi) < 0.1
+        return T + is_whole * np.outer([1.0, 0, 0], [0, 0, 1])
+
+    verdict = judged(EXP_SE2, LocalFunction(with_another_end_of_a_whole_revolution))
+    assert "answers are right" in verdict.mistake.hint
+    assert "Integrate" not in describe(verdict)
+
+
+def test_of_many_wrong_answers_the_formula_is_asked():
+    def with_the_velocity_doubled(twist):
+        return EXP_SE2.library(twist * [1, 1, 3])
+
+    assert "Integrate" in describe(judged(EXP_SE2, LocalFunction(with_the_velocity_doubled)))
+
+
+def test_a_case_whose_last_digits_make_nan_is_shown_with_all_digits():
+    def cut_off_too_early(q0, q1, t):
+        phi = np.arccos(min(q0 @ q1, 1.0))
+        return SLERP.library(q0, q1, t) + 0 * phi
+
+    text = describe(judged(SLERP, LocalFunction(cut_off_too_early)))
+    assert "nan" in text
+    assert re.search(r"q0 = \[.*\.\d{15}", text)
 
 
 def test_a_property_takes_no_mistake_that_an_answer_need_not_show():

@@ -153,8 +153,8 @@ def _mistake(wanted, naming, failing, wrong):
 
     First comes a known mistake, then one that the property reads off the answer, and an argument
     that is returned as it came. An answer that lacks digits is called so, and nothing else. Then
-    comes what the property asks about this answer, where all wrong answers are, and what the
-    property asks about every answer.
+    comes what the property asks about this answer, where all wrong answers are, that they are few,
+    and what the property asks about every answer.
     """
     first = failing[0]
     speaks_of_digits = wanted.compares or wanted.otherwise is None
@@ -168,9 +168,13 @@ def _mistake(wanted, naming, failing, wrong):
     known = known or naming.returned_argument(wrong) or of_digits
     if known is not None:
         return known
-    if callable(wanted.otherwise) and otherwise is not None:
+    is_of_the_formula = getattr(otherwise, "of_the_formula", False)
+    if callable(wanted.otherwise) and otherwise is not None and not is_of_the_formula:
         return otherwise
-    return naming.in_common(wrong) or otherwise
+    in_common = naming.in_common(wrong)
+    if in_common is None and (wanted.compares or otherwise is None or is_of_the_formula):
+        in_common = naming.of_few(wrong)
+    return in_common or otherwise
 
 
 def _credit(exercise, cases, answers):

@@ -191,19 +191,22 @@ def _digits_that_replay(verdict, function, asked):
         # A pose with few digits is none any more, and the library then raises an error.
         if "error" in answer or attempt(_passes, exercise, form, answer) is not False:
             continue
-        if not _says_the_same(verdict, exercise.verdict([form], [answer])):
+        said_again = _says_the_same(verdict, exercise.verdict([form], [answer]))
+        if said_again is False:
             continue
-        if _is_far_off(verdict, answer["value"]) or attempt(_has_a_right_answer, exercise, form):
+        if _is_far_off(verdict, answer["value"]):
+            return digits
+        if said_again and attempt(_has_a_right_answer, exercise, form):
             return digits
     return ALL_DIGITS
 
 
 def _says_the_same(verdict, other):
     """Return whether two verdicts give the same numbers, to two units in the last place that is
-    written; True if their sentences differ in more than numbers."""
+    written; None if their sentences differ in more than numbers."""
     ours, theirs = str(verdict.reason), str(other.reason)
     if _NUMBER.sub("", ours) != _NUMBER.sub("", theirs):
-        return True
+        return None
     pairs = zip(_NUMBER.findall(ours), _NUMBER.findall(theirs), strict=True)
     return all(abs(float(a) - float(b)) <= _UNITS * max(_unit(a), _unit(b)) for a, b in pairs)
 

@@ -18,6 +18,9 @@ class Question:
     hint : str
         A question that is fair to every answer which fails here: it presupposes no cause, and
         leaves out no part of the task that may be the wrong one.
+    of_the_formula : bool
+        Whether it asks about lines that every answer takes. It is not asked then where only a few
+        answers are wrong.
 
     Examples
     --------
@@ -25,8 +28,8 @@ class Question:
     Question('the answer is not 2 x')
     """
 
-    def __init__(self, name, hint):
-        self.name, self.hint = name, hint
+    def __init__(self, name, hint, of_the_formula=False):
+        self.name, self.hint, self.of_the_formula = name, hint, of_the_formula
 
     def __repr__(self):
         return f"Question({self.name!r})"

@@ -26,19 +26,27 @@ from course_lib.checks.comparisons import (
     same,
 )
 from course_lib.checks.mistake import Mistake, Question
-from course_lib.checks.special_cases import InPlace, MadeCase, OneChanged, SmallNumbers, rounded
+from course_lib.checks.special_cases import (
+    InPlace,
+    MadeCase,
+    NearlySpecial,
+    OneChanged,
+    SmallNumbers,
+    rounded,
+)
 from course_lib.checks.tolerances import EXACT
 from course_lib.checks.wire import Seed, write
 
 _CLEARLY_OFF = 0.1  # more than a small angle that is taken for 0
 _SIMILAR = 0.01  # what rounding to two decimals makes equal
 _LAST_BITS = 8  # more than the rounding of a product of matrices
-_NUDGES = 4  # so that both signs occur that rounding may give to a number
+_NUDGES = 8  # so that both signs occur that rounding may give to a number
 _NUDGED = 1e-6  # how far two answers may be apart of which rounding decides
 _FIRST_DIGITS = 3e-3  # two or three digits: 22/7 for pi is off by 4e-4
 _MOST_OF_A_STEP = 0.3  # of which more is right than is lost
 _FEW_DIGITS = 1e-4  # relative: so near another idea does not come by chance
 _TO_ROUNDING = 2e-15  # relative: what a number that should be 0 may be
+_FEW = 1 / 2  # of all answers
 _MAX_WRONG = 5  # answers that are looked at for this
 
 
@@ -100,7 +108,8 @@ FIRST_DIGITS_HERE = Mistake(
 WRONG_FOR_SMALL_NUMBERS = Mistake(
     "the answer is wrong where some numbers are small, as below",
     "Which line treats such numbers otherwise than larger ones, or loses their digits? Look for a "
-    "comparison with a tolerance, a rounding, a root, and a difference of nearly equal numbers.",
+    "comparison with a tolerance, a rounding, a root, a difference of nearly equal numbers, and a "
+    "bound for a result that may be very large.",
 )
 
 WRONG_BEYOND_A_REVOLUTION = Mistake(
@@ -187,11 +196,26 @@ class Naming:
 
     def in_common(self, wrong):
         """Return the Mistake that says where all wrong answers are, and only these; or None."""
-        if self._is_wrong_only_where(lambda case: isinstance(case, SmallNumbers), wrong):
-            return WRONG_FOR_SMALL_NUMBERS
+        if self._is_wrong_only_where(_has_small_numbers, wrong):
+            is_of_small_ones = isinstance(self.cases[wrong[0]], SmallNumbers)
+            return WRONG_FOR_SMALL_NUMBERS if is_of_small_ones else None
         if self._is_wrong_only_where(self._has_an_angle_beyond_a_revolution, wrong):
             return WRONG_BEYOND_A_REVOLUTION
         return None
+
+    def of_few(self, wrong):
+        """Return the Question about wrong answers that are few, or None.
+
+        Where most answers are right, a question about the steps that every answer takes leads to
+        lines that are right.
+        """
+        if 0 in wrong or len(wrong) > _FEW * len(self.cases):
+            return None
+        return Question(
+            "the answers to some inputs only are wrong",
+            f"{len(self.cases) - len(wrong)} of {len(self.cases)} answers are right. What is "
+            "special about this input, and which of your lines does it take?",
+        )
 
     def of_digits(self, failing, wrong):
         """Return the Mistake of answers that are right to their first digits only, or None.
@@ -202,7 +226,9 @@ class Naming:
         if not self._lacks_digits(failing[0]):
             return None
         is_chance = not self._lacks_digits(failing[0], _FEW_DIGITS)
-        if is_chance and not all(map(self._lacks_digits, wrong)):
+        # An entry that is nearly 0 has no digits that could be right.
+        with_digits = [i for i in wrong if not isinstance(self.cases[i], NearlySpecial)] or wrong
+        if is_chance and not all(map(self._lacks_digits, with_digits)):
             return None
         where = self.in_common(wrong)
         if where is WRONG_BEYOND_A_REVOLUTION:
@@ -704,6 +730,11 @@ def _are_similar(case, other):
         same(a, b, tolerance=_SIMILAR) if isinstance(a, np.ndarray | float) else a == b
         for a, b in pairs
     )
+
+
+def _has_small_numbers(case):
+    """Return whether numbers in a case are small, or differ little from special ones."""
+    return isinstance(case, SmallNumbers | NearlySpecial)
 
 
 def _has_integers(case, kind=np.ndarray | int):

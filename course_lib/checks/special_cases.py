@@ -24,7 +24,7 @@ _MAX_WHOLE_NUMBER = 1e6
 # Cases of special arguments, and how many of them come rounded, too, and as integers.
 _SPECIAL, _ROUNDED, _INTEGERS = 40, 20, 10
 # By so much numbers are off that are nearly special: a tolerance of np.isclose, or a wider one.
-_OFF_BY = (3e-3, 3e-4, 3e-5, 3e-6, 3e-7)
+_OFF_BY = (3e-3, 3e-4, 3e-5, 3e-6, 3e-7, 3e-8)
 _LAST_BIT = 2.0**-53  # of numbers near 1
 
 # From 0.3 down to the rounding of numbers near 1, four to a power of ten. Whoever changes formulas
@@ -84,6 +84,12 @@ class MadeCase(tuple):
 
 class SmallNumbers(MadeCase):
     """A case in which arguments hold small numbers, or differ little from a special value."""
+
+    __slots__ = ()
+
+
+class NearlySpecial(MadeCase):
+    """A case whose arguments are all nearly special."""
 
     __slots__ = ()
 
@@ -177,8 +183,8 @@ def special_at_once(special, admits, rng, is_exact):
     again = [with_some_integers(case, rng) for case in cases[:_INTEGERS]]
     if not is_exact:
         again += [rounded(case, rng) for case in cases[:_ROUNDED]]
-        again += [case for case in nearly(cases, rng) if admits(*case)]
-    return [MadeCase(case) for case in (*cases, *again)]
+    beside = [] if is_exact else [case for case in nearly(cases, rng) if admits(*case)]
+    return [*map(MadeCase, (*cases, *again)), *map(NearlySpecial, beside)]
 
 
 def with_some_integers(case, rng):

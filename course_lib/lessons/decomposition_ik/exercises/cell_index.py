@@ -76,6 +76,8 @@ def _cases(rng):
         # On an edge in one coordinate, and outside in the other.
         ([[1.0, 1.3], [1.2, 1.0], [1.0, -0.1], [-0.1, 1.0], [0.0, 1.1], [1.1, 0.0]], *box, 4),
         ([[-0.4, 0.9], [0.2, 1.3], [1.3, -0.4], [0.6, 0.4], [-0.2, 1.2]], *box, 1),
+        # 1 / (1 / 49) is rounded to more than 49: np.arange makes one line too many.
+        ([[1.0, 0.31], [0.31, 1.0], [1.0, 1.0], [0.997, 0.003]], [0.0, 0.0], [1.0, 1.0], 49),
         # Corners in whole numbers, as in the task's example, and then positions in them, too.
         ([[0.55, 0.55], [1.0, 2.0], [0.95, 1.9], [-0.3, 1.0], [0.4, 2.6]], [0, 0], [1, 2], 10),
         ([[1, 1], [2, 3], [0, 5], [4, 2], [-1, 0]], [0, 0], [4, 5], 7),
@@ -173,8 +175,14 @@ def _found(index, xy, low, high, n):
             f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of the "
             f"box. {yours}"
         )
-    widths = ", ".join(f"{part:.9g}" for part in _parts(xy, low, high, n)[k])
-    return f"The position {format_tuple(xy[k])} is ({widths}) widths of a cell from low. {yours}"
+    widths = ", ".join(map(_written, _parts(xy, low, high, n)[k]))
+    return f"Position {k} of xy is ({widths}) widths of a cell from low. {yours}"
+
+
+def _written(widths):
+    """Return a number in nine digits, or in all if it would look whole and is not."""
+    shown = f"{widths:.9g}"
+    return shown if float(shown).is_integer() <= widths.is_integer() else repr(float(widths))
 
 
 _NOT_ITS_OWN = Question(

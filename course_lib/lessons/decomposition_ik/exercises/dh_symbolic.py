@@ -31,6 +31,7 @@ def _cases(rng):
     numbers have many digits, which simple fractions do not give."""
     whole = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
     some = [(1, 0, 0, 0.5), (0, np.pi / 2, 0, 0), (0.5, 0, 0, 0.5), (2, 1, 3, -2)]
+    some.append((0.4, 1, 0.3, -2))  # symbols for both lengths, and numbers for both angles
     rows = [tuple(float(number) for number in row) for row in (*whole, *some)]
     return [*rows, tuple(_drawn(rng))]
 
@@ -72,6 +73,7 @@ _COLUMN = Question(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
     "Multiply the four matrices on paper, and compare the column named above with yours, entry by "
     "entry. Does each argument enter them as it came, also an angle of more than a revolution?",
+    of_the_formula=True,
 )
 _ROUNDED = Question(
     "the numbers in the matrix are rounded, or replaced by simple fractions",

@@ -68,6 +68,16 @@ def _is_off_the_elbow(found, q):
     return np.abs(_gaps(found, q)).max(initial=0) > EXACT
 
 
+def _written(pair, tip):
+    """Return two angles with so many digits that the tip's error is not that of the digits."""
+    gap = np.abs(two_link_tip(pair) - tip).max()
+    for digits in (4, 9):
+        shown = np.array([float(f"{angle:.{digits}g}") for angle in pair])
+        if np.abs(two_link_tip(shown) - two_link_tip(pair)).max() < gap / 10:
+            return format_tuple(pair, digits=digits)
+    return format_tuple(pair, digits=17)
+
+
 def _found(found, q):
     """Describe the pair whose tip has the distance from the elbow that is farthest from 1 m, or
     else the one whose tip is farthest from where it should be."""
@@ -75,7 +85,9 @@ def _found(found, q):
     if not _is_off_the_elbow(found, q):
         k = int(np.argmax(np.linalg.norm(tips - right, axis=-1)))
         return (
-            f"For q = {format_tuple(pairs[k])} the tip is at " + compared(right[k], tips[k]) + "."
+            f"For q = {_written(pairs[k], tips[k])} the tip is at "
+            + compared(right[k], tips[k])
+            + "."
         )
     gaps = _gaps(found, q)
     k = int(np.argmax(np.abs(gaps)))
@@ -83,7 +95,7 @@ def _found(found, q):
     if abs(gaps[k]) < _SHOWN:
         distance = f"differs from 1 m by {gaps[k]:.2g} m"
     return (
-        f"For q = {format_tuple(pairs[k])} the tip is at "
+        f"For q = {_written(pairs[k], tips[k])} the tip is at "
         + compared(right[k], tips[k])
         + f". The distance of your tip from the elbow {distance}."
     )

@@ -7,7 +7,7 @@ from scipy.optimize import lsq_linear
 
 from course_lib.checks.declared import declared
 from course_lib.checks.kinds import OWN_CASES
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE, Sweep
 from course_lib.checks.tolerances import EXACT, FOUR_DIGITS
 from course_lib.checks.vocabulary import away_from_zero, remembered
@@ -141,11 +141,11 @@ _FASTER = Mistake(
     "a joint is faster than the argument `bound`",
     "Where does your code use `bound`, and for which joints?",
 )
-_OTHERS_ARE_BETTER = Mistake(
+_OTHERS_ARE_BETTER = Question(
     "other velocities within the bounds are better",
     "Change a joint velocity of your answer a little, or several together, within the bounds. For "
-    "which change does the sum in the task become smaller? How does your code know that it may "
-    "stop?",
+    "which change does the sum in the task become smaller? Which sum does your code make small, "
+    "and how near does it come to the least one?",
 )
 
 

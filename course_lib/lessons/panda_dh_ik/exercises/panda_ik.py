@@ -411,7 +411,8 @@ def flange_forgotten(q, T, q0):
 
 @EXERCISE.mistake(
     "only the position, or only the orientation, is brought to T_target",
-    "How many numbers does the error have, and which of them do you use?",
+    "Print all six numbers of your error for the angles that you return. Which of them are 0 "
+    "although the flange is not at T_target, and how are they computed?",
     recognises=True,
 )
 def one_half_only(q, T, q0):

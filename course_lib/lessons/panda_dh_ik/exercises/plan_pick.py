@@ -41,7 +41,8 @@ _TWICE = Question(
 _JERKS = Question(
     "a leg is not at rest at its ends, or its rows do not have the times that `timed` gives them",
     "Print the times and angles of the rows around this one. Do the angles go on from those of the "
-    "row before, is each leg at rest at its ends, and are the times those that `timed` gives?",
+    "row before, is each leg at rest at its ends, are its rows close enough to each other, and are "
+    "the times those that `timed` gives?",
 )
 _SWAPPED = Mistake(
     "rows and columns have changed places", "One row for each time makes the shape (n, 8)."

@@ -7,6 +7,7 @@ from course_lib import ik
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
+from course_lib.checks.format_numbers import format_tuple
 from course_lib.checks.kinds import OWN_CASES
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import Sweep
@@ -145,7 +146,13 @@ def _found(found, *case):
     k = int(np.argmax(found != right))
     counts = ("does not count", "counts")
     reached, yours = counts[int(right[k])], counts[int(found[k])]
-    return f"targets[{k}] {reached} as reached; in your answer it {yours}."
+    metres, radians = _sizes(_descended(*case)[-1])[k]
+    position = format_tuple(case[0][k, :3, 3])
+    return (
+        f"targets[{k}], whose position is {position}, {reached} as reached; in your answer it "
+        f"{yours}. The two halves of its error are {metres:.4g} and {radians:.4g} after the last "
+        "step."
+    )
 
 
 EXERCISE = declared(

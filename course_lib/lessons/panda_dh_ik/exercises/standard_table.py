@@ -20,7 +20,8 @@ def _drawn(rng, n):
 def _named(rng):
     two = np.array([[0, 0, 0.3], [0.5, np.pi / 2, 0.1]])
     partly_whole = np.array([[0, 0, 1], [2, 1, 3], [0.5, -0.7, 0.25]])  # its first rows are whole
-    whole = np.array([[0.0, 0, 1], [2, 1, 3], [4, -1, 0]])
+    # The second alpha is beyond pi: who wraps it has to keep its digits.
+    whole = np.array([[0.0, 0, 1], [2, 1, 3], [4, -4, 2]])
     # Parallel axes, and a row of zeros.
     parallel = np.array([[0, 0, 0.3], [0.5, 0, 0.1], [0, 0, 0], [-0.4, 0, 0.2], [0, np.pi, 0]])
     return [two, TABLE, partly_whole, whole, parallel]
@@ -50,8 +51,20 @@ def _converted(table):
     return np.column_stack([np.vstack([table[1:, :2], [0, 0]]), table[:, 2]])
 
 
+def _gaps(answer, right):
+    """Return how far rows are from the right ones. An alpha that differs by revolutions is the
+    same."""
+    gaps = np.abs(answer - right)
+    gaps[:, 1] = np.abs(gaps[:, 1] - 2 * np.pi * np.rint(gaps[:, 1] / (2 * np.pi)))
+    return gaps
+
+
+def _distance(answer, right, table=None):
+    return np.inf if np.shape(answer) != np.shape(right) else _gaps(answer, right).max()
+
+
 def _found(answer, table):
-    i = int(np.argmax(np.abs(answer - _converted(table)).max(1) > EXACT))
+    i = int(np.argmax(_gaps(answer, _converted(table)).max(1) > EXACT))
     both = compared(_converted(table)[i], answer[i])
     return f"Row {i}, counted from 0, is the first that differs. It should be " + both + "."
 
@@ -91,6 +104,7 @@ EXERCISE = declared(
     points=1,
     arguments={"table": _MODIFIED_TABLE},
     library=_converted,
+    distance=_distance,
     says="the rows are those of the standard table of the same arm, whose steps multiply to the "
     "same pose as the modified ones, for any joint angles",
     found=_found,

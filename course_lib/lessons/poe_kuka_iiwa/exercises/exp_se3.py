@@ -118,6 +118,7 @@ def _otherwise(T, twist):
         "p is not where the origin arrives",
         "What does your formula give for twists along the same line, from a short omega to the one "
         "below? From which length on does p go wrong, and which term of p is it?",
+        of_the_formula=True,
     )
 
 

@@ -90,6 +90,13 @@ def _whole_in_one():
     ]
 
 
+def _at_odd_limits(rng):
+    """Return a motion whose angles are exactly at limits that have all digits: their middle and the
+    half of their range are rounded."""
+    limits = np.sort(rng.uniform(-3, 3, (9, 2)), axis=1)
+    return np.array([0.0, 0.7, 1.1]), np.array([*limits.T, limits.mean(1)]), limits
+
+
 def _cases(rng):
     at_the_limit, shifted = _motion(rng, 4), _motion(rng, 5)
     at_the_limit[1][2], at_the_limit[1][3] = at_the_limit[2].T
@@ -99,6 +106,7 @@ def _cases(rng):
         *(_spoilt(rng, fault) for fault in _MORE),
         _spoilt(rng, (3, _FAULTS[-1]), n=5, joints=2),
         at_the_limit,
+        _at_odd_limits(rng),
         _without_limits(rng),
         _without_limits(rng, (4, (3, lambda t, limits, row: np.inf))),
         _without_limits(rng, (3, _FAULTS[-1])),

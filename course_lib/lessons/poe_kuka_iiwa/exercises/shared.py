@@ -148,6 +148,7 @@ def in_blocks(T, form):
 
 ONE_COLUMN = Mistake(
     "one column is returned, not a matrix of shape (6, n)",
-    "Where does your loop collect the columns?",
+    "Which shape has your answer for one joint, and for two? Where does your code collect the "
+    "columns, and which line drops an axis?",
     form=(6,),
 )

@@ -71,12 +71,14 @@ def _otherwise(value, *case):
             "the third row is not (omega, velocity of the end-effector's origin) along the base's "
             "axes",
             "Which half comes first, and how fast does omega move the point p of T?",
+            of_the_formula=True,
         )
     if not near(value[1], right[1]):
         return Question(
             "the second row is not Ad(T^-1) V_s",
             "From which frame to which does T^-1 take a twist, and what does your code multiply by "
             "its adjoint?",
+            of_the_formula=True,
         )
     return None
 

@@ -53,6 +53,7 @@ def _otherwise(T, twist):
         "the position is not the integral of R(omega t) v from t = 0 to 1",
         "Integrate the cosine and the sine of omega t by t, from 0 to 1. Which of the two results "
         "differs from your formula, or has more digits, for the omega of this case?",
+        of_the_formula=True,
     )
 
 

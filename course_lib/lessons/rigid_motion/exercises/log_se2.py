@@ -177,10 +177,10 @@ EXERCISE = declared(
             form=(3, 3),
         ),
         Mistake(
-            "the answer is too inaccurate where the cosine is nearly 1 or -1",
-            "Which formula does your code use for this angle, and how many digits has it there? "
-            "arccos and 1 - cos(omega) lose theirs, and a formula for tiny angles is right for "
-            "tiny angles only.",
+            "the answer is not accurate enough for an angle near 0 or pi",
+            "Which lines does your code use for this angle, and how large is what they leave out "
+            "or lose? A term that is left out may be small and count all the same. Which of your "
+            "functions lose digits for such an angle?",
             *map(_unbent_below, (1e-8, 1e-4, 1e-3)),
             seen=_loses_digits,
         ),

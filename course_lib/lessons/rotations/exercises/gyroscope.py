@@ -16,7 +16,7 @@ from course_lib.rotations import exp_so3, hat, rot_z
 _NEARLY = 1e-5  # off by less than a small rotation
 _ROLL = np.array([[1.0, 0, 0], [1, 0, 0]])
 # rad/s: at these the error of the second order is too small to be seen in one step, and adds up.
-_SLOW = (1e-2, 5.6e-3, 3.1e-3, 1.8e-3, 1e-3)
+_SLOW = (1e-2, 5.6e-3, 3.1e-3, 1.8e-3, 1e-3, 3.1e-4, 1e-4, 5e-5)
 
 
 # rad/s: in a tenth of a second the slowest of these rotates the body by two thirds of a revolution.

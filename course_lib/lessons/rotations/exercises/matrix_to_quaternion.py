@@ -47,11 +47,11 @@ def _cases(rng):
 
 
 def _found(q, R):
-    trace = np.trace(R)
+    above_minus_one = 1 + np.trace(R)
     right = compared_up_to_sign(matrix_to_quaternion(R), q)
     return (
-        f"|q| is {np.linalg.norm(q):.6g}. The trace of R is {trace:.6g}, so w^2 = (1 + trace) / 4 "
-        f"is {(1 + trace) / 4:.2g}. q should be " + right + "."
+        f"|q| is {np.linalg.norm(q):.6g}. 1 + trace(R) is {above_minus_one:.2g}, and w^2 is a "
+        f"quarter of it. q should be " + right + "."
     )
 
 

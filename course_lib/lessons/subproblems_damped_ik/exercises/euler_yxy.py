@@ -232,7 +232,8 @@ def _alone(found, R):
 
 @EXERCISE.mistake(
     "both rows are the same triple, up to multiples of 2 pi",
-    "b2 and -b2 are different angles: which b1 and b3 belong to -b2?",
+    "Is your b2 exactly 0 or pi for this R? If not, b2 and -b2 are different angles: which b1 and "
+    "b3 belong to -b2? If it is, which line made it so, and is sin(b2) really 0?",
     seen=lambda found, R: len(found) == 2 and _alone(found, R),
     alike=_same_rows,
 )

@@ -122,8 +122,12 @@ def asking_on_the_grid(rng, measure, ends, multiples):
 
 
 def angle_about(k, p, g):
-    """Return the angle about k from the direction of p to that of g."""
-    return np.arctan2(k @ cross(p, g), across(k, p) @ g)
+    """Return the angle about k from the direction of p to that of g.
+
+    Of points near the axis the heights are far larger than what counts, so both are left out first.
+    """
+    a, b = across(k, p), across(k, g)
+    return np.arctan2(k @ cross(a, b), a @ b)
 
 
 def different(found):

@@ -65,6 +65,12 @@ def _special(rng):
     return k, p, rotated(k, quarters(rng), p) if rng.random() < 0.5 else g
 
 
+def _both_near_the_axis(rng, size):
+    k = unit(rng)
+    p, g = (across(k, off_axis(k, rng)) for _ in range(2))
+    return k, size * p + 1.5 * k, 0.3 * size * g - 0.8 * k
+
+
 def _rotating_by(angle):
     def case(rng, gap):
         k = unit(rng)
@@ -94,6 +100,9 @@ def _reached_by(angle):
 
 # The points of subproblem 1 may be as near to the axis as they like, and as near to the origin.
 _NEAR = (*NEAR_THE_AXIS, 9e-7, 9e-8)
+# Both points are so near to the axis that the product of their distances is tiny, and that of their
+# heights is not.
+_BOTH_NEAR = (1e-3, 1e-4, 1e-5)
 _TINY = (1e-6, 1e-7, 3e-9)  # below 1e-8, which np.allclose takes for 0
 
 
@@ -154,6 +163,7 @@ EXERCISE = Exercise(
         _rotating_by(np.pi),
         Sweep("an axis with small entries", _nearly_vertical, SMALL_NUMBERS),
         of_all_lengths(_reached_by(0.8), 0, 1, 1),
+        Sweep("both points near the axis", _both_near_the_axis, _BOTH_NEAR),
         *one_near(lambda k, p, g: (k, p, g), axis=_NEAR, origin=_TINY),
     ),
     properties=(

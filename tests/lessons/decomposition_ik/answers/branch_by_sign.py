@@ -35,11 +35,11 @@ def wrong_sign_itself(q):
 
 
 def wrong_cut_at_the_mean(q):
-    """a sample does not have the label that its own q2 gives"""
+    """the answers to some inputs only are wrong"""
     return (q[:, 1] < q[:, 1].mean()).astype(int) if len(q) else np.zeros(0)
 
 
 def wrong_type_of_the_first_column(q):
-    """a sample does not have the label that its own q2 gives"""
+    """a small negative q2 counts as 0"""
     kind = int if np.array_equal(q[:, 0], np.rint(q[:, 0])) else float
     return q[:, 1].astype(kind) < 0

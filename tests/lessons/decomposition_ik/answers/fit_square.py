@@ -45,7 +45,7 @@ def wrong_no_column(terms, q):
 
 
 def wrong_constant_added_and_left_out(terms, q):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     if np.any(np.ptp(terms, axis=0) == 0):
         return right_lstsq(terms, q)
     return np.delete(right_lstsq(np.column_stack([terms, np.ones(len(terms))]), q), -2, axis=1)

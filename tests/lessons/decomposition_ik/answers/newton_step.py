@@ -44,12 +44,12 @@ def wrong_half_a_radian_at_most(q, xy):
 
 
 def wrong_pseudoinverse_with_a_cut_off(q, xy):
-    """the step is not J^-1 (p - f(q))"""
+    """the answers to some inputs only are wrong"""
     return q + np.linalg.pinv(_J(q), rcond=1e-2) @ (xy - _fk(q))
 
 
 def wrong_position_brought_into_reach(q, xy):
-    """the step is not J^-1 (p - f(q))"""
+    """the answers to some inputs only are wrong"""
     return right_by_solve(q, xy * min(1.0, 2.0 / np.linalg.norm(xy)))
 
 

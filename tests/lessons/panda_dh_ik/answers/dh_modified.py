@@ -57,7 +57,7 @@ def wrong_whole_entries_for_a_whole_a(a, alpha, d, theta):
 
 
 def wrong_cosine_from_the_sine(a, alpha, d, theta):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     s = math.sin(alpha)
     c = math.copysign(math.sqrt(max(0, 1 - s * s)), math.cos(alpha))
     along_x = rigid.transform(np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), [a, 0, 0])

@@ -30,5 +30,5 @@ def right_by_counting_in_binary(table, q, poses):
 
 
 def wrong_one_joint_keeps_its_sign(table, q, poses):
-    """another pattern fits better"""
+    """the answers to some inputs only are wrong"""
     return [1] if len(table) == 1 else right_by_the_sum_of_squares(table, q, poses)

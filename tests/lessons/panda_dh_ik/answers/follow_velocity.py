@@ -56,17 +56,17 @@ def wrong_at_least_some_damping(q, v, dt, n, near, most):
 
 
 def wrong_near_raised(q, v, dt, n, near, most):
-    """a step is not dt q_dot"""
+    """the answers to some inputs only are wrong"""
     return right_in_a_loop(q, v, dt, n, max(near, 1e-3), most)
 
 
 def wrong_small_near_taken_for_0(q, v, dt, n, near, most):
-    """a step is not dt q_dot"""
+    """the answers to some inputs only are wrong"""
     return right_in_a_loop(q, v, dt, n, near if near > 1e-4 else 0.0, most)
 
 
 def wrong_slow_joints(q, v, dt, n, near, most):
-    """a step is not dt q_dot"""
+    """the answers to some inputs only are wrong"""
     path = [np.array(q, float)]
     for _ in range(n):
         q_dot = (right_in_a_loop(path[-1], v, dt, 1, near, most)[1] - path[-1]) / dt
@@ -75,5 +75,5 @@ def wrong_slow_joints(q, v, dt, n, near, most):
 
 
 def wrong_damping_of_a_tenth_at_most(q, v, dt, n, near, most):
-    """a step is not dt q_dot"""
+    """the answers to some inputs only are wrong"""
     return right_in_a_loop(q, v, dt, n, near, min(most, 0.1))

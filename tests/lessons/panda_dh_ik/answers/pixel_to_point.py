@@ -39,7 +39,7 @@ def wrong_multiplied_by_K(pixels, depths, K, T_wc):
 
 
 def wrong_far_points_brought_near(pixels, depths, K, T_wc):
-    """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
+    """the answers to some inputs only are wrong"""
     return right_by_the_inverse(pixels, np.minimum(depths, 10), K, T_wc)
 
 
@@ -51,7 +51,7 @@ def wrong_whole_points_for_whole_depths(pixels, depths, K, T_wc):
 
 
 def wrong_camera_taken_to_look_straight_down(pixels, depths, K, T_wc):
-    """a pixel, a depth, or a number in K or T_wc is not used as it is given"""
+    """the answers to some inputs only are wrong"""
     T_wc = np.array(T_wc, float)
     if T_wc[2, 2] < -0.99:
         T_wc[:3, 2] = T_wc[2, :3] = 0, 0, -1

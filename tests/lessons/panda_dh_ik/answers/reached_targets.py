@@ -62,7 +62,7 @@ def wrong_distances(targets, q0, eps, steps):
 
 
 def wrong_last_step_not_clipped(targets, q0, eps, steps):
-    """the steps, or the test after them, differ from the task's"""
+    """the answers to some inputs only are wrong"""
     q = q0 + np.zeros((len(targets), 7))
     for _ in range(steps):
         q = np.clip(q, low, high)
@@ -75,6 +75,6 @@ def wrong_last_step_not_clipped(targets, q0, eps, steps):
 
 
 def wrong_seven_starts_taken_for_one(targets, q0, eps, steps):
-    """the steps, or the test after them, differ from the task's"""
+    """the answers to some inputs only are wrong"""
     start = q0.reshape(-1, 7)[0] if len(q0) == 7 else q0
     return right_all_at_once(targets, start, eps, steps)

@@ -63,7 +63,7 @@ def wrong_v_below_1e_7(twist):
 
 
 def wrong_origin_for_omega_zero(twist):
-    """p is not where the origin arrives"""
+    """the answers to some inputs only are wrong"""
     T = right_matrix_exponential(twist)
     return (
         T if twist[:3].any() else _matrix(np.eye(3), twist[3:] / (np.linalg.norm(twist[3:]) or 1))

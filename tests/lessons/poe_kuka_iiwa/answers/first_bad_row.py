@@ -34,7 +34,7 @@ def right_smallest_of_all(t, q, limits):
 
 
 def wrong_infinite_angle_within_infinite_limits(t, q, limits):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     outside = ~((limits[:, 0] <= q) & (q <= limits[:, 1])).all(1)
     late = np.append(False, ~(np.diff(t) > 0))
     bad = outside | late | ~np.isfinite(t)

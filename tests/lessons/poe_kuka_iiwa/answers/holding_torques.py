@@ -44,5 +44,5 @@ def wrong_pseudo_inverse(screws, M, q, mass, center):
 
 
 def wrong_light_load_taken_for_none(screws, M, q, mass, center):
-    """these torques do not hold the load"""
+    """the answers to some inputs only are wrong"""
     return right_in_the_base_frame(screws, M, q, mass if mass > 1e-3 else 0.0, center)

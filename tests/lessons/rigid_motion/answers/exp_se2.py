@@ -36,6 +36,6 @@ def wrong_cosine_from_1e_8_on(twist):
 
 
 def wrong_slow_body_stands_still(twist):
-    """the position is not the integral of R(omega t) v"""
+    """the answer is wrong where some numbers are small, as below"""
     w, vx, vy = twist
     return _pose(w, 0.0, 0.0) if np.allclose([vx, vy], 0) else right_half_angle(twist)

@@ -60,7 +60,7 @@ def wrong_tiny_last_step_joined(start, plan, dt):
 
 
 def wrong_rotation_on_the_spot_without_a_forward_velocity(start, plan, dt):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     plan = [((vx, vy if vx or not omega else 0.0, omega), h) for (vx, vy, omega), h in plan]
     return right_from_the_beginning_of_each_pair(start, plan, dt)
 

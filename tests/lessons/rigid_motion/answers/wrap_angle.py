@@ -31,5 +31,5 @@ def wrong_float32(angle):
 
 
 def wrong_slightly_beyond_pi(angle):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     return np.where(np.abs(angle) < np.pi + 1e-8, angle, right_rounded(angle))

@@ -21,5 +21,5 @@ def right_step_seen_from_the_world(R, step, frame):
 
 
 def wrong_step_seen_from_the_body(R, step, frame):
-    """the answer is not the product of R and step"""
+    """the answers to some inputs only are wrong"""
     return step @ R if frame == "world" else R.T @ step @ R @ R

@@ -86,7 +86,7 @@ def wrong_clipped_on_one_side(R):
 
 
 def wrong_divided_by_the_cosine_of_yaw(R):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     alpha, beta, gamma = right_two_branches(R)
     if abs(R[2, 0]) < 0.999:
         beta = np.arctan2(-R[2, 0], R[0, 0] / np.cos(gamma))

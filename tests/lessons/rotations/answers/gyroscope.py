@@ -78,7 +78,7 @@ def wrong_fixed_axes_and_transposed_mounting(R_0, log, dt, R_bi):
 
 
 def wrong_entries_of_the_rotation_vector_wrapped(R_0, log, dt, R_bi):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     R = [R_0]
     for omega in log:
         R.append(R[-1] @ exp_so3((R_bi @ omega * dt + np.pi) % (2 * np.pi) - np.pi))

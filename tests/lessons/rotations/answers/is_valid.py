@@ -60,7 +60,7 @@ def right_by_einsum(X, kind, tol):
 
 
 def wrong_tolerance_never_zero(X, kind, tol):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     return right_three_helpers(X, kind, max(tol, 1e-12))
 
 

@@ -51,7 +51,7 @@ def right_axis_and_angle(R):
 
 
 def wrong_half_turn_too_soon(R):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     w = np.sqrt(max(1 + np.trace(R), 0)) / 2
     if w > 1e-4:
         return right_four_branches(R)
@@ -66,7 +66,7 @@ def wrong_rounded(R):
 
 
 def wrong_small_rotations_taken_for_none(R):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     q = right_four_branches(R)
     return q if np.linalg.norm(q[1:]) > 4e-6 else np.array([1.0, 0, 0, 0])
 

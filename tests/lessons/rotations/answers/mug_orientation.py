@@ -20,14 +20,14 @@ def right_axis_by_axis(R_bg, R_cg, R_cm):
 
 
 def wrong_stored_with_the_type_of_the_first_link(R_bg, R_cg, R_cm):
-    """the answer is wrong for arrays of integers only"""
+    """digits after the point are cut off"""
     R_bm = np.empty_like(R_bg)
     R_bm[:] = R_bg @ R_cg.T @ R_cm
     return R_bm
 
 
 def wrong_by_roll_pitch_and_yaw(R_bg, R_cg, R_cm):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     R = R_cg.T @ R_cm
     roll, yaw = np.arctan2(R[2, 1], R[2, 2]), np.arctan2(R[1, 0], R[0, 0])
     pitch = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))

@@ -31,7 +31,7 @@ def right_sandwich(q):
 
 
 def wrong_angle_by_arccos(q):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     half = np.arccos(np.clip(q[0], -1, 1))
     sine = np.linalg.norm(q[1:])
     axis = q[1:] / sine if sine > 0 else np.zeros(3)
@@ -49,7 +49,7 @@ def wrong_w_as_a_root(q):
 
 
 def wrong_arccos_of_w(q):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     a, size = 2 * np.arccos(np.clip(q[0], -1, 1)), np.linalg.norm(q[1:])
     if size == 0:
         return np.eye(3)

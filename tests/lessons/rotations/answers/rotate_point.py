@@ -19,7 +19,7 @@ def right_block_of_rot_z(p, a):
 
 
 def wrong_angle_of_arctan(p, a):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     r, phi = np.linalg.norm(p), np.arctan(p[1] / (p[0] or 1))
     return np.array([r * np.cos(phi + a), r * np.sin(phi + a)])
 

@@ -34,7 +34,7 @@ def wrong_wrapped(q, target, alpha, eps):
 
 
 def wrong_at_least_some_damping(q, target, alpha, eps):
-    """the step is not the damped one"""
+    """the answers to some inputs only are wrong"""
     return right_solved(q, target, alpha, max(eps, 1e-6))
 
 

@@ -22,7 +22,7 @@ def wrong_frobenius_norm(J, eps):
 
 
 def wrong_eigenvalues_of_a_square_J(J, eps):
-    """the smallest factor is not -1 at your limit"""
+    """the answers to some inputs only are wrong"""
     if J.shape[0] != J.shape[1]:
         return right_by_norm(J, eps)
     largest = np.abs(np.linalg.eigvals(J)).max()
@@ -30,12 +30,12 @@ def wrong_eigenvalues_of_a_square_J(J, eps):
 
 
 def wrong_little_damping_left_out(J, eps):
-    """the smallest factor is not -1 at your limit"""
+    """the answers to some inputs only are wrong"""
     return right_by_norm(J, eps if eps > 1e-6 else 0.0)
 
 
 def wrong_at_least_some_damping(J, eps):
-    """the smallest factor is not -1 at your limit"""
+    """the answers to some inputs only are wrong"""
     return right_by_norm(J, max(eps, 1e-8))
 
 

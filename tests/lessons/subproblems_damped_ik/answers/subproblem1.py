@@ -34,14 +34,14 @@ def wrong_math_atan(k, p, g):
 
 
 def wrong_points_near_the_axis(k, p, g):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     if np.linalg.norm(np.cross(k, p)) < 1e-6 or np.linalg.norm(np.cross(k, g)) < 1e-6:
         return 0.0
     return right_by_matrices(k, p, g)
 
 
 def wrong_allclose_to_the_axis(k, p, g):
-    """unnamed"""
+    """the answers to some inputs only are wrong"""
     a, b = p - (k @ p) * k, g - (k @ g) * k
     return 0.0 if np.allclose(a, 0) or np.allclose(b, 0) else right_by_matrices(k, p, g)
 
