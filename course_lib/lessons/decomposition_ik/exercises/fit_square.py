@@ -59,9 +59,9 @@ def _whole_in_one(rng):
 
 
 def _without_a_constant(rng):
-    """Return samples with seven terms, none of which is constant."""
-    x, y = rng.uniform(-1, 1, (2, 9))
-    terms = np.column_stack([x, y, x**2, x * y, y**2, x**3, y**3])
+    """Return samples with six terms, none of which is constant."""
+    x, y = rng.uniform(-1, 1, (2, 8))
+    terms = np.column_stack([x, y, x**2, x * y, y**2, x**3])
     return terms, two_link_angles(np.column_stack([0.3 * x, 1.3 + 0.3 * y]))[:, 0]
 
 
