@@ -44,9 +44,10 @@ def with_symbols(function, names, arguments):
     """Return what the function answers, called with SymPy symbols for its floats, as numbers for
     these floats.
 
-    The function is then called with other symbols for half of the floats, and with the floats
-    themselves. The first answer that differs is returned. Whole numbers are passed unchanged. The
-    symbols are real, have the names of the arguments, and differ from all symbols made elsewhere.
+    The function is then called with other symbols for the first half of the floats, with symbols
+    for every other float, and with the floats themselves. The first answer that differs is
+    returned. Whole numbers are passed unchanged. The symbols are real, have the names of the
+    arguments, and differ from all symbols made elsewhere.
     Expressions are evaluated in SymPy's matrices and arrays, and in numpy's arrays, lists and
     tuples; any other answer is passed on unchanged. No text is ever parsed as an expression.
 
@@ -89,7 +90,8 @@ def with_symbols(function, names, arguments):
     answers = []
     first = asked(own, floats)
     half = floats[: (len(floats) + 1) // 2]
-    for symbols, positions in ((plain, half), (own, [])) if floats else ():
+    others = (plain, half), (own, floats[::2]), (own, [])
+    for symbols, positions in others if floats else ():
         other = asked(symbols, positions)
         if not _agree(first, other):
             return other

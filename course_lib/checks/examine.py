@@ -157,22 +157,23 @@ def _mistake(wanted, naming, failing, wrong):
     and what the property asks about every answer.
     """
     first = failing[0]
-    speaks_of_digits = wanted.compares or wanted.otherwise is None
-    of_digits = naming.of_digits(failing, wrong) if speaks_of_digits else None
     otherwise = wanted.otherwise
     if callable(otherwise):
         otherwise = attempt(otherwise, naming.values[first], *naming.cases[first])
+    # Whether every answer can be wrong in this way, by a slip in the formula or in some digits.
+    is_of_the_formula = wanted.compares or getattr(otherwise, "of_the_formula", otherwise is None)
+    of_digits = naming.of_digits(failing, wrong) if is_of_the_formula else None
     known = naming.mistake(failing, wrong, of_digits)
     if known is None and of_digits is None and isinstance(otherwise, Mistake):
         known = otherwise
     known = known or naming.returned_argument(wrong) or of_digits
     if known is not None:
         return known
-    is_of_the_formula = getattr(otherwise, "of_the_formula", False)
-    if callable(wanted.otherwise) and otherwise is not None and not is_of_the_formula:
+    is_seen_in_the_answer = callable(wanted.otherwise) and otherwise is not None
+    if is_seen_in_the_answer and not getattr(otherwise, "of_the_formula", False):
         return otherwise
     in_common = naming.in_common(wrong)
-    if in_common is None and (wanted.compares or otherwise is None or is_of_the_formula):
+    if in_common is None and is_of_the_formula:
         in_common = naming.of_few(wrong)
     return in_common or otherwise
 

@@ -285,7 +285,8 @@ EXERCISE = declared(
         ),
         Mistake(
             "the numbers of the cells are floats",
-            "np.floor(3.7) is 3.0, a float: can it be the index of an array?",
+            "np.floor(3.7) is 3.0, a float. Which of your lines makes the numbers for this input, "
+            "and of which type are they there?",
             seen=_are_floats,
         ),
         Mistake(
@@ -306,8 +307,8 @@ EXERCISE = declared(
         ),
         Mistake(
             "a position slightly outside the box counts as inside",
-            "Compare with low and high themselves. A position beyond them is outside, however "
-            "small the distance is.",
+            "Which numbers does your code compare to find what is outside, and what may rounding, "
+            "or a tolerance, do to them?",
             seen=_granted,
         ),
         Mistake(

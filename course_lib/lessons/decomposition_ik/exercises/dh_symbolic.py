@@ -31,7 +31,6 @@ def _cases(rng):
     numbers have many digits, which simple fractions do not give."""
     whole = [(0, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 1, 0, 0)]
     some = [(1, 0, 0, 0.5), (0, np.pi / 2, 0, 0), (0.5, 0, 0, 0.5), (2, 1, 3, -2)]
-    some.append((0.4, 1, 0.3, -2))  # symbols for both lengths, and numbers for both angles
     rows = [tuple(float(number) for number in row) for row in (*whole, *some)]
     return [*rows, tuple(_drawn(rng))]
 

@@ -228,6 +228,7 @@ EXERCISE = Exercise(
                 "a model is not that of its own samples",
                 "Which samples, columns and angles does your fit of this row use, and what does "
                 "your code do with the coefficients afterwards?",
+                of_the_formula=True,
             ),
         ),
     ),

@@ -129,6 +129,7 @@ EXERCISE = declared(
                 "an axis is not that of its joint",
                 "Which column of which frame is the axis of this joint, along the world's axes, "
                 "and what does your code put there?",
+                of_the_formula=True,
             ),
             "The lower half of the column of joint {number}",
         ),
@@ -154,12 +155,13 @@ EXERCISE = declared(
             "Which frames belong to joints, and which frame does no joint move?",
             form=_counts_the_flange,
         ),
-        Mistake(KEPT_FOR_THE_NEXT_CALL.name, KEPT_FOR_THE_NEXT_CALL.hint, form=_has_grown),
         Mistake(
             "the arm is taken to have seven joints",
             "How many joints does an arm with these frames have?",
             raises=("IndexError", "is out of bounds for axis 0"),
+            form=(6, 7),
         ),
+        Mistake(KEPT_FOR_THE_NEXT_CALL.name, KEPT_FOR_THE_NEXT_CALL.hint, form=_has_grown),
         Mistake(
             "the origin, or the axis too, is that of the next frame, or of the previous frame",
             "On the axis of which joint does frame i lie in the modified convention?",

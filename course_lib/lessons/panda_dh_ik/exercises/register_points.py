@@ -187,6 +187,7 @@ EXERCISE = Exercise(
                 "Compute the two centroids, the sum of the w_i b_i a_i^T, U V^T with its "
                 "determinant, and p for the case below, as in the text. How often does each w_i "
                 "count, where is a reflection repaired, and what differs in your code?",
+                of_the_formula=True,
             ),
         ),
     ),

@@ -64,7 +64,7 @@ _NEARLY_PI = np.pi - SIX_DIGITS  # rad; beyond it phi and -phi are both right
 _OFF = 4e-10 * np.array([1, -1, 1, -1, 1, -1])
 _MOVED = transform(np.eye(3), [0.1, 0.2, 0.3])
 _SIGN = "with a wrong sign"
-_FRAME = "one half or both halves of which are seen from another frame"
+_FRAME = "of whose error a half, or both halves, are seen from another frame"
 _SUBTRACTED = "that subtracts what cannot be subtracted"
 _ANGLE = "whose angle is wrong for large rotations"
 

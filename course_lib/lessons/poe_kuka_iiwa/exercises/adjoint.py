@@ -34,6 +34,7 @@ EXERCISE = declared(
             Question(
                 "the upper left block is not R",
                 "Which line of yours fills this block? How does frame a see the omega of frame b?",
+                of_the_formula=True,
             ),
             "The {} column of the block",
         ),

@@ -102,7 +102,9 @@ def _otherwise(twist, T):
         )
     return Question(
         "v does not lead to the position of T",
-        "In exp_se2 the position is A v. Which equation does your v solve here, and with which A?",
+        "In exp_se2 the position is A v. Which equation does your v solve here, with which A, and "
+        "is your omega the angle of this rotation?",
+        of_the_formula=True,
     )
 
 

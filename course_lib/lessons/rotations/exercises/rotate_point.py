@@ -68,6 +68,7 @@ EXERCISE = declared(
                 "the point comes nearer to the origin, or moves away",
                 "Each new coordinate is made of both old ones: where do (1, 0) and (0, 1) go in "
                 "your code?",
+                of_the_formula=True,
             ),
         ),
     ),

@@ -27,8 +27,9 @@ def _no_axis(A, b):
     return Question(
         f"the {ORDINALS[j]} column is not the axis about which b{j + 1} rotates",
         "About which axis does the factor of this column rotate, and which rotations, to its left, "
-        "carry that axis along? How many digits of your column are right, and which of the angles "
-        "below is more than your code expects?",
+        "carry that axis along? How many digits of your column are right, and which signs have "
+        "its entries?",
+        of_the_formula=True,
     )
 
 

@@ -56,13 +56,13 @@ def right_pseudo_inverse_in_lists(xy, q, cell, count):
 
 
 def wrong_repeated_samples_dropped(xy, q, cell, count):
-    """a model is not that of its own samples"""
+    """the answers to some inputs only are wrong"""
     _, first = np.unique(np.column_stack([xy, q, cell]), axis=0, return_index=True)
     return right_linear_regression(xy[first], q[first], cell[first], count)
 
 
 def wrong_wrapped_angles(xy, q, cell, count):
-    """a model is not that of its own samples"""
+    """the answers to some inputs only are wrong"""
     return right_linear_regression(xy, (q + np.pi) % (2 * np.pi) - np.pi, cell, count)
 
 
@@ -96,7 +96,7 @@ def wrong_cells_of_fewer_than_six_samples_left_out(xy, q, cell, count):
 
 
 def wrong_unwrapped_angles(xy, q, cell, count):
-    """a model is not that of its own samples"""
+    """the answers to some inputs only are wrong"""
     return _models(xy, q, cell, count, lambda x, t: _plane(x, np.unwrap(t, axis=0)))
 
 

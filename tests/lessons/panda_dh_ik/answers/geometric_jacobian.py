@@ -58,11 +58,11 @@ def wrong_columns_in_the_cross_product(frames):
 
 
 def wrong_more_than_seven_joints_left_out(frames):
-    """the answer does not have the form asked for"""
+    """the arm is taken to have seven joints"""
     return right_all_joints_at_once(frames)[:, :7]
 
 
 def wrong_no_column_for_a_joint_at_the_flange(frames):
-    """an axis is not that of its joint"""
+    """the answers to some inputs only are wrong"""
     at_flange = np.linalg.norm(frames[:-1, :3, 3] - frames[-1, :3, 3], axis=1) < 1e-12
     return right_all_joints_at_once(frames) * ~at_flange

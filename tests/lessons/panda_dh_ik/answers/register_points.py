@@ -96,12 +96,12 @@ def wrong_the_librarys(src, dst, weights):
 
 
 def wrong_small_weights_are_all_the_same(src, dst, weights):
-    """the weights do not count as in the sum that the task names"""
+    """the answers to some inputs only are wrong"""
     return right_kabsch(src, dst, weights if weights.sum() > 1e-6 else np.ones(len(src)))
 
 
 def wrong_light_points_left_out(src, dst, weights):
-    """the weights do not count as in the sum that the task names"""
+    """the answers to some inputs only are wrong"""
     return right_kabsch(src, dst, np.where(weights < 1e-4 * weights.max(), 0, weights))
 
 

@@ -33,7 +33,7 @@ def right_rotations_of_scipy(b):
 
 
 def wrong_sine_from_the_root(b):
-    """the third column is not the axis"""
+    """the answers to some inputs only are wrong"""
     A = rates(b)
     sine = np.sign(b[1]) * np.sqrt(1 - np.cos(b[1]) ** 2)
     A[::2, 2] = sine * np.sin(b[0]), sine * np.cos(b[0])
