@@ -117,6 +117,7 @@ _Q2 = Mistake(
     "What does your code compute the angle of the elbow from, and which line gives another angle "
     "for this position?",
 )
+_NEARLY = 1e-3  # metres
 _NEARLY_THERE = Question(
     "the angles lead nearly to the tip",
     "Which line loses digits for this position, or is only nearly right for it?",
@@ -146,9 +147,10 @@ def other_bend(angles, tip):
     bend = np.abs(np.angle(np.exp(1j * angles[:, 1])))
     if (bend > np.pi - EXACT).all():
         return _FOLDED
-    leads_there = np.linalg.norm(two_link_tip(angles) - tip, axis=-1) < PREDICTED
+    misses = np.linalg.norm(two_link_tip(angles) - tip, axis=-1)
+    leads_there = misses < PREDICTED
     bent_back = np.linalg.norm(two_link_tip(angles * [1, -1]) - tip, axis=-1) < PREDICTED
-    if leads_there.all():
+    if (misses < _NEARLY).all():
         return _NEARLY_THERE
     if (leads_there | bent_back).all():
         return _OTHER_SIDE

@@ -71,7 +71,8 @@ def _symbolic(a, alpha, d, theta):
 _COLUMN = Question(
     "a column is not that of Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)",
     "Multiply the four matrices on paper, and compare the column named above with yours, entry by "
-    "entry. Does each argument enter them as it came, also an angle of more than a revolution?",
+    "entry. Does each argument enter them as it came, also an angle of more than a revolution? The "
+    "check passes these numbers, or symbols in place of some: is your matrix the same with both?",
     of_the_formula=True,
 )
 _ROUNDED = Question(

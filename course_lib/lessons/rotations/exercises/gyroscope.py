@@ -99,6 +99,13 @@ def _found(R, *case):
     return f"R[{k}] is the first orientation that differs. " + first_off(R[k], right[k])
 
 
+def _tell_no_rotation(R):
+    """Say which orientation is the first that is no rotation."""
+    errors = list(map(orthogonality_error, R))
+    k = int(np.argmax(np.array(errors) >= EXACT))
+    return f"An entry of R[{k}]^T R[{k}] differs from that of I by {errors[k]:.2g}."
+
+
 def _otherwise(R, *case):
     """Return the Mistake of orientations that are nearly right; None of others."""
     if difference(R, _right(*case)) > _NEARLY:
@@ -127,10 +134,7 @@ EXERCISE = declared(
         Property(
             "every orientation is a rotation",
             lambda R, *case: max(map(orthogonality_error, R)) < EXACT,
-            says=lambda R, *case: (
-                "An entry of R^T R differs from that of I by "
-                f"{max(map(orthogonality_error, R)):.2g}."
-            ),
+            says=lambda R, *case: _tell_no_rotation(R),
         ),
         Property(
             "with the sensor's axes along the body's (R_bi = I), each sample rotates the body "
