@@ -32,7 +32,7 @@ from course_lib.checks.tolerances import EXACT
 from course_lib.checks.verdict import RIGHT, WRONG
 from course_lib.checks.vocabulary import compared, pose, same_list
 from course_lib.rigid import is_se
-from course_lib.rotations import exp_so3, is_so
+from course_lib.rotations import exp_so3, hat, is_so
 
 LESSONS = Path(__file__).parents[1] / "course_lib/lessons"
 MODULES = sorted(
@@ -197,7 +197,8 @@ def nearly_special(rng):
     table[0] = 0
     poses = np.array([pose(exp_so3([0, 0, np.pi]), rng.integers(-2, 3, 3)) for _ in range(2)])
     screws = np.array([screw_axis(rng) for _ in range(3)])
-    return table, poses, screws, np.eye(3)[rng.integers(3)], float(rng.integers(5))
+    number = float(rng.integers(5))
+    return table, poses, screws, np.eye(3)[rng.integers(3)], number, hat(rng.integers(-2, 3, 3))
 
 
 def test_nearly_special_arguments_stay_what_they_are():
@@ -207,7 +208,8 @@ def test_nearly_special_arguments_stay_what_they_are():
     for k in range(len(before[0])):
         gaps = [np.abs(new[k] - old[k]).max() for old, new in zip(before, after, strict=True)]
         assert 0 < max(gaps) < 0.1
-    for table, poses, screws, axis, _ in after:
+    for table, poses, screws, axis, _, W in after:
+        assert np.array_equal(W, -W.T)
         assert not table[0].any(), "what is the same in all cases stays"
         assert all(is_se(T) for T in poses)
         assert np.allclose(np.linalg.norm(screws[:, :3], axis=1), 1, rtol=0, atol=1e-12)

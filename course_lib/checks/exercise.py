@@ -226,9 +226,22 @@ def _drawn_cases(exercise, seed):
         small, free = exercise.small, exercise.free
         cases += made_cases(cases, exercise.arguments, sweeps, angles, rng, small, free)
         if exercise.special is not None:
-            special, admits = exercise.special, exercise.admits
-            cases += special_at_once(special, admits, rng, exercise.is_exact)
+            admits = functools.partial(_is_admitted, exercise)
+            cases += special_at_once(exercise.special, admits, rng, exercise.is_exact)
     return tuple(map(_unchangeable, cases))
+
+
+def _is_admitted(exercise, *case):
+    """Return whether the task admits these arguments together, and the library takes them: the
+    engine does not know every kind of argument."""
+    if not exercise.admits(*case):
+        return False
+    try:
+        if exercise.library is not None:
+            exercise.library(*case)
+    except ValueError:
+        return False
+    return True
 
 
 def _unchangeable(case):

@@ -203,8 +203,8 @@ def with_some_integers(case, rng):
 def nearly(cases, rng):
     """Return the cases with numbers that are off by a little, relative to the largest.
 
-    What is a rotation, a pose, a unit vector or a screw in all cases stays one, and a number that
-    is the same in all of them is not changed.
+    What is a rotation, a pose, a unit vector, a screw or a skew-symmetric matrix in all cases stays
+    one, and a number that is the same in all of them is not changed.
     """
     if not cases:
         return []
@@ -552,6 +552,15 @@ def _moved_screws(rng, screws, size):
     return np.array([adjoint(_pose(rng, np.eye(4), size, None)) @ S for S in screws])
 
 
+def _is_skew_symmetric(array):
+    return array.ndim == 2 and array.shape == array.T.shape and np.array_equal(array, -array.T)
+
+
+def _moved_skew_symmetric(rng, W, size):
+    moved = _moved_numbers(rng, W, size)
+    return (moved - moved.T) / 2
+
+
 def _are_poses(array):
     return array.ndim == 3 and all(map(_is_pose, array))
 
@@ -570,6 +579,7 @@ _MOVED = (
     (_are_poses, _moved_poses),
     (_is_unit_vector, _moved_unit_vector),
     (_are_screws, _moved_screws),
+    (_is_skew_symmetric, _moved_skew_symmetric),
 )
 _KINDS = (
     (_is_rotation, _rotation),
