@@ -21,6 +21,7 @@ from course_lib.checks.special_cases import (
     SMALL_NUMBERS,
     InPlace,
     MadeCase,
+    NearlySpecial,
     OneChanged,
     Sweep,
     made_cases,
@@ -179,6 +180,22 @@ def test_where_there_is_no_special_case_none_is_asked():
     rng = np.random.default_rng(0)
     assert special_at_once(lambda rng: None, admits_all, rng, is_exact=False) == []
     assert special_at_once(special, lambda *arguments: False, rng, is_exact=False) == []
+
+
+def test_no_special_case_comes_that_the_library_refuses():
+    def with_a_zero_first(rng):
+        return (np.append(0, rng.integers(1, 3, 2)).astype(float),)
+
+    def twice(p):
+        if p[0] + p[1] < 1:
+            raise ValueError("The first two numbers are too small.")
+        return 2 * p
+
+    exercise = replace(TWICE, special=with_a_zero_first, library=twice)
+    cases, _ = exercise.questions(PUBLIC_SEED)
+    beside = [case for case in cases if isinstance(case, NearlySpecial)]
+    assert 0 < len(beside) < 40
+    assert all(p[0] + p[1] >= 1 for (p,) in beside)
 
 
 def test_some_special_arguments_are_integers():

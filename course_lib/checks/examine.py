@@ -9,7 +9,7 @@ from course_lib.checks.answer_types import Unreadable
 from course_lib.checks.common_mistakes import MIN_NUMBERS, is_whole
 from course_lib.checks.comparisons import attempt, difference, predict, same
 from course_lib.checks.errors import explain_error
-from course_lib.checks.mistake import Mistake
+from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.naming import GIVEN_TO_EARLIER_CALL, KEPT_FOR_THE_NEXT_CALL, Naming
 from course_lib.checks.reasons import Fails, Finding, first_entry_off
 from course_lib.checks.verdict import ERROR, NOT_ATTEMPTED, RIGHT, UNCHANGED, WRONG, Verdict
@@ -160,9 +160,10 @@ def _mistake(wanted, naming, failing, wrong):
     otherwise = wanted.otherwise
     if callable(otherwise):
         otherwise = attempt(otherwise, naming.values[first], *naming.cases[first])
-    # Whether every answer can be wrong in this way, by a slip in the formula or in some digits.
-    is_of_the_formula = wanted.compares or getattr(otherwise, "of_the_formula", otherwise is None)
-    of_digits = naming.of_digits(failing, wrong) if is_of_the_formula else None
+    asks_of_the_formula = isinstance(otherwise, Question) and otherwise.of_the_formula
+    # Every answer can fail here, by a slip in the formula or in its last digits.
+    concerns_all = wanted.compares or otherwise is None or asks_of_the_formula
+    of_digits = naming.of_digits(failing, wrong) if concerns_all else None
     known = naming.mistake(failing, wrong, of_digits)
     if known is None and of_digits is None and isinstance(otherwise, Mistake):
         known = otherwise
@@ -170,10 +171,10 @@ def _mistake(wanted, naming, failing, wrong):
     if known is not None:
         return known
     is_seen_in_the_answer = callable(wanted.otherwise) and otherwise is not None
-    if is_seen_in_the_answer and not getattr(otherwise, "of_the_formula", False):
+    if is_seen_in_the_answer and not asks_of_the_formula:
         return otherwise
     in_common = naming.in_common(wrong)
-    if in_common is None and is_of_the_formula:
+    if in_common is None and concerns_all:
         in_common = naming.of_few(wrong)
     return in_common or otherwise
 

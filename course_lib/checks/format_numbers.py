@@ -32,6 +32,34 @@ def format_tuple(numbers, rounding=1e-12, digits=4):
     return written[0] if np.size(numbers) == 1 else f"({', '.join(written)})"
 
 
+def format_as_needed(numbers, holds, digits=4):
+    """Return numbers in the form of a tuple, with so many digits that what is said of them is true
+    of the numbers as they are written.
+
+    Parameters
+    ----------
+    numbers : array_like
+    holds : callable
+        holds(written): whether it is true of these numbers, an array.
+    digits : int, optional
+        How many are tried first; then nine, and then all.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> format_as_needed([0.25, 1.99999], lambda written: (written < 2).all())
+    '(0.25, 1.99999)'
+    """
+    for count in (digits, SHOWN_DIGITS[1]):
+        written = np.array([float(f"{number:.{count}g}") for number in np.ravel(numbers)])
+        if holds(written):
+            return format_tuple(numbers, rounding=0, digits=count)
+    return format_tuple(numbers, rounding=0, digits=ALL_DIGITS)
+
+
 def format_array(numbers, digits=4):
     """Return an array on one line, its entries in the form in which messages show arrays.
 

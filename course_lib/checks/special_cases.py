@@ -526,6 +526,7 @@ def _unit_vector(rng, v, size, way):
 
 
 def _moved_numbers(rng, argument, size):
+    """Return an array, also of a single number, so that its entries can be assigned to."""
     array = np.asarray(argument)
     largest = np.abs(array).max(initial=0)
     return np.array(array + size * largest * rng.choice([-1, 0, 1], array.shape))

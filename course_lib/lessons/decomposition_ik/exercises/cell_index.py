@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.declared import declared
 from course_lib.checks.exercise import Property
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.format_numbers import format_as_needed, format_tuple
 from course_lib.checks.kinds import OWN_CASES, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import ON_BOTH_SIDES, Sweep
@@ -175,14 +175,17 @@ def _found(index, xy, low, high, n):
             f"Position {k} of xy, {format_tuple(xy[k])}, lies {beyond:.2g} beyond an edge of the "
             f"box. {yours}"
         )
-    widths = ", ".join(map(_written, _parts(xy, low, high, n)[k]))
-    return f"Position {k} of xy is ({widths}) widths of a cell from low. {yours}"
+    parts = _parts(xy, low, high, n)[k]
+    is_rounded_up = (parts >= n) & (xy[k] < high)
+    if is_rounded_up.any():
+        below = (high - xy[k])[is_rounded_up].min()
+        return f"Position {k} of xy lies {below:.2g} below an upper edge of the box. {yours}"
 
+    def are_in_the_same_cells(written):
+        return np.array_equal(np.floor(written), np.floor(parts))
 
-def _written(widths):
-    """Return a number in nine digits, or in all if it would look whole and is not."""
-    shown = f"{widths:.9g}"
-    return shown if float(shown).is_integer() <= widths.is_integer() else repr(float(widths))
+    widths = format_as_needed(parts, are_in_the_same_cells, digits=9)
+    return f"Position {k} of xy is {widths} widths of a cell from low. {yours}"
 
 
 _NOT_ITS_OWN = Question(

@@ -177,7 +177,8 @@ def _tell_fit(index, models, xy, q, cell, count):
     return (
         f"Cluster {k} in cell {c} has {count_of_samples}. The row for q{j + 1} there is "
         + compared(least_squares, models[c, k, j])
-        + f". The squares of your residuals add up to {yours - least:.3g} more."
+        + f". The sum of the squares of your residuals is {yours - least:.3g} larger than the "
+        "least one."
     )
 
 

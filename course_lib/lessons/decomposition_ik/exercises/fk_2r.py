@@ -5,7 +5,7 @@ import numpy as np
 from course_lib.checks.answer_types import numbers
 from course_lib.checks.comparisons import same
 from course_lib.checks.declared import declared
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.format_numbers import format_as_needed
 from course_lib.checks.kinds import QUARTER, joint_angles
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.special_cases import BESIDE
@@ -71,11 +71,9 @@ def _is_off_the_elbow(found, q):
 def _written(pair, tip):
     """Return two angles with so many digits that the tip's error is not that of the digits."""
     gap = np.abs(two_link_tip(pair) - tip).max()
-    for digits in (4, 9):
-        shown = np.array([float(f"{angle:.{digits}g}") for angle in pair])
-        if np.abs(two_link_tip(shown) - two_link_tip(pair)).max() < gap / 10:
-            return format_tuple(pair, digits=digits)
-    return format_tuple(pair, digits=17)
+    return format_as_needed(
+        pair, lambda written: np.abs(two_link_tip(written) - two_link_tip(pair)).max() < gap / 10
+    )
 
 
 def _found(found, q):

@@ -12,7 +12,7 @@ from course_lib.lessons.panda_dh_ik.exercises.shared_points import moved
 from course_lib.rigid import inverse, transform
 from course_lib.rotations import exp_so3, rot_x
 
-# With focal lengths that differ by less than one pixel, as those of a calibrated camera do
+# With focal lengths that differ by less than one pixel, as those of a calibrated camera do.
 _K_NEARLY_SQUARE = np.array([[615.3, 0, 321.1], [0, 615.7, 238.4], [0, 0, 1]])
 _K = np.array([[580.0, 0, 311.5], [0, 610, 252], [0, 0, 1]])  # with two focal lengths
 

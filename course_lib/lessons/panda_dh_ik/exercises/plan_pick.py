@@ -26,7 +26,7 @@ _FAR_MUG = 0.348, 0.322, -0.918
 # pose, by 0.9 rad or more, whatever the angle of joint 1; and where the mug is.
 _ASIDE = np.array([-0.325, -0.823, -0.009, -2.412, 0.069, 1.564, 1.778])
 _ASIDE_MUG = 0.39, -1.369, 0.847
-# A start in whole numbers
+# A start in whole numbers.
 _WHOLE = np.array([0, -1, 0, -2, 0, 2, 1])
 _EVEN = np.linspace(0, 1, 41)[:, None]
 _EASED = 3 * _EVEN**2 - 2 * _EVEN**3
@@ -105,7 +105,7 @@ def _cases(rng):
     radius, aside, yaw = _ASIDE_MUG
     mug_aside = _at(radius, bearings[3] + aside) @ transform(rot_z(yaw), np.zeros(3)) @ IN_MUG
     above = legs(*cases[0])[1][0]
-    # In each joint, so that the first leg takes longer than 0.1 s
+    # Each joint moves, so that the first leg takes longer than 0.1 s.
     nearly_above = above + rng.choice([-1, 1], 7) * rng.uniform(0.03, 0.045, 7)
     return [
         *cases,

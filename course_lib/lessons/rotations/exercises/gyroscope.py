@@ -10,7 +10,14 @@ from course_lib.checks.exercise import Property
 from course_lib.checks.kinds import FACTOR, ROTATION, Kind, leaning_axis, number, whole_numbers
 from course_lib.checks.mistake import Mistake, Question
 from course_lib.checks.tolerances import EXACT
-from course_lib.checks.vocabulary import any_rotation, first_off, near, orthogonality_error, unit
+from course_lib.checks.vocabulary import (
+    any_rotation,
+    first_off,
+    near,
+    no_rotation,
+    orthogonality_error,
+    unit,
+)
 from course_lib.rotations import exp_so3, hat, rot_z
 
 _NEARLY = 1e-5  # off by less than a small rotation
@@ -99,11 +106,9 @@ def _found(R, *case):
     return f"R[{k}] is the first orientation that differs. " + first_off(R[k], right[k])
 
 
-def _tell_no_rotation(R):
-    """Say which orientation is the first that is no rotation."""
-    errors = list(map(orthogonality_error, R))
-    k = int(np.argmax(np.array(errors) >= EXACT))
-    return f"An entry of R[{k}]^T R[{k}] differs from that of I by {errors[k]:.2g}."
+def _tell_no_rotation(R, *case):
+    k = next(k for k, each in enumerate(R) if orthogonality_error(each) >= EXACT)
+    return f"R[{k}] is the first orientation that is no rotation. {no_rotation(R[k])}"
 
 
 def _otherwise(R, *case):
@@ -134,7 +139,7 @@ EXERCISE = declared(
         Property(
             "every orientation is a rotation",
             lambda R, *case: max(map(orthogonality_error, R)) < EXACT,
-            says=lambda R, *case: _tell_no_rotation(R),
+            says=_tell_no_rotation,
         ),
         Property(
             "with the sensor's axes along the body's (R_bi = I), each sample rotates the body "

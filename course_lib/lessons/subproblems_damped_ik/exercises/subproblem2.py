@@ -6,7 +6,7 @@ import numpy as np
 
 from course_lib.checks.answer_types import rows
 from course_lib.checks.exercise import Exercise
-from course_lib.checks.format_numbers import format_tuple
+from course_lib.checks.format_numbers import format_as_needed
 from course_lib.checks.kinds import coarse_axis, quarters
 from course_lib.checks.mistake import Question
 from course_lib.checks.special_cases import JUST_WITHIN, OUT_OF_REACH, SMALL_NUMBERS, Sweep
@@ -168,9 +168,16 @@ def _misses(pair, k1, k2, p1, p2):
 
 
 def _gap(pair, k1, k2, p1, p2):
-    gap = _misses(pair, k1, k2, p1, p2) * np.linalg.norm(p1)
-    digits = 6 if gap > 1e-4 else 17  # rounded angles have an error of their own
-    return f"With {format_tuple(pair, digits=digits)} the points are {gap:.3g} apart."
+    def gap_of(angles):
+        return _misses(angles, k1, k2, p1, p2) * np.linalg.norm(p1)
+
+    gap = gap_of(pair)
+
+    def are_as_far_apart(written):
+        return abs(gap_of(written) - gap) < gap / 1000
+
+    angles = format_as_needed(pair, are_as_far_apart, digits=6)
+    return f"With {angles} the points are {gap:.3g} apart."
 
 
 def _gap_of_the_first(pairs, *case):

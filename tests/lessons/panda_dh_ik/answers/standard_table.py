@@ -19,6 +19,19 @@ def right_by_a_loop_of_lists(table):
     ]
 
 
+def right_with_alpha_within_half_a_revolution(table):
+    rows = right_rolled(np.asarray(table, float))
+    rows[:, 1] = np.arctan2(np.sin(rows[:, 1]), np.cos(rows[:, 1]))
+    return rows
+
+
+def wrong_wrapped_in_an_array_of_the_type_of_the_table(table):
+    """the answer is wrong for arrays of integers only"""
+    rows = np.empty_like(table)
+    rows[:] = right_with_alpha_within_half_a_revolution(table)
+    return rows
+
+
 def wrong_rows_of_zeros_left_out(table):
     """the answer does not have the form asked for"""
     return right_rolled(table)[np.r_[True, table[1:].any(1)]]
